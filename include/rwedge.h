@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* rwedge: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+ *
+ * Source: M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded apex",
+ * Int. J. Mech. Sci. 40 (1998) 977-988. "Eq. (n)" is that paper's numbering, "E1" ... its errata as listed in
+ * lib/README.md, where every formula is written out; "new" marks what the paper does not have.
+ *
+ * Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge leaves the surface at the
+ * small angle theta, its apex is rounded over |x| < a with radius R = a/theta, and the contact is |x| < b. The functions
+ * of a/b use natural units: lengths in b, stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and
+ * pressures are negative in compression; P, Q are positive forces per unit length; k is the yield stress in pure shear.
+ * In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x = -b.
+ *
+ * Arguments that return everywhere, with their domain:
+ *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
+ *   f      coefficient of friction, 0 <= f <= 1e6
+ *   nu     Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ *   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
+ *   x, y   a point, in b, finite, y >= 0
+ *
+ * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
+ * allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
+ * RWEDGE_OK implies finite outputs. Nothing prints, exits, aborts, allocates (but the _create and _fit functions), sets
+ * errno or keeps state between calls.
+ *
+ * Threads: every function may be called from any number of threads; a handle may be read by many at a time.
+ * Output arrays may be the same as input arrays, but may not overlap them in part. */
+#ifndef RWEDGE_H
+#define RWEDGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32) && defined(RWEDGE_BUILD_SHARED)
+#define RWEDGE_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define RWEDGE_API __attribute__((visibility("default")))
+#else
+#define RWEDGE_API
+#endif
+
+#define RWEDGE_VERSION "0.1.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Status ------------------------------------------------------------------------------------------------------- */
+
+/* Values never change; new ones are added at the end. */
+enum {
+    RWEDGE_OK = 0,
+    RWEDGE_EDOMAIN = 1,  /* an argument is outside its domain, or not a number */
+    RWEDGE_ENULL = 2,    /* a pointer that is needed is NULL */
+    RWEDGE_ERANGE = 3,   /* a size is too large, or too small, for the operation */
+    RWEDGE_ENOCONV = 4,  /* an iteration did not converge */
+    RWEDGE_ENOMEM = 5,   /* out of memory */
+    RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
+    RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
+    RWEDGE_EABSENT = 8   /* what was asked for does not exist for these arguments */
+};
+
+/* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
+RWEDGE_API const char *rwedge_version(void);
+
+/* What a status means, in English. Static text, never NULL, for any integer. */
+RWEDGE_API const char *rwedge_strerror(int32_t status);
+
+/* ---- Materials ---------------------------------------------------------------------------------------------------- */
+
+/* Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                                       Eq. (2)
+ *   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
+ *   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
+ * NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_compliance(double E1, double nu1, double E2, double nu2);
+
+/* Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is
+ * exact where it is 0 (elastically similar bodies).                               Dundurs (1969), see lib/README.md
+ *   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged; |beta| <= 1/2 for nu >= 0
+ * NaN outside the domain. Error below 4 epsilon, absolutely. */
+RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2);
+
+/* ---- Contact law -------------------------------------------------------------------------------------------------- */
+
+/* Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz.
+ *                                                                                                Eq. (7), (11), (13), (15)
+ * NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b(). */
+RWEDGE_API double rwedge_load(double alpha);
+
+/* The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included.
+ *                                                                                                   Eq. (7), (11), inverse
+ *   AP_over_theta_a  > 0, finite
+ * NaN outside the domain. Relative error below 1e-14. */
+RWEDGE_API double rwedge_a_over_b(double AP_over_theta_a);
+
+/* ---- Pressure ----------------------------------------------------------------------------------------------------- */
+
+/* Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.                              Eq. (8), (12), (14)
+ * NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite.
+ * Relative error below 1e-12, up to the zeros at x = +-1. */
+RWEDGE_API double rwedge_pressure(double alpha, double x);
+
+/* Magnitude of the peak pressure, at x = 0, as A p0/theta.                                                 Eq. (10), (16)
+ * NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14. */
+RWEDGE_API double rwedge_peak_pressure(double alpha);
+
+/* Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is
+ * not inside the contact.                                                                                          Eq. (9)
+ * NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14. */
+RWEDGE_API double rwedge_transition_pressure(double alpha);
+
+/* Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
+ *   n  >= 0
+ * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n, also next to the zeros of
+ * b_n as a function of alpha. */
+RWEDGE_API double rwedge_coefficient(double alpha, int32_t n);
+
+/* ---- Partial slip ------------------------------------------------------------------------------------------------- */
+
+/* Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P.           Eq. (25)
+ *   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
+ * NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio(). */
+RWEDGE_API double rwedge_stick_width(double alpha, double Q_over_fP);
+
+/* Q/(fP) from the half-width of the stick zone.                                                                  Eq. (25)
+ * NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1). */
+RWEDGE_API double rwedge_shear_ratio(double alpha, double c);
+
+/* Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips);
+ * 0 for |x| >= 1.                                                                                      Eq. (23), (26), (27)
+ * NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|). */
+RWEDGE_API double rwedge_shear(double alpha, double c, double x);
+
+/* ---- Interior stresses -------------------------------------------------------------------------------------------- */
+
+/* Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
+ *   sxx, syy, txy  each receives one number
+ * RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+ * Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point. */
+RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, double y,
+                                 double *sxx, double *syy, double *txy);
+
+/* The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain. */
+RWEDGE_API int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[], const double y[],
+                                   double sxx[], double syy[], double txy[]);
+
+/* ---- Strength ----------------------------------------------------------------------------------------------------- */
+
+/* Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz.   Eq. (38); new
+ * NaN outside the domain. Relative error below 1e-14. */
+RWEDGE_API double rwedge_max_tension(double alpha);
+
+/* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
+ *                                                                                                             Figs. 3 to 5
+ * It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+ * NaN outside the domain. Relative error below 1e-12. */
+RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
+
+/* The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain. */
+RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[], double nu, double limit[]);
+
+/* The elastic limit and where it yields: y = 0 is at the surface.                                                  Fig. 5
+ * For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat. */
+RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double *limit, double *x, double *y);
+
+/* Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
+ * is smooth in alpha, f and nu, so that each can be interpolated.                                            Fig. 4; new
+ *
+ * Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
+ * RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x, double *y);
+
+/* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0, where J2
+ * is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
+
+/* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already.
+ *                                                                                                              Fig. 4; new
+ *   alpha  > 0 (the sharp wedge yields at its apex: 0)
+ * NaN outside the domain. Relative error below 1e-11. */
+RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
+
+/* ---- The paper's series ------------------------------------------------------------------------------------------- */
+
+/* A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses. The paper's b_n is a_(2n).
+ * It serves pressures that have no closed form, and checks those that have. */
+typedef struct rwedge_series rwedge_series;
+
+/* The rounded wedge's own series, cut after the first terms coefficients.                        Eq. (29), (31) with E1; new
+ *   terms  1 <= terms <= 2^24
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with rwedge_series_destroy(). */
+RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series);
+
+/* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.                Sec. 4 of the paper
+ *   samples  number of samples, >= terms, samples * terms <= 2^27
+ *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
+ * RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double (repeated or clustered
+ * points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOCONV, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
+                                     rwedge_series **series);
+
+/* Frees; NULL is allowed. */
+RWEDGE_API void rwedge_series_destroy(rwedge_series *series);
+
+/* How many coefficients it holds; 0 for NULL. */
+RWEDGE_API int32_t rwedge_series_terms(const rwedge_series *series);
+
+/* a_k; 0 for k >= terms; NaN for k < 0 or NULL. */
+RWEDGE_API double rwedge_series_coefficient(const rwedge_series *series, int32_t k);
+
+/* Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
+ * k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
+ * sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL. */
+RWEDGE_API double rwedge_series_residual(const rwedge_series *series);
+
+/* The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                                               Eq. (29) */
+RWEDGE_API double rwedge_series_pressure(const rwedge_series *series, double x);
+
+/* Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1).  Eq. (30), (34), E2, E3
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y,
+                                           double *re, double *im);
+
+/* Stresses for q = f p.                                                                                    Eq. (32), (33)
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges: slowly. */
+RWEDGE_API int32_t rwedge_series_stress(const rwedge_series *series, double f, double x, double y,
+                                        double *sxx, double *syy, double *txy);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The domains of the arguments, and the constants that several rooms need. isfinite() comes first everywhere: comparing a
+ * NaN with >= would raise the invalid-operation flag in the host. */
+#ifndef RW_DOMAIN_H
+#define RW_DOMAIN_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "rwedge relies on IEEE arithmetic: build it without -ffast-math"
+#endif
+
+#define RW_PI 3.14159265358979323846
+#define RW_HALF_PI 1.57079632679489661923
+
+/* A ratio a/b, a depth. */
+static inline bool rw_is_nonnegative(double v)
+{
+    return isfinite(v) && v >= 0;
+}
+
+/* A coefficient of friction: at 10^6 the traction is all but tangential, and J2 is far from overflow. */
+static inline bool rw_is_friction(double f)
+{
+    return rw_is_nonnegative(f) && f <= 1e6;
+}
+
+/* A half-width of the stick zone c/b, a load ratio Q/(fP). */
+static inline bool rw_is_fraction(double v)
+{
+    return isfinite(v) && v >= 0 && v <= 1;
+}
+
+/* Poisson's ratio where it enters the yield criterion. */
+static inline bool rw_is_poisson(double nu)
+{
+    return isfinite(nu) && nu >= 0 && nu <= 0.5;
+}
+
+/* cos(asin(v)), with no cancellation near v = 1. */
+static inline double rw_cos_asin(double v)
+{
+    return sqrt((1 - v) * (1 + v));
+}
+
+#endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elliptic coordinates about the contact: z = sin(zeta), zeta = v + i w. The contact is w = 0, |v| <= pi/2. */
+#ifndef RW_ELLIPTIC_H
+#define RW_ELLIPTIC_H
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+/* A point with x >= 0: all of these are nonnegative, and each is accurate relatively. */
+typedef struct {
+    double x, y;
+    double sin_v, cos_v, sinh_w, cosh_w;
+} rw_elliptic;
+
+/* x >= 0, y >= 0, both below 1e8 or so. False where the point cannot be told from the edge x = 1, y = 0 (x = 1 and y below
+ * 1e-154, where y^2 would underflow); *e is the edge then.
+ * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m
+ * cancels (|z| near 1) its error is small beside 2 y. */
+static inline bool rw_elliptic_coordinates(double x, double y, rw_elliptic *e)
+{
+    const double m = (x - 1) * (x + 1) + y * y;
+    const double discriminant = m * m + 4 * y * y;
+    *e = (rw_elliptic){.x = x, .y = y, .sin_v = 1, .cos_v = 0, .sinh_w = 0, .cosh_w = 1};
+    if (discriminant < DBL_MIN)
+        return false;
+    const double larger = sqrt((fabs(m) + sqrt(discriminant)) / 2);
+    const double smaller = y / larger;
+    e->sinh_w = m >= 0 ? larger : smaller;
+    e->cos_v = m >= 0 ? smaller : larger;
+    e->cosh_w = sqrt(1 + e->sinh_w * e->sinh_w);
+    e->sin_v = x / e->cosh_w;
+    return true;
+}
+
+/* |R| = exp(-w), where R = z - sqrt(z^2-1) = -i exp(i zeta). */
+static inline double rw_elliptic_shrink(const rw_elliptic *e)
+{
+    return 1 / (e->sinh_w + e->cosh_w);
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elastic constants of the pair of bodies. */
+#include "rwedge.h"
+
+#include "domain.h"
+
+#include <float.h>
+
+static bool is_body(double E, double nu)
+{
+    return !isnan(E) && E > 0 && isfinite(nu) && nu > -1 && nu <= 0.5;
+}
+
+/* 2(1-nu^2)/E: a body's share of A; 0 for a rigid one. */
+static double compliance_of(double E, double nu)
+{
+    return isinf(E) ? 0 : 2 * ((1 - nu) * (1 + nu) / E);
+}
+
+double rwedge_compliance(double E1, double nu1, double E2, double nu2)
+{
+    if (!is_body(E1, nu1) || !is_body(E2, nu2))
+        return NAN;
+    double A = compliance_of(E1, nu1) + compliance_of(E2, nu2);
+    return A >= DBL_MIN && A <= DBL_MAX ? A : NAN;
+}
+
+/* With mu = E/(2(1+nu)) and kappa = 3 - 4 nu,
+ *     beta = (mu1 (kappa2 - 1) - mu2 (kappa1 - 1)) / (mu1 (kappa2 + 1) + mu2 (kappa1 + 1))
+ *          = (l2 s2 - l1 s1) / (s1 + s2),   s = 2(1-nu^2)/E,   l = (1-2nu)/(2(1-nu)):
+ * the compliances weight each body's own ratio, and a rigid body has s = 0. */
+double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2)
+{
+    double A = rwedge_compliance(E1, nu1, E2, nu2);
+    if (isnan(A))
+        return NAN;
+    double l1 = (1 - 2 * nu1) / (2 * (1 - nu1));
+    double l2 = (1 - 2 * nu2) / (2 * (1 - nu2));
+    return l2 * (compliance_of(E2, nu2) / A) - l1 * (compliance_of(E1, nu1) / A);
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are made of G and y G'.
+ * Natural units: lengths in the half-width of the contact, stresses in theta/A; alpha is the rounding over the half-width.
+ * This room depends on nothing but the math library. */
+#ifndef RW_POTENTIAL_H
+#define RW_POTENTIAL_H
+
+enum { RW_FAR_TERMS = 13 }; /* (1/16)^13 = 2e-16 */
+
+/* What depends on alpha alone; made once for any number of points. */
+typedef struct {
+    double alpha;
+    double c0;                /* cos(phi0), phi0 = asin(alpha) */
+    double phi0_over_alpha;   /* 1 for the sharp wedge */
+    double far[RW_FAR_TERMS]; /* b_n, for the far field */
+} rw_potential;
+
+/* G and H = y G' at a point. Im G is the pressure and Re G the slope of the profile where y = 0 and |x| < 1. */
+typedef struct {
+    double G_re, G_im, H_re, H_im;
+} rw_field;
+
+static inline rw_field rw_field_multiple(double factor, rw_field a)
+{
+    return (rw_field){factor * a.G_re, factor * a.G_im, factor * a.H_re, factor * a.H_im};
+}
+
+/* alpha: finite, >= 0. */
+void rw_potential_init(rw_potential *potential, double alpha);
+
+/* (x, y): finite, y >= 0, and not the apex of the sharp wedge. Always finite there.
+ * Error of each part below 20 epsilon max(|G|, 1/(1+|z|)). */
+rw_field rw_potential_at(const rw_potential *potential, double x, double y);
+
+/* K = y^2 G'' and L = y^3 G''', which are algebraic. x >= 0, y > 0, |z| below 1e8. */
+typedef struct {
+    double K_re, K_im, L_re, L_im;
+} rw_curvature;
+
+rw_curvature rw_potential_curvature(const rw_potential *potential, double x, double y);
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* GSL's Brent. GSL reports errors to one handler of the whole process, which aborts by default and is the host's to set: so
+ * nothing here may fail. The bracket is proved before GSL sees it, and the solver lives on the stack, because its
+ * allocator is another way to the handler. */
+#include "solve.h"
+
+#include "domain.h"
+
+#include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+/* Brent halves the bracket at least every other step: 2 * (52 + 11) steps bring any bracket to neighbouring doubles. */
+enum { MAX_STEPS = 128 };
+
+typedef struct {
+    rw_function f;
+    const void *context;
+} problem;
+
+static double evaluate(double x, void *params)
+{
+    const problem *p = params;
+    return p->f(x, p->context);
+}
+
+double rw_root(rw_function f, const void *context, double lo, double hi)
+{
+    const double at_lo = f(lo, context), at_hi = f(hi, context);
+    if (!isfinite(at_lo) || !isfinite(at_hi) || (at_lo < 0 && at_hi < 0) || (at_lo > 0 && at_hi > 0))
+        return NAN;
+    if (at_lo == 0)
+        return lo;
+    if (at_hi == 0)
+        return hi;
+    problem p = {f, context};
+    gsl_function function = {evaluate, &p};
+    double state[32]; /* Brent's is 12 doubles; a GSL that needs more is refused rather than overrun */
+    if (gsl_root_fsolver_brent->size > sizeof state)
+        return NAN;
+    gsl_root_fsolver solver = {.type = gsl_root_fsolver_brent, .state = state};
+    if (gsl_root_fsolver_set(&solver, &function, lo, hi) != GSL_SUCCESS)
+        return NAN;
+    for (int step = 0; step < MAX_STEPS; step++) {
+        if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS)
+            return NAN;
+        if (gsl_root_test_interval(solver.x_lower, solver.x_upper, DBL_MIN, 2 * DBL_EPSILON) == GSL_SUCCESS)
+            break;
+    }
+    return solver.root;
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses by superposition: patches of normal and of shear traction, each with its own potential. */
+#ifndef RW_STRESS_H
+#define RW_STRESS_H
+
+#include "potential.h"
+
+/* Mean stress s = (sxx+syy)/2 and deviator D = (syy-sxx)/2 + i txy. */
+typedef struct {
+    double mean, difference, shear;
+} rw_stress_state;
+
+/* normal: the field of the pressure; tangential: that of the shear traction. */
+rw_stress_state rw_superpose(rw_field normal, rw_field tangential);
+
+#endif

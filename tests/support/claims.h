@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What every test program shares: assertions with a visible tolerance, reference tables, and a GSL error handler that only
+ * counts, because no call of the library may reach it. */
+#ifndef CLAIMS_H
+#define CLAIMS_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* |actual - expected| <= relative |expected|. A NaN fails. */
+#define assert_close(actual, expected, relative)                                                                       \
+    claim_within((actual), (expected), (relative)*fabs(expected), #actual, __FILE__, __LINE__)
+
+/* |actual - expected| <= absolute. A NaN fails. */
+#define assert_within(actual, expected, absolute)                                                                      \
+    claim_within((actual), (expected), (absolute), #actual, __FILE__, __LINE__)
+
+/* actual is not a number. */
+#define assert_nan(actual) claim_nan((actual), #actual, __FILE__, __LINE__)
+
+void claim_within(double actual, double expected, double tolerance, const char *what, const char *file, int line);
+void claim_nan(double actual, const char *what, const char *file, int line);
+
+/* A table of tests/data/, read row by row. Cells that are not numbers are NaN; text keeps the last column. */
+enum { REFERENCE_COLUMNS = 16 };
+typedef struct {
+    void *stream;
+    double cell[REFERENCE_COLUMNS];
+    char last[32];
+    size_t row;
+} reference;
+
+reference reference_open(const char *name); /* fails the test where it cannot be read */
+bool reference_next(reference *table);      /* closes the file at its end */
+
+/* Uniform in [0, 1), the same sequence on every machine; *state is any seed. */
+double random_fraction(uint64_t *state);
+
+/* Runs the tests under the counting handler; the process' exit status. */
+int run_claims(const char *room, const struct CMUnitTest *tests, size_t count);
+#define RUN_CLAIMS(room, tests) run_claims((room), (tests), sizeof(tests) / sizeof(tests)[0])
+
+#endif

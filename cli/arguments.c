@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "arguments.h"
+
+#include "message.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The option with this number, in a table or those it includes. */
+static const struct poptOption *find(const struct poptOption *options, int number)
+{
+    for (; options->longName != NULL || options->argInfo != 0; options++) {
+        const struct poptOption *found = NULL;
+        if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
+            found = find(options->arg, number);
+        else if (options->val == number)
+            found = options;
+        if (found != NULL)
+            return found;
+    }
+    return NULL;
+}
+
+void options_list(const struct poptOption *options, char *text, size_t size)
+{
+    text[0] = '\0';
+    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
+        const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
+        const size_t used = strlen(text);
+        if (option != NULL)
+            snprintf(text + used, size - used, "%s--%s", used > 0 ? ", " : "", option->longName);
+    }
+}
+
+static int unknown_option(const syntax *grammar, const char *option)
+{
+    char allowed[512];
+    options_list(grammar->options, allowed, sizeof allowed);
+    return usage_error("%s: unknown option; allowed: %s", option, allowed);
+}
+
+static int bad_option(const syntax *grammar, poptContext context, int error)
+{
+    const char *option = poptBadOption(context, POPT_BADOPTION_NOALIAS);
+    if (error == POPT_ERROR_BADOPT)
+        return unknown_option(grammar, option);
+    if (error == POPT_ERROR_NOARG)
+        return usage_error("%s: a value must follow", option);
+    if (error == POPT_ERROR_UNWANTEDARG)
+        return usage_error("%s: takes no value", option);
+    return usage_error("%s: %s", option, poptStrerror(error));
+}
+
+static int show_help(const syntax *grammar, poptContext context)
+{
+    poptSetOtherOptionHelp(context, grammar->operands);
+    poptPrintHelp(context, stdout, 0);
+    grammar->more_help(stdout);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return failure("standard output: %s", strerror(errno));
+    return STATUS_DONE;
+}
+
+static int keep(arguments *given, const syntax *grammar, int number, char *value)
+{
+    if (given->value[number] != NULL && value != NULL) {
+        const int status =
+            usage_error("--%s %s: given twice; allowed: once", find(grammar->options, number)->longName, value);
+        free(value);
+        return status;
+    }
+    if (given->value[number] == NULL)
+        given->value[number] = value != NULL ? value : calloc(1, 1);
+    return given->value[number] != NULL ? STATUS_DONE : failure("out of memory");
+}
+
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status)
+{
+    *given = (arguments){0};
+    *status = STATUS_DONE;
+    given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
+    if (given->context == NULL) {
+        *status = failure("out of memory");
+        return false;
+    }
+    int number;
+    while ((number = poptGetNextOpt(given->context)) > 0 && *status == STATUS_DONE)
+        *status = keep(given, grammar, number, poptGetOptArg(given->context));
+    if (*status == STATUS_DONE && number < -1)
+        *status = bad_option(grammar, given->context, number);
+    if (*status != STATUS_DONE)
+        return false;
+    if (given->value[OPTION_HELP] != NULL) {
+        *status = show_help(grammar, given->context);
+        return false;
+    }
+    given->operand = poptGetArgs(given->context);
+    return true;
+}
+
+void arguments_free(arguments *given)
+{
+    for (int i = 0; i < OPTION_LIMIT; i++)
+        free(given->value[i]);
+    poptFreeContext(given->context);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A command's options and operands, by popt, with one line for every mistake. */
+#ifndef CLI_ARGUMENTS_H
+#define CLI_ARGUMENTS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include <popt.h>
+
+/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg is NULL, so that popt hands
+ * every value over. The first few are common to all commands. */
+enum { OPTION_HELP = 1, OPTION_FORMAT, OPTION_DIGITS, OPTION_DECIMAL_COMMA, OPTION_OUTPUT, OPTION_QUIET, OPTION_OWN,
+       OPTION_LIMIT = 48 };
+
+typedef struct {
+    const struct poptOption *options;
+    const char *operands;           /* as the usage line shows them */
+    void (*more_help)(FILE *stream); /* what follows the options */
+} syntax;
+
+typedef struct {
+    char *value[OPTION_LIMIT]; /* by the option's number: NULL where not given, "" for one that takes no value */
+    const char **operand;      /* ends with NULL; NULL where there is none */
+    poptContext context;
+} arguments;
+
+/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the command is to end at once, with
+ * the status: after --help, or a mistake. Free what it gave in either case. */
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status);
+void arguments_free(arguments *given);
+
+/* Writes "a, b, c" of the long options, with dashes. */
+void options_list(const struct poptOption *options, char *text, size_t size);
+
+#define OPTION_HELP_ENTRY                                                                                              \
+    {                                                                                                                  \
+        "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL                                 \
+    }
+
+#endif

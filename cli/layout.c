@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "layout.h"
+
+#include "message.h"
+#include "progress.h"
+
+#include <stdio.h>
+
+#include <rwedge.h>
+
+int64_t plan_size(const plan *what)
+{
+    double size = 1; /* the product of the counts may not fit an integer */
+    for (int i = 0; i < what->table->axis_count; i++)
+        size *= (double)what->axis[what->table->axis[i]].count;
+    return size < 9e18 ? (int64_t)size : INT64_MAX;
+}
+
+/* Whether to go on: an output that fails is given up at the next row. */
+static bool all_well(const records *rows)
+{
+    return rows->out->error == 0 && rows->problem == NULL;
+}
+
+static bool not_computed(const table *which, const double value[], int32_t status)
+{
+    char where[160] = "";
+    size_t used = 0;
+    for (int i = 0; i < which->axis_count; i++) {
+        char text[NUMBER_SIZE];
+        const int variable = which->axis[i];
+        number_write(value[variable], NUMBER_DIGITS, '.', text);
+        used += (size_t)snprintf(where + used, sizeof where - used, "%s%s = %s", i > 0 ? ", " : "",
+                                 variables[variable].column, text);
+    }
+    progress_erase();
+    failure("%s at %s: %s", which->name, where, rwedge_strerror(status));
+    return false;
+}
+
+static bool compute(const plan *what, const double value[], cell row[])
+{
+    const int32_t status = what->table->row(value, row);
+    progress_step();
+    return status == RWEDGE_OK ? true : not_computed(what->table, value, status);
+}
+
+static bool write_row(const plan *what, records *rows, const double value[])
+{
+    cell row[COLUMNS_MAX];
+    if (!compute(what, value, row))
+        return false;
+    for (int i = 0; i < what->table->column_count; i++)
+        rows->format->value(rows, what->table->column[i], row[i]);
+    rows->format->end_row(rows);
+    return all_well(rows);
+}
+
+/* The combination of index i; the last axis runs fastest. */
+static void set_combination(const plan *what, int64_t i, double value[])
+{
+    for (int axis = what->table->axis_count - 1; axis >= 0; axis--) {
+        const int variable = what->table->axis[axis];
+        const range *values = &what->axis[variable];
+        value[variable] = range_value(values, i % values->count);
+        i /= values->count;
+    }
+}
+
+static bool write_long(const plan *what, records *rows, double value[])
+{
+    const int64_t size = plan_size(what);
+    for (int64_t i = 0; i < size; i++) {
+        set_combination(what, i, value);
+        if (!write_row(what, rows, value))
+            return false;
+    }
+    return true;
+}
+
+static void write_long_header(const plan *what, records *rows)
+{
+    for (int i = 0; i < what->table->column_count; i++)
+        rows->format->name(rows, what->table->column[i]);
+    rows->format->end_header(rows);
+}
+
+/* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
+static void name_across(const plan *what, const records *rows, int64_t i, char name[NUMBER_SIZE])
+{
+    number_write(range_value(&what->axis[what->table->across], i), NUMBER_DIGITS, rows->decimal_sign, name);
+}
+
+static void write_grid_header(const plan *what, records *rows)
+{
+    rows->format->name(rows, what->table->column[what->quantity]);
+    for (int64_t i = 0; i < what->axis[what->table->across].count && all_well(rows); i++) {
+        char name[NUMBER_SIZE];
+        name_across(what, rows, i, name);
+        rows->format->name(rows, name);
+    }
+    rows->format->end_header(rows);
+}
+
+static bool write_grid_row(const plan *what, records *rows, double value[])
+{
+    const int across = what->table->across;
+    rows->format->value(rows, what->table->column[what->quantity], cell_number(value[A_OVER_B]));
+    for (int64_t i = 0; i < what->axis[across].count && all_well(rows); i++) {
+        cell row[COLUMNS_MAX];
+        char name[NUMBER_SIZE];
+        value[across] = range_value(&what->axis[across], i);
+        if (!compute(what, value, row))
+            return false;
+        name_across(what, rows, i, name);
+        rows->format->value(rows, name, row[what->quantity]);
+    }
+    rows->format->end_row(rows);
+    return all_well(rows);
+}
+
+static bool write_grid(const plan *what, records *rows, double value[])
+{
+    if (table_depends_on(what->table, NU))
+        value[NU] = range_value(&what->axis[NU], 0); /* the only one, unless it is across */
+    for (int64_t i = 0; i < what->axis[A_OVER_B].count; i++) {
+        value[A_OVER_B] = range_value(&what->axis[A_OVER_B], i);
+        if (!write_grid_row(what, rows, value))
+            return false;
+    }
+    return true;
+}
+
+bool plan_write(const plan *what, records *rows, bool show_progress)
+{
+    double value[VARIABLE_COUNT] = {0};
+    progress_start(show_progress, plan_size(what), what->grid ? "values" : "rows");
+    rows->format->begin(rows);
+    if (what->grid)
+        write_grid_header(what, rows);
+    else
+        write_long_header(what, rows);
+    const bool done = what->grid ? write_grid(what, rows, value) : write_long(what, rows, value);
+    rows->format->end(rows);
+    progress_erase();
+    if (rows->problem != NULL)
+        failure("%s: %s", rows->out->name, rows->problem);
+    return done || (rows->problem == NULL && rows->out->error != 0); /* that, output_finish() says */
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static size_t digits_length(const char *text)
+{
+    return strspn(text, "0123456789");
+}
+
+static size_t sign_length(const char *text)
+{
+    return *text == '+' || *text == '-' ? 1 : 0;
+}
+
+/* Of "e-5"; 0 where the e is not followed by an exponent. */
+static size_t exponent_length(const char *text)
+{
+    if (*text != 'e' && *text != 'E')
+        return 0;
+    const size_t before = 1 + sign_length(text + 1);
+    const size_t digits = digits_length(text + before);
+    return digits > 0 ? before + digits : 0;
+}
+
+size_t number_length(const char *text)
+{
+    const char *c = text + sign_length(text);
+    const size_t whole = digits_length(c);
+    c += whole;
+    size_t fraction = 0;
+    if (*c == '.') {
+        fraction = digits_length(c + 1);
+        c += 1 + fraction;
+    }
+    if (whole + fraction == 0)
+        return 0;
+    return (size_t)(c - text) + exponent_length(c);
+}
+
+bool number_read_part(const char *text, size_t length, double *value)
+{
+    char *end;
+    const double read = strtod(text, &end);
+    if (length == 0 || end != text + length || !isfinite(read))
+        return false;
+    *value = read == 0 ? 0 : read;
+    return true;
+}
+
+bool number_read(const char *text, double *value)
+{
+    const size_t length = number_length(text);
+    return text[length] == '\0' && number_read_part(text, length, value);
+}
+
+static void print(double value, int digits, char text[NUMBER_SIZE])
+{
+    snprintf(text, NUMBER_SIZE, "%.*g", digits, value);
+}
+
+/* 15 digits suffice for numbers that were typed, 17 for every double. */
+static void print_to_read_back(double value, char text[NUMBER_SIZE])
+{
+    for (int digits = 15; digits <= NUMBER_DIGITS; digits++) {
+        print(value, digits, text);
+        if (strtod(text, NULL) == value)
+            return;
+    }
+}
+
+size_t number_write(double value, int digits, char decimal_sign, char text[NUMBER_SIZE])
+{
+    if (value == 0)
+        value = 0; /* also -0 */
+    if (digits < NUMBER_DIGITS)
+        print(value, digits, text);
+    else
+        print_to_read_back(value, text);
+    char *point = strchr(text, '.');
+    if (point != NULL)
+        *point = decimal_sign;
+    return strlen(text);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where results go. A file appears whole or not at all: it is written beside its target under another name, flushed to the
+ * disk, and renamed; whatever goes wrong before leaves the old file as it was. Standard output, pipes and devices are
+ * written to directly, and checked. */
+#ifndef CLI_OUTPUT_H
+#define CLI_OUTPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { OUTPUT_BUFFER = 1 << 16 };
+
+typedef struct {
+    const char *name; /* as the user knows it */
+    char *target;     /* the file to replace, links followed; NULL where written to directly */
+    char *unfinished; /* the file beside it */
+    int descriptor;
+    int error; /* errno of the first failure; nothing is written after it */
+    size_t used;
+    char buffer[OUTPUT_BUFFER];
+} output;
+
+/* NULL or "-" is standard output. Says what is wrong, and returns false, where it cannot be written to. */
+bool output_open(output *out, const char *path);
+
+bool output_is_stdout(const output *out);
+
+/* Adds bytes; false once something has gone wrong. */
+bool output_write(output *out, const char *bytes, size_t count);
+bool output_text(output *out, const char *text);
+
+/* Makes the result appear. Says what went wrong, and returns false, where it did not. Either this or the next ends it. */
+bool output_finish(output *out);
+
+/* Leaves everything as it was. */
+void output_discard(output *out);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The options that every command with rows of results has: how they are written, and where. */
+#ifndef CLI_OUTPUT_OPTIONS_H
+#define CLI_OUTPUT_OPTIONS_H
+
+#include "arguments.h"
+#include "output.h"
+#include "records.h"
+
+typedef struct {
+    const record_format *format;
+    int digits;
+    char decimal_sign, separator;
+    const char *path; /* NULL for standard output */
+    bool quiet;
+} output_options;
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption output_option_table[];
+
+/* STATUS_DONE, or what to leave with. */
+int output_options_read(const arguments *given, output_options *how);
+
+records output_options_records(const output_options *how, output *out);
+
+#endif

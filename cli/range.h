@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The values that an option takes: START:STOP:STEP, a comma list, or one number. A value is computed from its index, so
+ * that a range of a thousand million values takes no more memory than one of three. */
+#ifndef CLI_RANGE_H
+#define CLI_RANGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define RANGE_VALUES_MAX INT64_C(1000000000)
+
+typedef struct {
+    int64_t count;
+    double *items; /* of a list; NULL for START:STOP:STEP */
+    /* START:STOP:STEP as whole numbers over a power of ten, where they fit: the value i is then
+     * (first_units + i * step_units)/power, a correctly rounded quotient. power is 0 where they do not fit. */
+    int64_t first_units, step_units;
+    double power;
+    double first, last, step;
+} range;
+
+/* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the option and the text. */
+const char *range_read(const char *text, range *values);
+
+/* The value of index i, 0 <= i < count. */
+double range_value(const range *values, int64_t i);
+
+/* Whether lo <= value <= hi for every value; otherwise *outside is one that is not. */
+bool range_within(const range *values, double lo, double hi, double *outside);
+
+void range_free(range *values);
+
+#endif

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take memory. The formats are in
+ * delimited.c (CSV, TSV) and json.c. */
+#ifndef CLI_RECORDS_H
+#define CLI_RECORDS_H
+
+#include "number.h"
+#include "output.h"
+
+/* A text, or where that is NULL a number; a number that is not finite is an empty cell. */
+typedef struct {
+    const char *text;
+    double number;
+} cell;
+
+static inline cell cell_number(double number)
+{
+    return (cell){NULL, number};
+}
+
+static inline cell cell_text(const char *text)
+{
+    return (cell){text, 0};
+}
+
+static inline cell cell_empty(void)
+{
+    return cell_text("");
+}
+
+typedef struct records records;
+
+/* What a format does. All cells of a row have been named in the header, in the same order. */
+typedef struct {
+    void (*begin)(records *rows);
+    void (*name)(records *rows, const char *name); /* of a column, in the header */
+    void (*end_header)(records *rows);
+    void (*value)(records *rows, const char *name, cell value);
+    void (*end_row)(records *rows);
+    void (*end)(records *rows);
+} record_format;
+
+struct records {
+    const record_format *format;
+    output *out;
+    int digits; /* significant ones; NUMBER_DIGITS to read back the same */
+    char decimal_sign, separator;
+    bool row_begun, any_row;
+    const char *problem; /* what a format could not write */
+};
+
+extern const record_format delimited_format, json_format;
+
+#endif

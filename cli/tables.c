@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tables.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+/* One end of the elastic limit: at a point below the surface, or on it. */
+typedef struct {
+    double limit, x, y;
+    const char *name; /* NULL where it does not exist */
+} branch;
+
+/* RWEDGE_EABSENT is an answer: the branch does not exist there. */
+static int32_t existing(int32_t status, const char *name, branch *found)
+{
+    found->name = status == RWEDGE_OK ? name : NULL;
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
+}
+
+static int32_t find_branches(const double value[], branch *below, branch *surface)
+{
+    const double alpha = value[A_OVER_B], f = value[FRICTION], nu = value[NU];
+    *below = *surface = (branch){0};
+    if (alpha == 0) /* it yields at the apex, and has no branches */
+        return RWEDGE_OK;
+    const int32_t status = existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y),
+                                    "subsurface", below);
+    if (status != RWEDGE_OK)
+        return status;
+    return existing(rwedge_surface_yield(alpha, f, nu, &surface->limit, &surface->x), "surface", surface);
+}
+
+static int32_t decisive(const double value[], const branch *below, const branch *surface, branch *first)
+{
+    if (below->name != NULL && (surface->name == NULL || below->limit <= surface->limit))
+        *first = *below;
+    else if (surface->name != NULL)
+        *first = *surface;
+    else {
+        first->name = "surface";
+        return rwedge_yield_point(value[A_OVER_B], value[FRICTION], value[NU], &first->limit, &first->x, &first->y);
+    }
+    return RWEDGE_OK;
+}
+
+static cell limit_of(const branch *one)
+{
+    return one->name != NULL ? cell_number(one->limit) : cell_empty();
+}
+
+static int32_t elastic_limit(const double value[], cell row[])
+{
+    branch below, surface, first;
+    int32_t status = find_branches(value, &below, &surface);
+    if (status == RWEDGE_OK)
+        status = decisive(value, &below, &surface, &first);
+    if (status != RWEDGE_OK)
+        return status;
+    row[0] = cell_number(value[A_OVER_B]);
+    row[1] = cell_number(value[FRICTION]);
+    row[2] = cell_number(value[NU]);
+    row[3] = cell_number(first.limit);
+    row[4] = cell_number(first.x);
+    row[5] = cell_number(first.y);
+    row[6] = cell_text(first.name);
+    row[7] = limit_of(&below);
+    row[8] = limit_of(&surface);
+    return RWEDGE_OK;
+}
+
+static int32_t max_tension(const double value[], cell row[])
+{
+    const double over_f = rwedge_max_tension(value[A_OVER_B]);
+    row[0] = cell_number(value[A_OVER_B]);
+    row[1] = cell_number(value[FRICTION]);
+    row[2] = cell_number(value[FRICTION] * over_f);
+    row[3] = cell_number(over_f);
+    return RWEDGE_OK;
+}
+
+/* The sharp wedge, a = 0, has infinite entries: they stay empty. */
+static int32_t contact_law(const double value[], cell row[])
+{
+    const double alpha = value[A_OVER_B], load = rwedge_load(alpha);
+    row[0] = cell_number(alpha);
+    row[1] = cell_number(load);
+    row[2] = cell_number(load / alpha);
+    row[3] = cell_number(rwedge_peak_pressure(alpha));
+    row[4] = cell_number(rwedge_transition_pressure(alpha));
+    return RWEDGE_OK;
+}
+
+static int32_t critical_friction(const double value[], cell row[])
+{
+    const double alpha = value[A_OVER_B], nu = value[NU];
+    const double f = alpha > 0 ? rwedge_critical_friction(alpha, nu) : NAN;
+    const double limit = alpha > 0 ? rwedge_elastic_limit(alpha, f, nu) : NAN;
+    if (alpha > 0 && !isfinite(limit))
+        return RWEDGE_ENOCONV;
+    row[0] = cell_number(alpha);
+    row[1] = cell_number(nu);
+    row[2] = cell_number(f);
+    row[3] = cell_number(limit);
+    return RWEDGE_OK;
+}
+
+static int32_t stick_zone(const double value[], cell row[])
+{
+    row[0] = cell_number(value[A_OVER_B]);
+    row[1] = cell_number(value[Q_OVER_FP]);
+    row[2] = cell_number(rwedge_stick_width(value[A_OVER_B], value[Q_OVER_FP]));
+    return RWEDGE_OK;
+}
+
+const table tables[TABLE_COUNT] = {
+    {"elastic-limit",
+     "load at first yield P/(bk), where, and on which branch",
+     {NU, A_OVER_B, FRICTION},
+     3,
+     FRICTION,
+     {"a_over_b", "f", "nu", "P_over_bk", "x_over_b", "y_over_b", "branch", "P_over_bk_subsurface",
+      "P_over_bk_surface"},
+     9,
+     3,
+     elastic_limit},
+    {"max-tension",
+     "tension at the trailing edge, b sigma/P and b sigma/(fP)",
+     {A_OVER_B, FRICTION},
+     2,
+     FRICTION,
+     {"a_over_b", "f", "b_sigma_over_P", "b_sigma_over_fP"},
+     4,
+     2,
+     max_tension},
+    {"contact-law",
+     "load, peak pressure, and pressure where the rounding ends",
+     {A_OVER_B},
+     1,
+     VARIABLE_COUNT,
+     {"a_over_b", "AP_over_theta_b", "AP_over_theta_a", "peak_pressure", "transition_pressure"},
+     5,
+     1,
+     contact_law},
+    {"critical-friction",
+     "friction at which yield jumps to the surface, and its load",
+     {NU, A_OVER_B},
+     2,
+     NU,
+     {"a_over_b", "nu", "f_critical", "P_over_bk"},
+     4,
+     2,
+     critical_friction},
+    {"stick-zone",
+     "half-width of the stick zone c/b",
+     {A_OVER_B, Q_OVER_FP},
+     2,
+     Q_OVER_FP,
+     {"a_over_b", "Q_over_fP", "c_over_b"},
+     3,
+     2,
+     stick_zone},
+};
+
+const table *table_named(const char *name)
+{
+    for (int i = 0; i < TABLE_COUNT; i++)
+        if (strcmp(tables[i].name, name) == 0)
+            return &tables[i];
+    return NULL;
+}
+
+bool table_depends_on(const table *which, int variable)
+{
+    for (int i = 0; i < which->axis_count; i++)
+        if (which->axis[i] == variable)
+            return true;
+    return false;
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "target.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { LINKS_MAX = 40 };
+
+/* "folder/" + name, or just name. Free it. */
+static char *in_folder_of(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t folder = slash != NULL ? (size_t)(slash - path) + 1 : 0;
+    char *joined = malloc(folder + strlen(name) + 1);
+    if (joined == NULL)
+        return NULL;
+    memcpy(joined, path, folder);
+    strcpy(joined + folder, name);
+    return joined;
+}
+
+/* What the link at path says, from the point of view of this process; NULL with errno, EINVAL where it is no link. */
+static char *one_link(const char *path)
+{
+    char says[PATH_MAX];
+    const ssize_t length = readlink(path, says, sizeof says - 1);
+    if (length < 0)
+        return NULL;
+    says[length] = '\0';
+    return says[0] == '/' ? strdup(says) : in_folder_of(path, says);
+}
+
+char *target_of_links(const char *path)
+{
+    char *target = strdup(path);
+    for (int links = 0; target != NULL; links++) {
+        char *next = one_link(target);
+        if (next == NULL && (errno == EINVAL || errno == ENOENT))
+            return target; /* no link, or nothing there yet */
+        const int reason = next == NULL ? errno : ELOOP;
+        free(target);
+        target = next;
+        if (next == NULL || links == LINKS_MAX) {
+            free(next);
+            errno = reason;
+            return NULL;
+        }
+    }
+    return NULL;
+}
+
+/* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that is allowed. */
+static int set_permissions(int descriptor, const char *target)
+{
+    struct stat existing;
+    if (stat(target, &existing) == 0) {
+        if (fchown(descriptor, existing.st_uid, existing.st_gid) != 0)
+            errno = 0; /* the file becomes ours */
+        return fchmod(descriptor, existing.st_mode & 0777);
+    }
+    const mode_t mask = umask(0);
+    umask(mask);
+    return fchmod(descriptor, 0666 & ~mask);
+}
+
+int target_open_beside(const char *target, char **unfinished)
+{
+    if (access(target, W_OK) != 0 && errno != ENOENT)
+        return -1; /* renaming would replace a file that is protected from writing */
+    char *name = in_folder_of(target, ".rwedge-XXXXXX");
+    if (name == NULL)
+        return -1;
+    const int descriptor = mkstemp(name);
+    if (descriptor >= 0 && set_permissions(descriptor, target) == 0) {
+        *unfinished = name;
+        return descriptor;
+    }
+    const int reason = errno;
+    if (descriptor >= 0) {
+        close(descriptor);
+        unlink(name);
+    }
+    free(name);
+    errno = reason;
+    return -1;
+}
+
+/* A folder that cannot be opened or synced, for lack of permission or on a file system without it, is no failure. */
+int target_sync_folder(const char *target)
+{
+    char *folder = in_folder_of(target, ".");
+    if (folder == NULL)
+        return ENOMEM;
+    const int descriptor = open(folder, O_RDONLY);
+    free(folder);
+    if (descriptor < 0)
+        return 0;
+    const int reason = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+    close(descriptor);
+    return reason;
+}

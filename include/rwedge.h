@@ -20,7 +20,7 @@
  *
  * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
  * allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
- * RWEDGE_OK implies finite outputs. Nothing prints, exits, aborts, allocates (but the _create and _fit functions), sets
+ * RWEDGE_OK implies finite outputs. Nothing prints, exits, aborts, allocates (but _create, _fit, _copy and _load), sets
  * errno or keeps state between calls.
  *
  * Threads: every function may be called from any number of threads; a handle may be read by many at a time.
@@ -180,6 +180,127 @@ RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, doubl
  *   alpha  > 0 (the sharp wedge yields at its apex: 0)
  * NaN outside the domain. Relative error below 1e-11. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
+
+/* ---- Dimensional quantities --------------------------------------------------------------------------------------- */
+
+/* From here to the series, any consistent set of units. Arguments that return:
+ *   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+ *   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
+ *   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
+ *   f      coefficient of friction, finite, >= 0
+ *   k      yield stress in pure shear, stress, finite, > 0
+ *   P, Q   normal and tangential force per unit length
+ * The functions that return a double give NaN outside the domain. */
+
+/* Radius of the rounding, R = a/theta, length.                                                                  Sec. 2 */
+RWEDGE_API double rwedge_radius(double theta, double a);
+
+/* Half-width of the rounding from its radius, a = R theta, length.                                              Sec. 2
+ *   R  radius, length, finite, >= 0 */
+RWEDGE_API double rwedge_rounding(double theta, double R);
+
+/* Half-width b of the contact under the load P, length.                                       Eq. (7), (11), (15), inverse
+ *   P  finite, >= 0; 0 gives 0
+ * Relative error below 1e-14. Inverse: rwedge_normal_load(). */
+RWEDGE_API double rwedge_half_width(double theta, double a, double A, double P);
+
+/* The load P whose contact has the half-width b, force/length.                                        Eq. (7), (11), (15)
+ *   b  length, finite, >= 0; 0 gives 0
+ * Relative error below 1e-14. Inverse: rwedge_half_width(). */
+RWEDGE_API double rwedge_normal_load(double theta, double a, double A, double b);
+
+/* The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
+ * contact grows with P, so that a/b in the elastic limit depends on it: a root.                             Figs. 3 to 5
+ *   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ * 0 for the sharp wedge, and HUGE_VAL where no load that a double can hold yields: for f = 0 and nu = 0.5 that is
+ * k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+ * Relative error below 1e-11. */
+RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k);
+
+/* ---- A contact with a load history -------------------------------------------------------------------------------- */
+
+/* One contact and what it remembers of its loads (P, Q): exact for any history, lib/README.md "Load histories". Lengths
+ * are not in b here: x, y are in the unit of a, stresses in that of 1/A, 0 is the centre of the contact.
+ * A handle is created with rwedge_contact_create() or _copy() and freed with rwedge_contact_destroy(). Only these and
+ * rwedge_contact_load() use the heap. Different handles are independent; one handle may be read by many threads at a time,
+ * but loaded by one, while no other reads. */
+typedef struct rwedge_contact rwedge_contact;
+
+/* A contact without load, separated.
+ *   contact  receives the handle
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact);
+
+/* An independent copy, history and all: to try a load and go back.
+ * RWEDGE_ENULL, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy);
+
+/* Frees; NULL is allowed. */
+RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
+
+/* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.        Sec. 3.2; new
+ *   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+ *   Q  |Q| <= f P; equality, to 8 epsilon, is full sliding
+ * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width, the
+ * peak pressure or the energy is not a normal number; RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as
+ * before.
+ * It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
+ * cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14. */
+RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
+
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL.                         Eq. (7), (11), (15), inverse */
+RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
+
+/* Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
+ * after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL.                  Eq. (25); new */
+RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
+
+/* How many points of its history the contact remembers; 0 when separated, and for NULL. The time that its functions need
+ * per point of the half-plane grows like this. */
+RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
+
+/* Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
+ * Q > 0. Both are 0 for |x| >= b.                                                        Eq. (8), (12), (14), (22) to (27)
+ *   x     length, finite
+ *   p, q  each receives n numbers
+ * RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
+ * in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|). */
+RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
+                                            double p[], double q[]);
+
+/* Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
+ *   x, y           length, finite, y >= 0
+ *   sxx, syy, txy  each receives n numbers
+ * RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
+ * domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history. */
+RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
+                                           double sxx[], double syy[], double txy[]);
+
+/* Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
+ * since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat. 0 where a
+ * point has stuck ever since. In full sliding the rigid displacement is not determined by the loads; the slip is then the
+ * least that the loads need, with which the centre of the contact is on the verge of slip.        Eq. (17) to (21); new
+ *   x     length, |x| <= b: points outside have no partner
+ *   slip  receives n numbers
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+ * Error below 1e-13 f theta b. */
+RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[]);
+
+/* Energy dissipated by friction since the contact was created, per unit length and unit thickness (force): the time
+ * integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
+ * falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
+ * NaN for NULL. Relative error of each load's share below 1e-12, where the layer that slips is not thinner than 1e-4 b. */
+RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
+
+/* How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
+ * half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load().
+ *   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ *   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
+ *   x, y    where the maximum is, length; each may be NULL
+ * RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
+ * finite number. Relative error below 1e-12. */
+RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k, double *factor,
+                                               double *x, double *y);
 
 /* ---- The paper's series ------------------------------------------------------------------------------------------- */
 

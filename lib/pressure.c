@@ -51,7 +51,7 @@ double rwedge_pressure(double alpha, double x)
         return -rw_cos_asin(x) / alpha;
     if (alpha == 0 && x == 0)
         return NAN;
-    if (alpha < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/alpha might overflow */
+    if (alpha == 0 || alpha < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/alpha might overflow */
         return sharp_wedge(x);
     return rounded_wedge(alpha, x);
 }

@@ -26,15 +26,17 @@ static rwedge_series *allocate(int32_t terms)
     return series;
 }
 
-/* sum_(n >= N) |b_n|, with |m sin(m phi0) cot(phi0) - cos(m phi0)| <= m c0/alpha + 1 and 1/(m^2-1) = (1/n - 1/(n+1))/4,
- * which telescopes. */
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|, which is
+ * - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <= ln((n+1)/n)/2;
+ * - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
 static double analytic_tail(double alpha, double N)
 {
     if (alpha >= 1)
         return 0;
     if (alpha == 0)
         return HUGE_VAL;
-    return (rw_cos_asin(alpha) / alpha + 1 / (2 * N + 1)) / (RW_PI * N);
+    const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
+    return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) + (slope + 1 / (2 * M + 1)) / (RW_PI * M);
 }
 
 int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series)

@@ -9,21 +9,24 @@
 #include "surface.h"
 #include "von_mises.h"
 
+/* For alpha >= 1 load and stresses fall alike with 1/alpha: whatever is divided by the load
+ * is that of alpha = 1. */
+static double shape(double alpha)
+{
+    return fmin(alpha, 1);
+}
+
 double rwedge_max_tension(double alpha)
 {
+    if (!rw_is_nonnegative(alpha))
+        return NAN;
     /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact half-width (E5). */
-    return 2 / rwedge_load(fmin(alpha, 1));
+    return 2 / rwedge_load(shape(alpha));
 }
 
 static bool is_case(double alpha, double f, double nu)
 {
     return rw_is_nonnegative(alpha) && rw_is_friction(f) && rw_is_poisson(nu);
-}
-
-/* For alpha >= 1 load and stresses fall alike with 1/alpha: the limit is that of alpha = 1. */
-static double shape(double alpha)
-{
-    return fmin(alpha, 1);
 }
 
 static double limit_of(double alpha, rw_maximum maximum)

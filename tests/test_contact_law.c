@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "quadrature.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+static const double PI = 3.14159265358979323846;
+
+static void load_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_load(table.cell[0]), table.cell[1], 4 * DBL_EPSILON);
+    assert_int_equal(table.row, 300);
+}
+
+static double slope_times_t(double tau, const void *alpha)
+{
+    const double t = sin(tau);
+    return fmin(t / *(const double *)alpha, 1) * t;
+}
+
+/* Eq. (5), integrated. */
+static void load_is_the_integral_of_the_profile(void **state)
+{
+    (void)state;
+    for (double alpha = 0.05; alpha < 1.01; alpha += 0.05) {
+        const double points[] = {0, asin(fmin(alpha, 1)), PI / 2};
+        assert_close(2 * integral(slope_times_t, &alpha, 2, points), rwedge_load(alpha), 1e-12);
+    }
+}
+
+static void load_has_the_hertz_and_the_sharp_limit(void **state)
+{
+    (void)state;
+    assert_close(rwedge_load(0), 2, 0);                 /* Eq. (13) */
+    assert_close(rwedge_load(1), PI / 2, DBL_EPSILON);  /* Eq. (11) */
+    assert_close(rwedge_load(4), PI / 8, DBL_EPSILON);
+    assert_close(rwedge_load(1e-5), 2 - 1e-10 / 3, DBL_EPSILON); /* Eq. (15) and its next term */
+    assert_close(rwedge_load(5e-324), 2, 0);
+}
+
+static void a_over_b_inverts_the_load(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law.csv");
+    while (reference_next(&table)) {
+        const double alpha = table.cell[0];
+        assert_close(rwedge_a_over_b(table.cell[1] / alpha), alpha, 1e-14);
+    }
+}
+
+static void a_over_b_covers_the_whole_range(void **state)
+{
+    (void)state;
+    for (double decade = -300; decade <= 300; decade += 7.3) {
+        const double load = pow(10, decade), alpha = rwedge_a_over_b(load);
+        assert_true(isfinite(alpha) && alpha > 0);
+        assert_close(rwedge_load(alpha) / alpha, load, 1e-14);
+    }
+    assert_close(rwedge_a_over_b(PI / 2), 1, DBL_EPSILON); /* where the straight flank begins to touch */
+    assert_close(rwedge_a_over_b(nextafter(PI / 2, 2)), 1, 1e-15);
+    assert_close(rwedge_a_over_b(1e-308), sqrt(PI / 2) * 1e154, 1e-14);
+}
+
+static void bad_arguments_are_not_numbers(void **state)
+{
+    (void)state;
+    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        assert_nan(rwedge_load(bad[i]));
+        assert_nan(rwedge_a_over_b(bad[i]));
+    }
+    assert_nan(rwedge_a_over_b(0));
+    assert_nan(rwedge_a_over_b(-0.0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(load_matches_reference),
+        cmocka_unit_test(load_is_the_integral_of_the_profile),
+        cmocka_unit_test(load_has_the_hertz_and_the_sharp_limit),
+        cmocka_unit_test(a_over_b_inverts_the_load),
+        cmocka_unit_test(a_over_b_covers_the_whole_range),
+        cmocka_unit_test(bad_arguments_are_not_numbers),
+    };
+    return RUN_CLAIMS("contact_law", tests);
+}

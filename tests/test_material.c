@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <float.h>
+#include <string.h>
+
+static void compliance_is_equation_2(void **state)
+{
+    (void)state;
+    assert_close(rwedge_compliance(200e3, 0.3, 200e3, 0.3), 1.82e-5, 4 * DBL_EPSILON); /* 4 * 0.91 / 200e3 */
+    assert_close(rwedge_compliance(200, 0, 100, 0.5), 0.025, 4 * DBL_EPSILON);         /* 0.01 + 0.015 */
+    assert_close(rwedge_compliance(HUGE_VAL, 0.3, 100, 0.5), 0.015, 4 * DBL_EPSILON);  /* rigid wedge */
+}
+
+/* Dundurs' definition with shear moduli and Kolosov constants. */
+static double beta_by_definition(double E1, double nu1, double E2, double nu2)
+{
+    const double mu1 = E1 / (2 * (1 + nu1)), mu2 = E2 / (2 * (1 + nu2)), k1 = 3 - 4 * nu1, k2 = 3 - 4 * nu2;
+    return (mu1 * (k2 - 1) - mu2 * (k1 - 1)) / (mu1 * (k2 + 1) + mu2 * (k1 + 1));
+}
+
+static void beta_is_dundurs(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    for (int i = 0; i < 1000; i++) {
+        const double E1 = 1 + 9 * random_fraction(&seed), E2 = 1 + 9 * random_fraction(&seed);
+        const double nu1 = -0.9 + 1.4 * random_fraction(&seed), nu2 = 0.5 * random_fraction(&seed);
+        const double beta = rwedge_dundurs_beta(E1, nu1, E2, nu2);
+        assert_within(beta, beta_by_definition(E1, nu1, E2, nu2), 8 * DBL_EPSILON);
+        assert_within(beta, -rwedge_dundurs_beta(E2, nu2, E1, nu1), 4 * DBL_EPSILON);
+    }
+    assert_within(rwedge_dundurs_beta(7, 0.3, 7, 0.3), 0, 0);
+    assert_within(rwedge_dundurs_beta(HUGE_VAL, 0.1, 7, 0), 0.5, DBL_EPSILON); /* the corner of Dundurs' parallelogram */
+}
+
+static void bad_materials_are_not_numbers(void **state)
+{
+    (void)state;
+    const double bad_E[] = {NAN, -HUGE_VAL, -1, 0}, bad_nu[] = {NAN, HUGE_VAL, -1, 0.5000001, 3};
+    for (size_t i = 0; i < sizeof bad_E / sizeof bad_E[0]; i++) {
+        assert_nan(rwedge_compliance(bad_E[i], 0.3, 1, 0.3));
+        assert_nan(rwedge_compliance(1, 0.3, bad_E[i], 0.3));
+        assert_nan(rwedge_dundurs_beta(bad_E[i], 0.3, 1, 0.3));
+    }
+    for (size_t i = 0; i < sizeof bad_nu / sizeof bad_nu[0]; i++) {
+        assert_nan(rwedge_compliance(1, bad_nu[i], 1, 0.3));
+        assert_nan(rwedge_compliance(1, 0.3, 1, bad_nu[i]));
+        assert_nan(rwedge_dundurs_beta(1, 0.3, 1, bad_nu[i]));
+    }
+    assert_nan(rwedge_compliance(HUGE_VAL, 0.3, HUGE_VAL, 0.3)); /* two rigid bodies */
+    assert_nan(rwedge_compliance(1e-320, 0.3, 1, 0.3));          /* would overflow */
+}
+
+static void every_status_has_a_text(void **state)
+{
+    (void)state;
+    for (int32_t status = RWEDGE_OK; status <= RWEDGE_EABSENT; status++)
+        assert_string_not_equal(rwedge_strerror(status), "unknown status");
+    assert_string_equal(rwedge_strerror(RWEDGE_EABSENT + 1), "unknown status");
+    assert_string_equal(rwedge_strerror(INT32_MIN), "unknown status");
+    assert_string_equal(rwedge_version(), RWEDGE_VERSION);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(compliance_is_equation_2),
+        cmocka_unit_test(beta_is_dundurs),
+        cmocka_unit_test(bad_materials_are_not_numbers),
+        cmocka_unit_test(every_status_has_a_text),
+    };
+    return RUN_CLAIMS("material", tests);
+}

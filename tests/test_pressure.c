@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "quadrature.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+static const double PI = 3.14159265358979323846;
+
+static void pressure_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("pressure.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_pressure(table.cell[0], table.cell[1]), table.cell[2], 1e-14);
+    assert_int_equal(table.row, 600);
+}
+
+static void named_pressures_match_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law.csv");
+    while (reference_next(&table)) {
+        assert_close(rwedge_peak_pressure(table.cell[0]), table.cell[2], 1e-14);
+        assert_close(rwedge_transition_pressure(table.cell[0]), table.cell[3], 1e-14);
+    }
+}
+
+static void named_pressures_are_the_pressure_there(void **state)
+{
+    (void)state;
+    for (double alpha = 1e-6; alpha < 1; alpha *= 1.7) {
+        assert_close(rwedge_peak_pressure(alpha), -rwedge_pressure(alpha, 0), 1e-14);              /* Eq. (10) */
+        assert_close(rwedge_transition_pressure(alpha), -rwedge_pressure(alpha, alpha), 1e-14);    /* Eq. (9) */
+    }
+}
+
+typedef struct {
+    double alpha, at;
+} inversion;
+
+/* Eq. (3) with t = sin(tau); the factor makes the kernel 1/(tau - at). */
+static double profile_in_tau(double tau, const void *context)
+{
+    const inversion *c = context;
+    const double slope = -fmax(-1, fmin(1, sin(tau) / c->alpha));
+    const double half_difference = (tau - c->at) / 2;
+    const double ratio = fabs(half_difference) < 1e-150 ? 1 : half_difference / sin(half_difference);
+    return slope * ratio / cos((tau + c->at) / 2);
+}
+
+static void pressure_is_the_inverted_integral(void **state)
+{
+    (void)state;
+    for (double alpha = 0.1; alpha < 1; alpha += 0.2)
+        for (double x = 0.03; x < 1; x += 0.11) {
+            const inversion c = {alpha, asin(x)};
+            const double value = principal_value(profile_in_tau, &c, -PI / 2, PI / 2, c.at);
+            assert_close(rwedge_pressure(alpha, x), sqrt(1 - x * x) / PI * value, 1e-8); /* limited by the kinks at +-alpha */
+        }
+}
+
+static double pressure_in_phi(double phi, const void *alpha)
+{
+    return rwedge_pressure(*(const double *)alpha, sin(phi)) * cos(phi);
+}
+
+static void pressure_integrates_to_the_load(void **state)
+{
+    (void)state;
+    const double alphas[] = {1e-6, 1e-3, 0.05, 0.3, 0.9, 1 - 1e-9, 1, 3};
+    for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
+        const double points[] = {0, asin(fmin(1, alphas[i])), PI / 2};
+        assert_close(-2 * integral(pressure_in_phi, &alphas[i], 2, points), rwedge_load(alphas[i]), 1e-12);
+    }
+}
+
+static void pressure_has_its_limits(void **state)
+{
+    (void)state;
+    for (double x = 0.05; x < 1; x += 0.1) {
+        assert_close(rwedge_pressure(2, x), -sqrt(1 - x * x) / 2, 1e-15);                        /* Eq. (12) */
+        assert_close(rwedge_pressure(0, x), -2 / PI * acosh(1 / x), 1e-14);                      /* Eq. (14) */
+        assert_close(rwedge_pressure(1e-9, x), -2 / PI * acosh(1 / x), 1e-14);
+        assert_close(rwedge_pressure(1 - 1e-15, x), -sqrt(1 - x * x), 1e-14);
+        assert_close(rwedge_pressure(0.3, -x), rwedge_pressure(0.3, x), 0);
+    }
+    assert_close(rwedge_peak_pressure(1e-6), 2 / PI * (1 - log(1e-6 / 2)), 1e-12);               /* Eq. (16) */
+    assert_close(rwedge_pressure(0, 1e-310), -2 / PI * (log(2) - log(1e-310)), 1e-14);
+    assert_close(rwedge_pressure(1e-310, 0.5), rwedge_pressure(0, 0.5), 0);
+    assert_close(rwedge_pressure(1e-200, 1e-200), -2 / PI * (1 - log(1e-200)), 1e-14); /* Eq. (9) for a small tip */
+}
+
+static void pressure_vanishes_outside(void **state)
+{
+    (void)state;
+    assert_within(rwedge_pressure(0.3, 1), 0, 0);
+    assert_within(rwedge_pressure(0, -1.5), 0, 0);
+    assert_within(rwedge_pressure(7, 1e300), 0, 0);
+    assert_true(rwedge_pressure(0.3, nextafter(1, 0)) < 0);
+    assert_within(rwedge_transition_pressure(1), 0, 0);
+}
+
+static void bad_arguments_are_not_numbers(void **state)
+{
+    (void)state;
+    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        assert_nan(rwedge_pressure(bad[i], 0.3));
+        assert_nan(rwedge_peak_pressure(bad[i]));
+        assert_nan(rwedge_transition_pressure(bad[i]));
+    }
+    assert_nan(rwedge_pressure(0.3, NAN));
+    assert_nan(rwedge_pressure(0.3, HUGE_VAL));
+    assert_nan(rwedge_pressure(0, 0)); /* infinite at the sharp apex */
+    assert_nan(rwedge_peak_pressure(0));
+    assert_nan(rwedge_transition_pressure(0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pressure_matches_reference),
+        cmocka_unit_test(named_pressures_match_reference),
+        cmocka_unit_test(named_pressures_are_the_pressure_there),
+        cmocka_unit_test(pressure_is_the_inverted_integral),
+        cmocka_unit_test(pressure_integrates_to_the_load),
+        cmocka_unit_test(pressure_has_its_limits),
+        cmocka_unit_test(pressure_vanishes_outside),
+        cmocka_unit_test(bad_arguments_are_not_numbers),
+    };
+    return RUN_CLAIMS("pressure", tests);
+}

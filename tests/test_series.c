@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "quadrature.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+static const double PI = 3.14159265358979323846;
+
+static void coefficients_match_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("coefficients.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_coefficient(table.cell[0], (int32_t)table.cell[1]), table.cell[2], 1e-14);
+    assert_int_equal(table.row, 300);
+}
+
+typedef struct {
+    double alpha;
+    int n;
+} projection;
+
+static double projected(double t, const void *context)
+{
+    const projection *c = context;
+    return rwedge_pressure(c->alpha, cos(t)) * sin((2 * c->n + 1) * t);
+}
+
+/* b_n = -(2/pi) int p sin(m t) dt, x = cos(t), by quadrature. */
+static void coefficients_are_projections_of_the_pressure(void **state)
+{
+    (void)state;
+    for (double alpha = 0.1; alpha < 1; alpha += 0.17)
+        for (int n = 0; n < 6; n++) {
+            const projection c = {alpha, n};
+            const double points[] = {0, acos(alpha), PI / 2};
+            assert_within(rwedge_coefficient(alpha, n), -4 / PI * integral(projected, &c, 2, points), 1e-12);
+        }
+}
+
+static void coefficients_have_their_limits(void **state)
+{
+    (void)state;
+    for (int32_t n = 1; n < 2000; n += 97) {
+        const double sharp = (n % 2 ? -4 : 4) / (PI * (2 * n + 1));
+        assert_close(rwedge_coefficient(0, n), sharp, 1e-15);
+        assert_close(rwedge_coefficient(1e-13, n), sharp, 1e-15);
+        assert_within(rwedge_coefficient(1, n), 0, 0);
+        const double c0 = sqrt(2e-12); /* alpha = 1 - 1e-12: b_n = -(4/(3 pi)) c0^3 while n c0 is small */
+        assert_close(rwedge_coefficient(1 - 1e-12, n), -4 / (3 * PI) * c0 * c0 * c0, 1e-4);
+    }
+    assert_close(rwedge_coefficient(0, 0), 4 / PI, 1e-15);
+    assert_close(rwedge_coefficient(2, 0), 0.5, 0);
+    assert_true(fabs(rwedge_coefficient(0.3, INT32_MAX)) < 1e-18);
+}
+
+static rwedge_series *analytic(double alpha, int32_t terms)
+{
+    rwedge_series *series = NULL;
+    assert_int_equal(rwedge_series_create(alpha, terms, &series), RWEDGE_OK);
+    return series;
+}
+
+/* The two routes to the stresses test each other: deep enough, 1000 terms leave nothing out. */
+static void series_and_closed_form_agree(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    const double alphas[] = {0, 0.01, 0.1, 0.5, 0.99, 1, 2.5};
+    for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
+        rwedge_series *series = analytic(alphas[i], 1000);
+        for (int k = 0; k < 50; k++) {
+            const double x = 4 * random_fraction(&seed) - 2, y = 0.1 + 3 * random_fraction(&seed);
+            double a[3], b[3];
+            assert_int_equal(rwedge_series_stress(series, 0.4, x, y, &a[0], &a[1], &a[2]), RWEDGE_OK);
+            assert_int_equal(rwedge_stress(alphas[i], 0.4, 0, x, y, &b[0], &b[1], &b[2]), RWEDGE_OK);
+            for (int j = 0; j < 3; j++)
+                assert_within(a[j], b[j], 1e-13);
+        }
+        rwedge_series_destroy(series);
+    }
+}
+
+static void far_away_the_series_is_the_closed_form(void **state)
+{
+    (void)state;
+    rwedge_series *series = analytic(0.3, 40);
+    const double far[] = {10, 1e4, 1e9, 1e150, 1e300};
+    for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
+        double a[3], b[3];
+        assert_int_equal(rwedge_series_stress(series, 0.4, -far[i], far[i], &a[0], &a[1], &a[2]), RWEDGE_OK);
+        assert_int_equal(rwedge_stress(0.3, 0.4, 0, -far[i], far[i], &b[0], &b[1], &b[2]), RWEDGE_OK);
+        for (int j = 0; j < 3; j++)
+            assert_within(a[j], b[j], 1e-14 / far[i]);
+    }
+    rwedge_series_destroy(series);
+}
+
+/* Eq. (32): s = 2 Re Phi; and Phi on the surface of the contact, -(i+f)(g + i p)/2. */
+static void potential_is_equation_30(void **state)
+{
+    (void)state;
+    const double f = 0.4;
+    rwedge_series *series = analytic(1, 3);
+    for (double x = -0.9; x < 1; x += 0.3) {
+        double re, im, s[3];
+        assert_int_equal(rwedge_series_potential(series, f, x, 0, &re, &im), RWEDGE_OK);
+        const double g = x, p = -sqrt(1 - x * x);
+        assert_within(re, (p - f * g) / 2, 1e-15);
+        assert_within(im, -(g + f * p) / 2, 1e-15);
+        assert_int_equal(rwedge_series_potential(series, f, x, 0.4, &re, &im), RWEDGE_OK);
+        assert_int_equal(rwedge_series_stress(series, f, x, 0.4, &s[0], &s[1], &s[2]), RWEDGE_OK);
+        assert_within((s[0] + s[1]) / 2, 2 * re, 1e-15);
+    }
+    rwedge_series_destroy(series);
+}
+
+static void truncation_is_bounded(void **state)
+{
+    (void)state;
+    const double alphas[] = {1e-3, 0.1, 0.7};
+    for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
+        for (int32_t terms = 1; terms < 300; terms += 37) {
+            rwedge_series *series = analytic(alphas[i], terms);
+            double cut = 0;
+            for (int32_t n = (terms + 1) / 2; n < 100000; n++)
+                cut += fabs(rwedge_coefficient(alphas[i], n));
+            const double bound = rwedge_series_residual(series);
+            assert_true(cut <= bound);
+            assert_true(bound < 10 * cut); /* and the bound is worth having */
+            for (double x = 0.05; x < 1; x += 0.1)
+                assert_within(rwedge_series_pressure(series, x), rwedge_pressure(alphas[i], x), bound);
+            rwedge_series_destroy(series);
+        }
+    rwedge_series *hertz = analytic(1.5, 1), *sharp = analytic(0, 10);
+    assert_within(rwedge_series_residual(hertz), 0, 0);
+    assert_true(isinf(rwedge_series_residual(sharp)));
+    rwedge_series_destroy(hertz);
+    rwedge_series_destroy(sharp);
+}
+
+enum { SAMPLES = 400 };
+
+static void chebyshev_points(double x[SAMPLES])
+{
+    for (int i = 0; i < SAMPLES; i++)
+        x[i] = cos(PI * (i + 0.5) / SAMPLES);
+}
+
+/* An uneven pressure of three terms, U_0, U_1, U_4, is recovered whole; its stresses are Flamant's. */
+static void fit_recovers_an_uneven_pressure(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES];
+    chebyshev_points(x);
+    for (int i = 0; i < SAMPLES; i++) {
+        const double t = acos(x[i]);
+        p[i] = -(sin(t) + 0.3 * sin(2 * t) - 0.1 * sin(5 * t));
+    }
+    rwedge_series *series = NULL;
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 12, &series), RWEDGE_OK);
+    assert_int_equal(rwedge_series_terms(series), 12);
+    const double expected[12] = {1, 0.3, 0, 0, -0.1};
+    for (int32_t k = 0; k < 12; k++)
+        assert_within(rwedge_series_coefficient(series, k), expected[k], 1e-14);
+    assert_within(rwedge_series_residual(series), 0, 1e-14);
+    assert_within(rwedge_series_coefficient(series, 12), 0, 0);
+    double s[3], surface[3];
+    assert_int_equal(rwedge_series_stress(series, 0.2, 0.37, 0, &surface[0], &surface[1], &surface[2]), RWEDGE_OK);
+    assert_within(surface[1], rwedge_series_pressure(series, 0.37), 1e-15);
+    assert_within(surface[2], 0.2 * rwedge_series_pressure(series, 0.37), 1e-15);
+    assert_int_equal(rwedge_series_stress(series, 0, 0, 1e6, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    assert_close(s[1], -2 / PI * (PI / 2) / 1e6, 1e-6); /* Flamant's -2P/(pi y); P = (pi/2) a_0 */
+    rwedge_series_destroy(series);
+}
+
+/* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed form has. */
+static void fit_approaches_the_closed_form(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES], residual[2];
+    chebyshev_points(x);
+    for (int i = 0; i < SAMPLES; i++)
+        p[i] = rwedge_pressure(0.4, x[i]);
+    for (int k = 0; k < 2; k++) {
+        rwedge_series *series = NULL;
+        assert_int_equal(rwedge_series_fit(SAMPLES, x, p, k ? 121 : 31, &series), RWEDGE_OK);
+        residual[k] = rwedge_series_residual(series);
+        double a[3], b[3];
+        assert_int_equal(rwedge_series_stress(series, 0.3, 0.2, 0.5, &a[0], &a[1], &a[2]), RWEDGE_OK);
+        assert_int_equal(rwedge_stress(0.4, 0.3, 0, 0.2, 0.5, &b[0], &b[1], &b[2]), RWEDGE_OK);
+        for (int j = 0; j < 3; j++)
+            assert_within(a[j], b[j], k ? 1e-5 : 1e-4);
+        rwedge_series_destroy(series);
+    }
+    assert_true(residual[1] < residual[0] / 5 && residual[0] < 0.01);
+}
+
+static void rank_deficiency_is_refused(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES];
+    rwedge_series *untouched = NULL, *series = untouched;
+    chebyshev_points(x);
+    for (int i = 0; i < SAMPLES; i++) {
+        x[i] = x[i % 20]; /* twenty different points */
+        p[i] = -1;
+    }
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 21, &series), RWEDGE_ERANK);
+    assert_int_equal(rwedge_series_fit(20, x, p, 21, &series), RWEDGE_ERANK); /* fewer samples than terms */
+    for (int i = 0; i < SAMPLES; i++)
+        x[i] = 1e-6 * i / SAMPLES; /* clustered: independent in exact arithmetic only */
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 21, &series), RWEDGE_ERANK);
+    assert_ptr_equal(series, untouched);
+}
+
+static void bad_arguments_are_refused(void **state)
+{
+    (void)state;
+    double x[3] = {-0.5, 0, 0.5}, p[3] = {-1, -1, -1}, s[3] = {7, 8, 9};
+    rwedge_series *series = NULL;
+    assert_int_equal(rwedge_series_create(-1, 3, &series), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_create(NAN, 3, &series), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_create(0.5, 0, &series), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_series_create(0.5, INT32_MAX, &series), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_series_create(0.5, 3, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_fit(3, x, p, 0, &series), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_series_fit(SIZE_MAX, x, p, 2, &series), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_series_fit(3, NULL, p, 2, &series), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_fit(3, x, NULL, 2, &series), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_fit(3, x, p, 2, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_fit(0, NULL, NULL, 2, &series), RWEDGE_ERANK);
+    const double bad[] = {NAN, HUGE_VAL, 1, -1};
+    for (int i = 0; i < 4; i++) {
+        x[1] = bad[i];
+        assert_int_equal(rwedge_series_fit(3, x, p, 2, &series), RWEDGE_EDOMAIN);
+    }
+    x[1] = 0;
+    p[2] = NAN;
+    assert_int_equal(rwedge_series_fit(3, x, p, 2, &series), RWEDGE_EDOMAIN);
+    assert_null(series);
+    assert_nan(rwedge_coefficient(NAN, 1));
+    assert_nan(rwedge_coefficient(-1, 1));
+    assert_nan(rwedge_coefficient(0.5, -1));
+    assert_nan(rwedge_series_pressure(NULL, 0));
+    assert_nan(rwedge_series_residual(NULL));
+    assert_nan(rwedge_series_coefficient(NULL, 0));
+    assert_int_equal(rwedge_series_terms(NULL), 0);
+    rwedge_series_destroy(NULL);
+    series = analytic(0.5, 4);
+    assert_nan(rwedge_series_coefficient(series, -1));
+    assert_nan(rwedge_series_pressure(series, NAN));
+    assert_within(rwedge_series_pressure(series, 1), 0, 0);
+    assert_int_equal(rwedge_series_stress(series, -1, 0, 1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_stress(series, 0, NAN, 1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_stress(series, 0, 0, -1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_stress(NULL, 0, 0, 1, &s[0], &s[1], &s[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_stress(series, 0, 0, 1, NULL, &s[1], &s[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_potential(NULL, 0, 0, 1, &s[0], &s[1]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_potential(series, 0, 0, 1, &s[0], NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_series_potential(series, 0, 0, -1, &s[0], &s[1]), RWEDGE_EDOMAIN);
+    assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
+    rwedge_series_destroy(series);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coefficients_match_reference),
+        cmocka_unit_test(coefficients_are_projections_of_the_pressure),
+        cmocka_unit_test(coefficients_have_their_limits),
+        cmocka_unit_test(series_and_closed_form_agree),
+        cmocka_unit_test(far_away_the_series_is_the_closed_form),
+        cmocka_unit_test(potential_is_equation_30),
+        cmocka_unit_test(truncation_is_bounded),
+        cmocka_unit_test(fit_recovers_an_uneven_pressure),
+        cmocka_unit_test(fit_approaches_the_closed_form),
+        cmocka_unit_test(rank_deficiency_is_refused),
+        cmocka_unit_test(bad_arguments_are_refused),
+    };
+    return RUN_CLAIMS("series", tests);
+}

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <float.h>
+#include <string.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* sqrt(J2) from the stresses, plane strain: not the route by which the maximum was found. */
+static double von_mises(double alpha, double f, double nu, double x, double y)
+{
+    double sxx, syy, txy;
+    assert_int_equal(rwedge_stress(alpha, f, 0, x, y, &sxx, &syy, &txy), RWEDGE_OK);
+    const double szz = nu * (sxx + syy), a = sxx - syy, b = syy - szz, c = szz - sxx;
+    return sqrt((a * a + b * b + c * c) / 6 + txy * txy);
+}
+
+static void elastic_limit_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("elastic_limit.csv");
+    while (reference_next(&table)) {
+        const double alpha = table.cell[0], f = table.cell[1], nu = table.cell[2];
+        double limit, x, y;
+        assert_int_equal(rwedge_yield_point(alpha, f, nu, &limit, &x, &y), RWEDGE_OK);
+        assert_close(limit, table.cell[3], 1e-12);
+        assert_close(rwedge_elastic_limit(alpha, f, nu), limit, 0);
+        assert_int_equal(y == 0, strcmp(table.last, "surface") == 0);
+        assert_close(rwedge_load(alpha) / von_mises(alpha, f, nu, x, y), limit, 1e-12);
+    }
+    assert_int_equal(table.row, 160);
+}
+
+static void paper_grid_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("paper_grid.csv");
+    while (reference_next(&table)) {
+        double limit, x, y;
+        assert_int_equal(rwedge_yield_point(table.cell[0], table.cell[1], 0.3, &limit, &x, &y), RWEDGE_OK);
+        assert_close(limit, table.cell[2], 1e-12);
+        assert_within(x, table.cell[3], 1e-11);
+        assert_within(y, table.cell[4], 1e-11);
+    }
+    assert_int_equal(table.row, 170);
+}
+
+static void critical_friction_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("critical_friction.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_critical_friction(table.cell[0], table.cell[1]), table.cell[2], 1e-9); /* the table's accuracy */
+    assert_int_equal(table.row, 19);
+}
+
+static void branches_cross_at_the_critical_friction(void **state)
+{
+    (void)state;
+    for (double alpha = 0.1; alpha < 1.5; alpha += 0.2)
+        for (double nu = 0.26; nu <= 0.5; nu += 0.06) {
+            const double f = rwedge_critical_friction(alpha, nu);
+            double below, surface, limit, x, y;
+            assert_true(f > 0.01 && f < 0.5);
+            assert_int_equal(rwedge_subsurface_yield(alpha, f, nu, &below, &x, &y), RWEDGE_OK);
+            assert_int_equal(rwedge_surface_yield(alpha, f, nu, &surface, &x), RWEDGE_OK);
+            assert_close(below, surface, 1e-12);
+            assert_int_equal(rwedge_yield_point(alpha, f * (1 - 1e-9), nu, &limit, &x, &y), RWEDGE_OK);
+            assert_true(y > 0);
+            assert_int_equal(rwedge_yield_point(alpha, f * (1 + 1e-9), nu, &limit, &x, &y), RWEDGE_OK);
+            assert_true(y == 0);
+        }
+}
+
+static void limit_is_the_smaller_branch(void **state)
+{
+    (void)state;
+    for (double alpha = 0.05; alpha < 1.2; alpha += 0.17)
+        for (double f = 0; f < 0.8; f += 0.013) {
+            double below = HUGE_VAL, surface, x, y;
+            const int32_t status = rwedge_subsurface_yield(alpha, f, 0.3, &below, &x, &y);
+            assert_true(status == RWEDGE_OK || status == RWEDGE_EABSENT);
+            assert_int_equal(rwedge_surface_yield(alpha, f, 0.3, &surface, &x), RWEDGE_OK);
+            assert_close(rwedge_elastic_limit(alpha, f, 0.3), fmin(below, surface), 1e-15);
+        }
+}
+
+/* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
+static void small_tips_yield_at_the_surface_without_friction(void **state)
+{
+    (void)state;
+    const double takeover[][2] = {{0.3, 0.0176467}, {0.25, 0.1173}, {0.2, 0.5542}}; /* nu, alpha */
+    for (int i = 0; i < 3; i++) {
+        const double nu = takeover[i][0], alpha = takeover[i][1];
+        double limit, x, y;
+        assert_int_equal(rwedge_yield_point(alpha * 1.001, 0, nu, &limit, &x, &y), RWEDGE_OK);
+        assert_true(x == 0 && y > 0.1 * alpha);
+        assert_true(rwedge_critical_friction(alpha * 1.001, nu) > 0);
+        assert_int_equal(rwedge_yield_point(alpha * 0.999, 0, nu, &limit, &x, &y), RWEDGE_OK);
+        assert_true(x == 0 && y == 0);
+        assert_within(rwedge_critical_friction(alpha * 0.999, nu), 0, 0);
+    }
+}
+
+/* Past the fold the branch is gone; before it, it is there, up to the fold's last bits. */
+static void subsurface_branch_ends_at_a_fold(void **state)
+{
+    (void)state;
+    double there = 0, gone = 1, limit = 7, x = 7, y = 7;
+    while (gone - there > 1e-13) {
+        const double f = (there + gone) / 2;
+        if (rwedge_subsurface_yield(0.5, f, 0.3, &limit, &x, &y) == RWEDGE_OK)
+            there = f;
+        else
+            gone = f;
+    }
+    assert_true(there > rwedge_critical_friction(0.5, 0.3));
+    double before_limit, before_x, before_y;
+    assert_int_equal(rwedge_subsurface_yield(0.5, there - 1e-8, 0.3, &before_limit, &before_x, &before_y), RWEDGE_OK);
+    /* a square-root approach: 1e-8 in f moves the point by about 1e-4 */
+    assert_true(hypot(x - before_x, y - before_y) > 1e-6 && hypot(x - before_x, y - before_y) < 1e-2);
+    limit = x = y = 7;
+    assert_int_equal(rwedge_subsurface_yield(0.5, gone + 1e-6, 0.3, &limit, &x, &y), RWEDGE_EABSENT);
+    assert_true(limit == 7 && x == 7 && y == 7);
+}
+
+static void hertz_does_not_depend_on_alpha(void **state)
+{
+    (void)state;
+    for (double f = 0; f < 1; f += 0.1)
+        assert_close(rwedge_elastic_limit(7, f, 0.3), rwedge_elastic_limit(1, f, 0.3), 0);
+}
+
+static void sharp_wedge_yields_at_its_apex(void **state)
+{
+    (void)state;
+    double limit = 7, x = 7, y = 7;
+    assert_int_equal(rwedge_yield_point(0, 0.2, 0.3, &limit, &x, &y), RWEDGE_OK);
+    assert_true(limit == 0 && x == 0 && y == 0);
+    assert_within(rwedge_elastic_limit(0, 0, 0.3), 0, 0);
+    assert_close(rwedge_elastic_limit(0, 0, 0.5), PI, 1e-15);
+    assert_close(rwedge_elastic_limit(1e-12, 0, 0.5), PI, 1e-5); /* continuously: the yield point is at sqrt(alpha) */
+    assert_true(rwedge_elastic_limit(1e-300, 0.2, 0.3) < 0.02);
+    assert_within(rwedge_critical_friction(0, 0.3), 0, 0);
+    assert_int_equal(rwedge_subsurface_yield(0, 0, 0.5, &limit, &x, &y), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_surface_yield(0, 0.1, 0.5, &limit, &x), RWEDGE_OK);
+    assert_true(limit == 0 && x == 0);
+}
+
+static void incompressible_surface_is_safe_without_friction(void **state)
+{
+    (void)state;
+    double limit = 7, x = 7;
+    assert_int_equal(rwedge_surface_yield(0.3, 0, 0.5, &limit, &x), RWEDGE_EABSENT);
+    assert_true(limit == 7 && x == 7);
+}
+
+static void max_tension_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_max_tension(table.cell[0]), table.cell[4], 1e-14);
+    assert_nan(rwedge_max_tension(NAN));
+    assert_nan(rwedge_max_tension(-1));
+    assert_nan(rwedge_max_tension(HUGE_VAL));
+}
+
+/* Nowhere in the half-plane is s1 above sxx at the trailing edge. */
+static void max_tension_is_the_largest(void **state)
+{
+    (void)state;
+    for (double alpha = 0.1; alpha < 1; alpha += 0.3) {
+        const double f = 0.5, largest = f * rwedge_load(alpha) * rwedge_max_tension(alpha);
+        for (double x = -3; x < 3; x += 0.02)
+            for (double y = 0; y < 2; y += 0.02) {
+                double sxx, syy, txy;
+                assert_int_equal(rwedge_stress(alpha, f, 0, x, y, &sxx, &syy, &txy), RWEDGE_OK);
+                const double s1 = (sxx + syy) / 2 + hypot((sxx - syy) / 2, txy);
+                assert_true(s1 <= largest * (1 + 1e-14));
+            }
+    }
+}
+
+static void arrays_are_limits_one_by_one(void **state)
+{
+    (void)state;
+    enum { N = 200 };
+    double alpha[N], f[N], limit[N];
+    uint64_t seed = 17;
+    for (int i = 0; i < N; i++) {
+        alpha[i] = 1.5 * random_fraction(&seed);
+        f[i] = random_fraction(&seed);
+    }
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_OK);
+    for (int i = 0; i < N; i++)
+        assert_true(limit[i] == rwedge_elastic_limit(alpha[i], f[i], 0.3));
+    limit[0] = 7;
+    f[N - 1] = -1;
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.6, limit), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_elastic_limits(N, NULL, f, 0.3, limit), RWEDGE_ENULL);
+    assert_int_equal(rwedge_elastic_limits(N, alpha, NULL, 0.3, limit), RWEDGE_ENULL);
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, NULL), RWEDGE_ENULL);
+    assert_true(limit[0] == 7);
+    assert_int_equal(rwedge_elastic_limits(0, NULL, NULL, 0.3, NULL), RWEDGE_OK);
+}
+
+static void bad_arguments_leave_outputs_untouched(void **state)
+{
+    (void)state;
+    static const double bad[][3] = {{-1, 0, 0.3},      {NAN, 0, 0.3},    {HUGE_VAL, 0, 0.3}, {0.5, -1, 0.3}, {0.5, NAN, 0.3},
+                                    {0.5, 2e6, 0.3},   {0.5, 0, -1e-9},  {0.5, 0, 0.500001}, {0.5, 0, NAN},  {0, -1, 0.3},
+                                    {0, 0, HUGE_VAL}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        const double alpha = bad[i][0], f = bad[i][1], nu = bad[i][2];
+        double limit = 7, x = 8, y = 9;
+        assert_nan(rwedge_elastic_limit(alpha, f, nu));
+        assert_int_equal(rwedge_yield_point(alpha, f, nu, &limit, &x, &y), RWEDGE_EDOMAIN);
+        assert_int_equal(rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y), RWEDGE_EDOMAIN);
+        assert_int_equal(rwedge_surface_yield(alpha, f, nu, &limit, &x), RWEDGE_EDOMAIN);
+        assert_true(limit == 7 && x == 8 && y == 9);
+    }
+    double v[3] = {7, 8, 9};
+    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, NULL, &v[1], &v[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, &v[0], NULL, &v[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, &v[0], &v[1], NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_subsurface_yield(0.5, 0, 0.3, &v[0], &v[1], NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_surface_yield(0.5, 0, 0.3, &v[0], NULL), RWEDGE_ENULL);
+    assert_true(v[0] == 7 && v[1] == 8 && v[2] == 9);
+    assert_nan(rwedge_critical_friction(-1, 0.3));
+    assert_nan(rwedge_critical_friction(NAN, 0.3));
+    assert_nan(rwedge_critical_friction(0.5, NAN));
+    assert_nan(rwedge_critical_friction(0.5, 0.51));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elastic_limit_matches_reference),
+        cmocka_unit_test(paper_grid_matches_reference),
+        cmocka_unit_test(critical_friction_matches_reference),
+        cmocka_unit_test(branches_cross_at_the_critical_friction),
+        cmocka_unit_test(limit_is_the_smaller_branch),
+        cmocka_unit_test(small_tips_yield_at_the_surface_without_friction),
+        cmocka_unit_test(subsurface_branch_ends_at_a_fold),
+        cmocka_unit_test(hertz_does_not_depend_on_alpha),
+        cmocka_unit_test(sharp_wedge_yields_at_its_apex),
+        cmocka_unit_test(incompressible_surface_is_safe_without_friction),
+        cmocka_unit_test(max_tension_matches_reference),
+        cmocka_unit_test(max_tension_is_the_largest),
+        cmocka_unit_test(arrays_are_limits_one_by_one),
+        cmocka_unit_test(bad_arguments_leave_outputs_untouched),
+    };
+    return RUN_CLAIMS("strength", tests);
+}

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "claims.h"
+#include "quadrature.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+/* The largest error of a component over the larger of the tensor's norm and 1/(1+|z|): what the header promises about. */
+static double relative_error(const double stress[3], const double expected[3], double x, double y)
+{
+    const double norm =
+        sqrt(expected[0] * expected[0] + expected[1] * expected[1] + 2 * expected[2] * expected[2]);
+    double worst = 0;
+    for (int i = 0; i < 3; i++)
+        worst = fmax(worst, fabs(stress[i] - expected[i]));
+    return worst / fmax(norm, 1 / (1 + hypot(x, y)));
+}
+
+static void stress(double alpha, double f, double c, double x, double y, double s[3])
+{
+    assert_int_equal(rwedge_stress(alpha, f, c, x, y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+}
+
+static void sliding_stresses_match_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("stress_sliding.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell;
+        double s[3];
+        stress(v[0], v[1], 0, v[2], v[3], s);
+        assert_within(relative_error(s, &v[4], v[2], v[3]), 0, 1e-13);
+    }
+    assert_int_equal(table.row, 600);
+}
+
+static void partial_slip_stresses_match_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("stress_partial_slip.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell;
+        double s[3];
+        stress(v[0], v[1], v[2], v[3], v[4], s);
+        assert_within(relative_error(s, &v[6], v[3], v[4]), 0, 1e-13);
+    }
+    assert_int_equal(table.row, 600);
+}
+
+static void stresses_are_flamant_integrated(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int i = 0; i < 60; i++) {
+        const tractions_case t = {.alpha = 1.2 * random_fraction(&seed), .f = random_fraction(&seed),
+                                  .c = i % 2 ? random_fraction(&seed) : 0};
+        const double x = 4 * random_fraction(&seed) - 2, y = 0.02 + 2 * random_fraction(&seed);
+        double s[3], expected[3];
+        stress(t.alpha, t.f, t.c, x, y, s);
+        flamant_stress(&t, x, y, expected);
+        assert_within(relative_error(s, expected, x, y), 0, 1e-10);
+    }
+}
+
+static void surface_carries_the_tractions(void **state)
+{
+    (void)state;
+    const double alphas[] = {1e-7, 0.01, 0.4, 1 - 1e-12, 1, 2};
+    for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
+        for (double x = -0.97; x < 1; x += 0.02) {
+            double s[3];
+            stress(alphas[i], 0.4, 0.3, x, 0, s);
+            const double p = rwedge_pressure(alphas[i], x), scale = 1e-14 * (1 + fabs(p));
+            assert_within(s[1], p, scale);
+            assert_within(s[2], 0.4 * rwedge_shear(alphas[i], 0.3, x), scale);
+        }
+}
+
+static void surface_is_free_outside(void **state)
+{
+    (void)state;
+    const double outside[] = {1, -1, 1 + 1e-15, 1.5, -3, 1e9, -1e300};
+    for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
+        double s[3];
+        stress(0.3, 0.5, 0.2, outside[i], 0, s);
+        assert_within(s[1], 0, 0);
+        assert_within(s[2], 0, 0);
+    }
+}
+
+/* Along the surface sxx = p - 2 f g in full sliding: Eq. (32), (33) with G = g + i p. */
+static void tension_at_the_trailing_edge_is_twice_friction(void **state)
+{
+    (void)state;
+    double s[3];
+    stress(0.3, 0.5, 0, -1, 0, s);
+    assert_close(s[0], 1, 1e-14);
+    stress(0, 0.5, 0, -1, 0, s);
+    assert_close(s[0], 1, 1e-14);
+    stress(4, 0.5, 0, -1, 0, s);
+    assert_close(s[0], 0.25, 1e-14);
+}
+
+typedef struct {
+    double alpha, f, c, y;
+    int component;
+} level;
+
+static double stress_on_level(double x, const void *context)
+{
+    const level *l = context;
+    double s[3];
+    stress(l->alpha, l->f, l->c, x, l->y, s);
+    return s[l->component];
+}
+
+/* What crosses any level below the contact is P and Q. */
+static void levels_carry_the_forces(void **state)
+{
+    (void)state;
+    for (double y = 0.5; y < 4; y += 0.7) {
+        level l = {.alpha = 0.3, .f = 0.6, .c = 0.4, .y = y, .component = 1};
+        const double P = rwedge_load(0.3);
+        assert_close(integral_over_line(stress_on_level, &l), -P, 1e-9);
+        l.component = 2;
+        assert_close(integral_over_line(stress_on_level, &l), -0.6 * rwedge_shear_ratio(0.3, 0.4) * P, 1e-9);
+    }
+}
+
+static void normal_load_is_symmetric(void **state)
+{
+    (void)state;
+    double right[3], left[3];
+    stress(0.2, 0, 0, 0.3, 0.4, right);
+    stress(0.2, 0, 0, -0.3, 0.4, left);
+    assert_close(left[0], right[0], 0);
+    assert_close(left[1], right[1], 0);
+    assert_close(left[2], -right[2], 0);
+}
+
+static void full_stick_leaves_the_normal_load(void **state)
+{
+    (void)state;
+    double stuck[3], normal[3];
+    stress(0.2, 0.7, 1, 0.3, 0.4, stuck);
+    stress(0.2, 0, 0, 0.3, 0.4, normal);
+    for (int i = 0; i < 3; i++)
+        assert_within(stuck[i], normal[i], 1e-15);
+}
+
+static void hertz_depends_on_alpha_as_a_factor(void **state)
+{
+    (void)state;
+    double one[3], three[3];
+    stress(1, 0.2, 0.5, 0.3, 0.4, one);
+    stress(3, 0.2, 0.5, 0.3, 0.4, three);
+    for (int i = 0; i < 3; i++)
+        assert_close(3 * three[i], one[i], 1e-14);
+}
+
+static void sharp_wedge_is_the_limit_of_small_tips(void **state)
+{
+    (void)state;
+    double sharp[3], tip[3];
+    stress(0, 0.3, 0.4, 0.02, 0.01, sharp);
+    stress(1e-9, 0.3, 0.4, 0.02, 0.01, tip);
+    assert_within(relative_error(tip, sharp, 0.02, 0.01), 0, 1e-13);
+}
+
+/* Every double of the domain gives a finite tensor: tips and distances whose squares under- or overflow too. */
+static void extreme_arguments_give_finite_stresses(void **state)
+{
+    (void)state;
+    const double size[] = {0, 5e-324, 1e-310, 1e-200, 1e-150, 1e-60, 1e-20, 1e-3, 0.5, 1, 2, 1e5, 1e20, 1e160, DBL_MAX};
+    enum { SIZES = sizeof size / sizeof size[0] };
+    for (int a = 0; a < SIZES; a++)
+        for (int c = 0; c < SIZES && size[c] <= 1; c++)
+            for (int i = 0; i < SIZES; i++)
+                for (int j = 0; j < SIZES; j++) {
+                    if (size[a] == 0 && size[i] == 0 && size[j] == 0)
+                        continue;
+                    double s[3];
+                    stress(size[a], 0.5, size[c], -size[i], size[j], s);
+                    assert_true(isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]));
+                }
+}
+
+/* Next to z = a, where the potential is finite but its parts are not, and next to the edge. */
+static void singular_points_are_approached_continuously(void **state)
+{
+    (void)state;
+    const double near[] = {1e-300, 1e-170, 1e-100, 1e-30, 1e-18};
+    for (size_t i = 0; i < sizeof near / sizeof near[0]; i++)
+        for (int edge = 0; edge < 2; edge++) {
+            const double x = edge ? 1 : 0.3;
+            double at[3], above[3];
+            stress(0.3, 0.5, 0.1, x, 0, at);
+            stress(0.3, 0.5, 0.1, x, near[i], above);
+            for (int k = 0; k < 3; k++)
+                assert_within(above[k], at[k], 4 * sqrt(near[i]) + 1e-15);
+        }
+}
+
+/* At the apex at the scale of the rounding the field is that of any other small tip, but for the logarithm in the mean. */
+static void tiny_tips_are_alike(void **state)
+{
+    (void)state;
+    const double tip = 1e-8, tinier = 1e-250, PI = 3.14159265358979323846;
+    double a[3], b[3];
+    stress(tip, 0, 0, 0.7 * tip, 0.4 * tip, a);
+    stress(tinier, 0, 0, 0.7 * tinier, 0.4 * tinier, b);
+    assert_close(b[1] - b[0], a[1] - a[0], 1e-12);
+    assert_close(b[2], a[2], 1e-12);
+    assert_close(b[0] + b[1], a[0] + a[1] + 4 / PI * log(tinier / tip), 1e-12);
+}
+
+static void arrays_are_points_one_by_one(void **state)
+{
+    (void)state;
+    enum { N = 500 };
+    double x[N], y[N], sxx[N], syy[N], txy[N];
+    uint64_t seed = 11;
+    for (int i = 0; i < N; i++) {
+        x[i] = 6 * random_fraction(&seed) - 3;
+        y[i] = 3 * random_fraction(&seed);
+    }
+    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, sxx, syy, txy), RWEDGE_OK);
+    for (int i = 0; i < N; i++) {
+        double s[3];
+        stress(0.2, 0.4, 0.3, x[i], y[i], s);
+        assert_true(s[0] == sxx[i] && s[1] == syy[i] && s[2] == txy[i]);
+    }
+    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, x, y, txy), RWEDGE_OK); /* in place */
+    assert_memory_equal(x, sxx, sizeof x);
+    assert_memory_equal(y, syy, sizeof y);
+    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, 0, NULL, NULL, NULL, NULL, NULL), RWEDGE_OK);
+}
+
+static void bad_arguments_leave_outputs_untouched(void **state)
+{
+    (void)state;
+    static const double bad[][5] = {
+        /* alpha, f, c, x, y */
+        {-1, 0, 0, 0, 1},        {NAN, 0, 0, 0, 1},  {HUGE_VAL, 0, 0, 0, 1}, {0.5, -1, 0, 0, 1},
+        {0.5, NAN, 0, 0, 1},     {0.5, 2e6, 0, 0, 1}, {0.5, 0, -0.1, 0, 1},   {0.5, 0, 1.1, 0, 1},
+        {0.5, 0, NAN, 0, 1},     {0.5, 0, 0, NAN, 1}, {0.5, 0, 0, HUGE_VAL, 1}, {0.5, 0, 0, 0, -1e-300},
+        {0.5, 0, 0, 0, NAN},     {0.5, 0, 0, 0, HUGE_VAL}, {0, 0.3, 0, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        const double *b = bad[i];
+        double s[3] = {7, 8, 9};
+        assert_int_equal(rwedge_stress(b[0], b[1], b[2], b[3], b[4], &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+        assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
+    }
+    double s[3] = {7, 8, 9};
+    assert_int_equal(rwedge_stress(0.5, 0, 0, 0, 1, NULL, &s[1], &s[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_stress(0.5, 0, 0, 0, 1, &s[0], NULL, &s[2]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_stress(0.5, 0, 0, 0, 1, &s[0], &s[1], NULL), RWEDGE_ENULL);
+    const double x[2] = {0, 1}, y[2] = {1, -1};
+    double sxx[2] = {7, 7}, syy[2], txy[2];
+    assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, y, sxx, syy, txy), RWEDGE_EDOMAIN); /* the second point is bad */
+    assert_true(sxx[0] == 7 && s[1] == 8 && s[2] == 9);
+    assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, NULL, y, sxx, syy, txy), RWEDGE_ENULL);
+    assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, NULL, sxx, syy, txy), RWEDGE_ENULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sliding_stresses_match_reference),
+        cmocka_unit_test(partial_slip_stresses_match_reference),
+        cmocka_unit_test(stresses_are_flamant_integrated),
+        cmocka_unit_test(surface_carries_the_tractions),
+        cmocka_unit_test(surface_is_free_outside),
+        cmocka_unit_test(tension_at_the_trailing_edge_is_twice_friction),
+        cmocka_unit_test(levels_carry_the_forces),
+        cmocka_unit_test(normal_load_is_symmetric),
+        cmocka_unit_test(full_stick_leaves_the_normal_load),
+        cmocka_unit_test(hertz_depends_on_alpha_as_a_factor),
+        cmocka_unit_test(sharp_wedge_is_the_limit_of_small_tips),
+        cmocka_unit_test(extreme_arguments_give_finite_stresses),
+        cmocka_unit_test(singular_points_are_approached_continuously),
+        cmocka_unit_test(tiny_tips_are_alike),
+        cmocka_unit_test(arrays_are_points_one_by_one),
+        cmocka_unit_test(bad_arguments_leave_outputs_untouched),
+    };
+    return RUN_CLAIMS("stress", tests);
+}

@@ -79,6 +79,8 @@ bool arguments_read(arguments *given, const syntax *grammar, int argc, const cha
 {
     *given = (arguments){0};
     *status = STATUS_DONE;
+    unsetenv("POSIXLY_CORRECT"); /* for popt these mean that no option may follow an operand, such as a table's name */
+    unsetenv("POSIX_ME_HARDER");
     given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
     if (given->context == NULL) {
         *status = failure("out of memory");

@@ -8,14 +8,22 @@
 
 #include <popt.h>
 
-/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg is NULL, so that popt hands
- * every value over. The first few are common to all commands. */
-enum { OPTION_HELP = 1, OPTION_FORMAT, OPTION_DIGITS, OPTION_DECIMAL_COMMA, OPTION_OUTPUT, OPTION_QUIET, OPTION_OWN,
-       OPTION_LIMIT = 48 };
+/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg is NULL, so that popt
+ * hands every value over. The first few are common to all commands. */
+enum {
+    OPTION_HELP = 1,
+    OPTION_FORMAT,
+    OPTION_DIGITS,
+    OPTION_DECIMAL_COMMA,
+    OPTION_OUTPUT,
+    OPTION_QUIET,
+    OPTION_OWN,
+    OPTION_LIMIT = 48
+};
 
 typedef struct {
     const struct poptOption *options;
-    const char *operands;           /* as the usage line shows them */
+    const char *operands;            /* as the usage line shows them */
     void (*more_help)(FILE *stream); /* what follows the options */
 } syntax;
 
@@ -25,8 +33,8 @@ typedef struct {
     poptContext context;
 } arguments;
 
-/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the command is to end at once, with
- * the status: after --help, or a mistake. Free what it gave in either case. */
+/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the command is to end at once,
+ * with the status: after --help, or a mistake. Free what it gave in either case. */
 bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status);
 void arguments_free(arguments *given);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Decimal numbers kept exactly, so that the values of a range are the decimals that were meant: 0.1 + 2 * 0.1 is not 0.3
- * in doubles, but 3/10 is. Only what a quotient of two exact doubles can give is covered. */
+/* Decimal numbers kept exactly, so that the values of a range are the decimals that were meant: 0.1 + 2 * 0.1 is not
+ * 0.3 in doubles, but 3/10 is. Only what a quotient of two exact doubles can give is covered. */
 #ifndef CLI_DECIMAL_H
 #define CLI_DECIMAL_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only where they are needed. */
+/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only where needed. */
 #include "records.h"
 
 #include <math.h>

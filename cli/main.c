@@ -74,8 +74,8 @@ static int without_command(int argc, const char **argv)
     return status;
 }
 
-/* A file must not get the number of a standard stream that was closed: messages would be written into it. The stand-in for
- * standard output refuses to be written to, as the closed one would. */
+/* A file must not get the number of a standard stream that was closed: messages would be written into it. The stand-in
+ * for standard output refuses to be written to, as the closed one would. */
 static bool fill_standard_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)

@@ -67,7 +67,7 @@ static const char *exact_range(const triple *numbers, range *values)
     return NULL;
 }
 
-/* In doubles STOP counts as hit where start + steps * step differs from it by no more than the rounding of the three. */
+/* In doubles STOP counts as hit where start + steps * step differs from it by no more than their rounding. */
 static const char *rounded_range(const triple *numbers, range *values)
 {
     const double start = numbers->value[START], stop = numbers->value[STOP], step = numbers->value[STEP];

@@ -47,14 +47,17 @@ static void describe_table(const table *which, FILE *stream)
 
 static void describe_tables(FILE *stream)
 {
-    fputs("\nA RANGE is START:STOP:STEP, with STOP included when it is hit, a comma list, or\none number. By default:\n",
+    fputs("\nA RANGE is START:STOP:STEP, with STOP included when it is hit, a comma list, or\n"
+          "one number. By default:\n",
           stream);
     for (int i = 0; i < VARIABLE_COUNT; i++)
         fprintf(stream, "  --%-10s %s\n", variables[i].option, variables[i].usual);
     fputs("\nTables, their columns, and the variables they have:\n", stream);
     for (int i = 0; i < TABLE_COUNT; i++)
         describe_table(&tables[i], stream);
-    fputs("\nLengths are in b, the contact half-width, pressures in theta/A. A cell without a\nvalue is empty.\n", stream);
+    fputs("\nLengths are in b, the contact half-width, pressures in theta/A. A cell without a\n"
+          "value is empty.\n",
+          stream);
 }
 
 static void append(char *text, size_t size, const char *word)

@@ -25,8 +25,8 @@ static int32_t find_branches(const double value[], branch *below, branch *surfac
     *below = *surface = (branch){0};
     if (alpha == 0) /* it yields at the apex, and has no branches */
         return RWEDGE_OK;
-    const int32_t status = existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y),
-                                    "subsurface", below);
+    const int32_t status =
+        existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y), "subsurface", below);
     if (status != RWEDGE_OK)
         return status;
     return existing(rwedge_surface_yield(alpha, f, nu, &surface->limit, &surface->x), "surface", surface);

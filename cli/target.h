@@ -3,8 +3,8 @@
 #ifndef CLI_TARGET_H
 #define CLI_TARGET_H
 
-/* Where path leads when symbolic links at its end are followed, also to a file that is not there yet: the link stays, what
- * it points to is replaced. Free it. NULL with errno. */
+/* Where path leads when symbolic links at its end are followed, also to a file that is not there yet: the link stays,
+ * what it points to is replaced. Free it. NULL with errno. */
 char *target_of_links(const char *path);
 
 /* Opens a new file in the folder of target, with the permissions that opening target would give, and its name in

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every script shares: assertions that print what was expected and what came, a scratch folder, numbers compared
+# with a tolerance. A script is called with the program and the folder of reference values, and ends with "finish".
+# shellcheck shell=sh disable=SC2034
+
+if [ $# -lt 2 ]; then
+    echo "usage: $0 PROGRAM REFERENCE_FOLDER" >&2
+    exit 1
+fi
+rwedge=$1
+data=$2
+here=$(cd "$(dirname "$0")" && pwd)
+LC_ALL=C
+export LC_ALL
+checks=0
+failures=0
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+tab=$(printf '\t')
+newline='
+'
+
+# run ARGUMENTS...: the program; its output in the files out and err, its exit status in $status.
+run() {
+    called="rwedge $*"
+    status=0
+    "$rwedge" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
+}
+
+# Every assertion comes down to this: whether the two texts are the same.
+same() { # what expected got
+    checks=$((checks + 1))
+    [ "$2" = "$3" ] && return
+    failures=$((failures + 1))
+    printf 'FAILED: %.160s: %s\n  expected: %s\n  got:      %s\n' "$called" "$1" "$2" "$3"
+}
+
+status_is() {
+    same "exit status" "$1" "$status"
+}
+
+output_is() {
+    same "output" "$1" "$(cat "$scratch/out")"
+}
+
+# The whole of stderr: one line, or nothing.
+message_is() {
+    same "message" "$1" "$(cat "$scratch/err")"
+}
+
+message_has() {
+    case $(cat "$scratch/err") in
+    *"$1"*) same "message has '$1'" yes yes ;;
+    *) same "message" "...$1..." "$(cat "$scratch/err")" ;;
+    esac
+}
+
+# prints EXPECTED ARGUMENTS...: the output, nothing on stderr, status 0.
+prints() {
+    expected=$1
+    shift
+    run "$@"
+    status_is 0
+    message_is ""
+    output_is "$expected"
+}
+
+# refuses MESSAGE ARGUMENTS...: a mistake on the command line is one line, no output, status 2.
+refuses() {
+    expected=$1
+    shift
+    run "$@"
+    status_is 2
+    message_is "$expected"
+    output_is ""
+}
+
+# close_rows WHAT RELATIVE ABSOLUTE: whether the two columns of the file "both", expected and got, agree row by row.
+close_rows() {
+    worst=$(awk -v relative="$2" -v absolute="$3" '
+        function abs(v) { return v < 0 ? -v : v }
+        NF != 2 || $1 == "-" || $2 == "-" { print "row " NR ": not two numbers: " $0; bad = 1; exit }
+        !(abs($2 - $1) <= relative * abs($1) + absolute) { print "row " NR ": expected " $1 ", got " $2; bad = 1; exit }
+        END { if (!bad) print (NR > 0 ? "close" : "no rows") }' "$scratch/both")
+    same "$1" close "$worst"
+}
+
+# column NAME FILE: the cells of a CSV file below that name; empty ones as "-".
+column() {
+    awk -F, -v name="$1" '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; if (!c) exit; next }
+        { print $c == "" ? "-" : $c }' "$2"
+}
+
+skip() {
+    echo "skipped: $1"
+    exit 77
+}
+
+finish() {
+    echo "$checks checks, $failures failed"
+    [ "$failures" -eq 0 ] && [ "$checks" -gt 0 ]
+    exit $?
+}

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# -o FILE: whole or not at all, and where output goes when something is in the way.
+. "$(dirname "$0")/claims.sh"
+
+small="table contact-law --a-over-b 1 --digits 3"
+text="a_over_b,AP_over_theta_b,AP_over_theta_a,peak_pressure,transition_pressure
+1,1.57,1.57,1,0"
+large="table max-tension --a-over-b 1 --friction 0:1:0.0001"
+mkdir files
+files_are() {
+    same "files" "$1" "$(ls -A files | paste -s -d ' ' -)"
+}
+
+# Writes what standard output would have got, over an old file or none.
+prints "$text" $small
+prints "" $small -o files/new.csv
+same "new file" "$text" "$(cat files/new.csv)"
+echo old >files/new.csv
+prints "" $small --output=files/new.csv
+same "replaced file" "$text" "$(cat files/new.csv)"
+prints "$text" $small -o -
+files_are new.csv
+(cd files && "$rwedge" $small -o here.csv)
+files_are "here.csv new.csv"
+rm files/here.csv
+
+# Permissions: those of open(), or the old file's.
+rm files/new.csv
+(umask 027 && "$rwedge" $small -o files/new.csv)
+called="rwedge $small -o FILE, umask 027"
+same "permissions of a new file" "-rw-r-----" "$(ls -l files/new.csv | cut -c 1-10)"
+chmod 604 files/new.csv
+run $small -o files/new.csv
+same "permissions of a replaced file" "-rw----r--" "$(ls -l files/new.csv | cut -c 1-10)"
+
+# A link stays, and what it leads to is replaced or made.
+mkdir elsewhere
+echo old >elsewhere/real.csv
+ln -s ../elsewhere/real.csv files/link.csv
+ln -s link.csv files/link_to_link.csv
+run $small -o files/link_to_link.csv
+status_is 0
+same "link" "../elsewhere/real.csv" "$(readlink files/link.csv)"
+same "file behind the links" "$text" "$(cat elsewhere/real.csv)"
+ln -s "$scratch/elsewhere/not_yet.csv" files/dangling.csv
+run $small -o files/dangling.csv
+same "file behind a dangling link" "$text" "$(cat elsewhere/not_yet.csv)"
+ln -s loop.csv files/loop.csv
+run $small -o files/loop.csv
+status_is 1
+message_is "rwedge table: files/loop.csv: Too many levels of symbolic links"
+rm files/link.csv files/link_to_link.csv files/dangling.csv files/loop.csv
+
+# A pipe or a device is written to, not replaced.
+mkfifo files/fifo
+cat files/fifo >through &
+run $small -o files/fifo
+status_is 0
+wait $!
+same "through a fifo" "$text" "$(cat through)"
+same "fifo" p "$(ls -l files/fifo | cut -c 1)"
+rm files/fifo
+prints "" $small -o /dev/null
+prints "$text" $small -o /dev/stdout
+
+# What cannot be written to: status 1, one line, nothing left behind.
+run $small -o files
+status_is 1
+message_is "rwedge table: files: Is a directory"
+run $small -o nowhere/new.csv
+status_is 1
+message_is "rwedge table: nowhere/new.csv: No such file or directory"
+run $small -o files/new.csv/more.csv
+status_is 1
+message_is "rwedge table: files/new.csv/more.csv: Not a directory"
+files_are new.csv
+
+# A full disk.
+if [ -c /dev/full ]; then
+    run $small -o /dev/full
+    status_is 1
+    message_is "rwedge table: /dev/full: No space left on device"
+    called="rwedge $large >/dev/full"
+    status=0
+    "$rwedge" $large >/dev/full 2>err || status=$?
+    status_is 1
+    message_is "rwedge table: standard output: No space left on device"
+fi
+
+# A limit on the size of files, with the signal that comes with it.
+echo old >files/new.csv
+called="rwedge $large -o files/new.csv, ulimit -f 8"
+status=0
+(ulimit -f 8 && "$rwedge" $large -o files/new.csv 2>err) || status=$?
+status_is 1
+message_is "rwedge table: files/new.csv: File too large"
+same "old file" old "$(cat files/new.csv)"
+files_are new.csv
+
+# A closed pipe, a closed standard output.
+called="rwedge $large | head -n 1"
+first=$( (
+    status=0
+    "$rwedge" $large 2>err || status=$?
+    echo "$status" >status
+) | head -n 1)
+status=$(cat status)
+status_is 1
+message_is "rwedge table: standard output: Broken pipe"
+same "first line" "a_over_b,f,b_sigma_over_P,b_sigma_over_fP" "$first"
+called="rwedge $small >&-"
+status=0
+"$rwedge" $small >&- 2>err || status=$?
+status_is 1
+message_is "rwedge table: standard output: Bad file descriptor"
+
+# With stderr closed, no message ends up in the file.
+called="rwedge $small -o files/new.csv 2>&-"
+status=0
+"$rwedge" $small -o files/new.csv <&- >&- 2>&- || status=$?
+status_is 0
+same "file written without standard streams" "$text" "$(cat files/new.csv)"
+
+# Protected files and folders; for root they are no obstacle, so another user is borrowed.
+as_user=
+if [ "$(id -u)" = 0 ]; then
+    command -v setpriv >/dev/null 2>&1 && as_user="setpriv --reuid=65534 --regid=65534 --clear-groups"
+    chmod 755 "$scratch"
+    cp "$rwedge" "$scratch/rwedge" && chmod 755 "$scratch/rwedge"
+    rwedge=$scratch/rwedge
+fi
+if { [ -n "$as_user" ] || [ "$(id -u)" != 0 ]; } && $as_user "$rwedge" --version >/dev/null 2>&1; then
+    mkdir closed open
+    echo old | tee closed/old.csv >open/old.csv
+    chmod 777 open
+    chmod 444 open/old.csv
+    chmod 666 closed/old.csv
+    chmod 555 closed
+    for file in closed/old.csv closed/new.csv open/old.csv; do
+        called="rwedge $small -o $file, protected"
+        status=0
+        $as_user "$rwedge" $small -o $file 2>err || status=$?
+        status_is 1
+        message_is "rwedge table: $file: Permission denied"
+    done
+    same "files in the closed folder" old.csv "$(ls -A closed)"
+    same "files in the open folder" old.csv "$(ls -A open)"
+    same "old files" "old old" "$(cat closed/old.csv open/old.csv | paste -s -d ' ' -)"
+    chmod 755 closed
+fi
+
+finish

@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact with a load history: its life, its loads and what a load gives. */
+#include "contact.h"
+
+#include "dissipation.h"
+#include "stress.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product. */
+static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
+
+/* ---- Life ---- */
+
+int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
+{
+    const rw_geometry geometry = {theta, a, A};
+    if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(f) || !isnormal(theta / A))
+        return RWEDGE_EDOMAIN;
+    if (!contact)
+        return RWEDGE_ENULL;
+    rwedge_contact *created = malloc(sizeof *created);
+    if (!created)
+        return RWEDGE_ENOMEM;
+    *created = (rwedge_contact){.geometry = geometry, .f = f};
+    if (!rw_path_create(&created->path)) {
+        free(created);
+        return RWEDGE_ENOMEM;
+    }
+    *contact = created;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy)
+{
+    if (!contact || !copy)
+        return RWEDGE_ENULL;
+    rwedge_contact *copied = malloc(sizeof *copied);
+    if (!copied)
+        return RWEDGE_ENOMEM;
+    *copied = *contact;
+    copied->path = (rw_path){0};
+    copied->entries = (rw_entries){0};
+    if (!rw_path_copy(&contact->path, &copied->path) || !rw_entries_copy(&contact->entries, &copied->entries)) {
+        rwedge_contact_destroy(copied);
+        return RWEDGE_ENOMEM;
+    }
+    *copy = copied;
+    return RWEDGE_OK;
+}
+
+void rwedge_contact_destroy(rwedge_contact *contact)
+{
+    if (!contact)
+        return;
+    rw_path_destroy(&contact->path);
+    rw_entries_destroy(&contact->entries);
+    free(contact);
+}
+
+/* ---- Loads ---- */
+
+/* Q/f, at friction's limit exactly. */
+static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
+{
+    const double limit = contact->f * P, magnitude = fabs(Q);
+    if (magnitude > limit * (1 + SLIDING_ROUNDING))
+        return RWEDGE_ESLIDING;
+    *shear = 0;
+    if (magnitude >= limit * (1 - SLIDING_ROUNDING))
+        *shear = Q > 0 ? P : Q < 0 ? -P : 0;
+    else
+        *shear = Q / limit * P;
+    return RWEDGE_OK;
+}
+
+/* Whether lengths and stresses under the load stay far from the ends of the range of a double. */
+static bool is_in_range(const rw_geometry *geometry, double P)
+{
+    const double b = rw_half_width(geometry, P);
+    return isnormal(P) && isnormal(geometry->A * P) && isnormal(geometry->A * P / geometry->theta) && isnormal(b) &&
+           rw_patch_matters(b, geometry->a);
+}
+
+static double energy_of(const rwedge_contact *contact, double P, double shear)
+{
+    const rw_geometry *g = &contact->geometry;
+    if (contact->f == 0)
+        return 0;
+    const double corner_load = RW_HALF_PI * g->a * (g->theta / g->A);
+    const double per_A = contact->f / RW_PI * rw_dissipation(&contact->path, P, shear, corner_load);
+    return contact->f * g->A * per_A;
+}
+
+static void measure_new_corners(rwedge_contact *contact)
+{
+    rw_path *path = &contact->path;
+    for (size_t i = path->count; i-- > 1 && isnan(path->corners[i].half_width);)
+        path->corners[i].half_width = rw_half_width(&contact->geometry, path->corners[i].load);
+}
+
+int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    if (!rw_is_nonnegative(P) || !isfinite(Q))
+        return RWEDGE_EDOMAIN;
+    double shear;
+    const int32_t status = shear_of(contact, P, Q, &shear);
+    if (status != RWEDGE_OK)
+        return status;
+    if (P > 0 && !is_in_range(&contact->geometry, P))
+        return RWEDGE_ERANGE;
+    const double energy = contact->energy + energy_of(contact, P, shear);
+    if (!isfinite(energy))
+        return RWEDGE_ERANGE;
+    if (!rw_path_reserve(&contact->path, 2) || !rw_entries_advance(&contact->entries, &contact->path, P, shear))
+        return RWEDGE_ENOMEM;
+    rw_path_advance(&contact->path, P, shear);
+    measure_new_corners(contact);
+    contact->energy = energy;
+    return RWEDGE_OK;
+}
+
+/* ---- Results ---- */
+
+double rwedge_contact_half_width(const rwedge_contact *contact)
+{
+    return contact ? rw_path_end(&contact->path)->half_width : NAN;
+}
+
+double rwedge_contact_stick_half_width(const rwedge_contact *contact)
+{
+    if (!contact)
+        return NAN;
+    const rw_corner *end = rw_path_end(&contact->path);
+    return fabs(end->ratio) == 1 ? (end - 1)->half_width : end->half_width;
+}
+
+size_t rwedge_contact_memory(const rwedge_contact *contact)
+{
+    return contact ? contact->path.count - 1 : 0;
+}
+
+double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
+{
+    return contact ? contact->energy : NAN;
+}
+
+static bool is_apex(const rwedge_contact *contact, double x, double y)
+{
+    return contact->geometry.a == 0 && x == 0 && y == 0 && contact->path.count > 1;
+}
+
+static double patch_pressure(const rw_corner *corner, double a, double x)
+{
+    const double s = corner->half_width;
+    return fabs(x) < s && rw_patch_matters(s, a) ? rwedge_pressure(a / s, x / s) : 0;
+}
+
+int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[], double p[], double q[])
+{
+    if (!contact || (n > 0 && (!x || !p || !q)))
+        return RWEDGE_ENULL;
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(x[i]) || is_apex(contact, x[i], 0))
+            return RWEDGE_EDOMAIN;
+    const rw_geometry *g = &contact->geometry;
+    const rw_path *path = &contact->path;
+    for (size_t i = 0; i < n; i++) {
+        const double at = x[i];
+        double shear = 0, pressure = 0;
+        for (size_t j = 1; j < path->count; j++) {
+            pressure = g->theta / g->A * patch_pressure(&path->corners[j], g->a, at);
+            shear += rw_patch_weight(path, j) * pressure;
+        }
+        p[i] = pressure; /* the last patch is the contact */
+        q[i] = contact->f * shear;
+    }
+    return RWEDGE_OK;
+}
+
+/* ---- Stresses ---- */
+
+static void add(rw_field *sum, double weight, rw_field field)
+{
+    sum->G_re += weight * field.G_re;
+    sum->G_im += weight * field.G_im;
+    sum->H_re += weight * field.H_re;
+    sum->H_im += weight * field.H_im;
+}
+
+void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[], const double y[],
+                          rw_contact_fields *fields)
+{
+    const rw_path *path = &contact->path;
+    for (size_t i = 0; i < n; i++)
+        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
+    for (size_t j = 1; j < path->count; j++) {
+        const double s = path->corners[j].half_width, weight = rw_patch_weight(path, j);
+        const bool whole = j + 1 == path->count;
+        if (!rw_patch_matters(s, contact->geometry.a) || (weight == 0 && !whole))
+            continue;
+        rw_potential patch;
+        rw_potential_init(&patch, contact->geometry.a / s);
+        for (size_t i = 0; i < n; i++) {
+            if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
+                continue;
+            const rw_field field = rw_potential_at(&patch, x[i] / s, y[i] / s);
+            add(&fields->tangential[i], weight, field);
+            if (whole)
+                fields->normal[i] = field;
+        }
+    }
+}
+
+static rw_field times(double factor, rw_field field)
+{
+    rw_field product = {0, 0, 0, 0};
+    add(&product, factor, field);
+    return product;
+}
+
+/* Points in blocks, so that a patch is prepared once for many points, and an output may be an input. */
+int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
+                                double sxx[], double syy[], double txy[])
+{
+    if (!contact || (n > 0 && (!x || !y || !sxx || !syy || !txy)))
+        return RWEDGE_ENULL;
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(x[i]) || !rw_is_nonnegative(y[i]) || is_apex(contact, x[i], y[i]))
+            return RWEDGE_EDOMAIN;
+    const double unit = contact->geometry.theta / contact->geometry.A;
+    for (size_t start = 0; start < n; start += RW_BLOCK) {
+        const size_t block = n - start < RW_BLOCK ? n - start : RW_BLOCK;
+        rw_contact_fields fields;
+        rw_contact_fields_at(contact, block, x + start, y + start, &fields);
+        for (size_t i = 0; i < block; i++) {
+            const rw_stress_state s = rw_superpose(fields.normal[i], times(contact->f, fields.tangential[i]));
+            sxx[start + i] = unit * (s.mean - s.difference);
+            syy[start + i] = unit * (s.mean + s.difference);
+            txy[start + i] = unit * s.shear;
+        }
+    }
+    return RWEDGE_OK;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a contact with a load history is made of; the header has its functions. */
+#ifndef RW_CONTACT_H
+#define RW_CONTACT_H
+
+#include "entry.h"
+#include "geometry.h"
+#include "history.h"
+#include "potential.h"
+#include "rwedge.h"
+
+struct rwedge_contact {
+    rw_geometry geometry;
+    double f;
+    double energy;
+    rw_path path; /* loads are P, shears Q/f */
+    rw_entries entries;
+};
+
+/* The traction of a history is a sum of patches, one for each corner of its path: the pressure of the contact under the
+ * corner's load, times f and the step that D makes there. The last patch is the contact itself. */
+static inline double rw_patch_weight(const rw_path *path, size_t corner)
+{
+    const double beyond = corner + 1 < path->count ? path->corners[corner + 1].ratio : 0;
+    return path->corners[corner].ratio - beyond;
+}
+
+/* A patch so narrow that a length over its half-width would overflow carries no load that a double could show. */
+static inline bool rw_patch_matters(double half_width, double length)
+{
+    return half_width > 0 && length <= half_width * 1e280;
+}
+
+/* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the apex of the sharp wedge. */
+enum { RW_BLOCK = 32 };
+typedef struct {
+    rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
+} rw_contact_fields;
+
+void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[], const double y[],
+                          rw_contact_fields *fields);
+
+#endif

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Slip. The surface displacement that a shear traction causes has the gradient -A Re G_T, Eq. (17); for a path with the
+ * patches s_i, in the order of their size, and the slopes D_i between them that makes, at a point inside the contact,
+ *     w(x) = f theta [ sum (D_i - D_(i+1)) s_i gap(x/s_i) - D_1 h(x) ],
+ * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w depends on the path below
+ * u alone, the load with which the edge of the contact is at x.
+ *
+ * While the point is in contact every slip changes the path, and w with it, and nothing else does: a rising load adds to
+ * the path beyond u, a falling one cuts it off there. The slip is therefore w of the present path less w of the path that
+ * was there when the point came into contact (entry.h). What both paths have in common is left out of both sums: it
+ * would cancel. */
+#include "contact.h"
+
+#include "slip.h"
+
+/* The displacement at x over f theta, but for that of the profile, of the corners first ... count-1, with the slope
+ * `beyond` after the last. */
+static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first, size_t count, double beyond,
+                           double x)
+{
+    double sum = 0;
+    for (size_t i = first; i < count; i++) {
+        const double s = path->corners[i].half_width;
+        if (!(s < x) || !rw_patch_matters(s, fmax(contact->geometry.a, x)))
+            continue;
+        const double step = path->corners[i].ratio - (i + 1 < count ? path->corners[i + 1].ratio : beyond);
+        rw_potential patch;
+        rw_potential_init(&patch, contact->geometry.a / s);
+        sum += step * s * rw_gap(&patch, x / s);
+    }
+    return sum;
+}
+
+static double departure_displacement(const rwedge_contact *contact, const rw_corner *departure, double beyond, double x)
+{
+    rw_corner corner = *departure;
+    if (isnan(corner.half_width))
+        corner.half_width = rw_half_width(&contact->geometry, corner.load);
+    const rw_path alone = {.corners = &corner, .count = 1};
+    return displacement(contact, &alone, 0, 1, beyond, x);
+}
+
+/* The last corner, up to `count`, until which two paths are the same. */
+static size_t last_common(const rw_path *one, const rw_path *other, size_t count)
+{
+    size_t i = 0;
+    while (i + 1 < count && i + 1 < one->count && one->corners[i + 1].load == other->corners[i + 1].load &&
+           one->corners[i + 1].ratio == other->corners[i + 1].ratio)
+        i++;
+    return i;
+}
+
+static double profile(double a, double x)
+{
+    return x < a ? x / a * (x / 2) : x - a / 2;
+}
+
+/* x >= 0 */
+static double slip_at(const rwedge_contact *contact, double x)
+{
+    const rw_geometry *g = &contact->geometry;
+    const rw_path *now = &contact->path;
+    const double u = fmin(rwedge_normal_load(g->theta, g->a, g->A, x), rw_path_end(now)->load);
+    const rw_entry *entry = rw_entry_of(&contact->entries, u);
+    if (!entry || u == 0)
+        return 0;
+    size_t kept;
+    int slip;
+    const rw_corner departure = rw_entry_departure(entry, u, &kept, &slip);
+    const bool is_corner = departure.load == entry->base.corners[kept - 1].load;
+    const double after_kept = is_corner ? slip : departure.ratio;
+    const size_t common = last_common(now, &entry->base, kept);
+    const size_t first = common > 0 ? common : 1;
+    double w = displacement(contact, now, first, now->count, 0, x) -
+               displacement(contact, &entry->base, first, kept, after_kept, x);
+    if (!is_corner && slip != 0)
+        w -= departure_displacement(contact, &departure, slip, x);
+    const double at_centre = kept > 1 ? entry->base.corners[1].ratio : after_kept;
+    w -= (now->corners[1].ratio - at_centre) * profile(g->a, x);
+    return contact->f * g->theta * w;
+}
+
+int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[])
+{
+    if (!contact || (n > 0 && (!x || !slip)))
+        return RWEDGE_ENULL;
+    const double b = rwedge_contact_half_width(contact);
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(x[i]) || fabs(x[i]) > b)
+            return RWEDGE_EDOMAIN;
+    for (size_t i = 0; i < n; i++)
+        slip[i] = rw_path_end(&contact->path)->load > 0 ? slip_at(contact, fabs(x[i])) : 0;
+    return RWEDGE_OK;
+}

@@ -12,7 +12,7 @@
 #include "dissipation.h"
 
 #include "domain.h"
-#include "quadrature.h"
+#include "integral.h"
 #include "rwedge.h"
 
 #include <float.h>

@@ -10,7 +10,7 @@
 #include "slip.h"
 
 #include "domain.h"
-#include "quadrature.h"
+#include "integral.h"
 
 #include <float.h>
 

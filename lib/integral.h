@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gauss-Legendre quadrature of fixed order: nothing to allocate, nothing that can fail. */
-#ifndef RW_QUADRATURE_H
-#define RW_QUADRATURE_H
+#ifndef RW_INTEGRAL_H
+#define RW_INTEGRAL_H
 
 #include "solve.h"
 

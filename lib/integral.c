@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "quadrature.h"
+#include "integral.h"
 
 enum { PAIRS = 8 };
 

@@ -46,7 +46,7 @@ static rw_maximum global_maximum(double alpha, double f, double nu)
     const double kappa = rw_plane_strain_weight(nu);
     const rw_maximum surface = rw_surface_maximum(shape(alpha), f, kappa);
     rw_maximum below;
-    if (rw_subsurface_maximum(shape(alpha), f, kappa, RW_STOP_WHERE_OVERTAKEN, &below) && below.J2 >= surface.J2)
+    if (rw_subsurface_maximum(shape(alpha), f, kappa, &below) && below.J2 >= surface.J2)
         return below;
     return surface;
 }
@@ -104,8 +104,7 @@ int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
     rw_maximum below;
-    if (alpha == 0 ||
-        !rw_subsurface_maximum(shape(alpha), f, rw_plane_strain_weight(nu), RW_FOLLOW_TO_ITS_END, &below))
+    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), f, rw_plane_strain_weight(nu), &below))
         return RWEDGE_EABSENT;
     *limit = limit_of(alpha, below);
     *x = below.x;
@@ -137,7 +136,7 @@ static double excess_below(double f, const void *context)
 {
     const pair *p = context;
     rw_maximum below;
-    if (!rw_subsurface_maximum(p->alpha, f, p->kappa, RW_FOLLOW_TO_ITS_END, &below))
+    if (!rw_subsurface_maximum(p->alpha, f, p->kappa, &below))
         return -1;
     return 1 - rw_surface_maximum(p->alpha, f, p->kappa).J2 / below.J2;
 }

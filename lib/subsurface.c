@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The subsurface branch is found at f = 0, where it is on the axis, and followed in f to where it is asked for.
+/* The subsurface maximum is found on the axis, at f = 0, and followed from there to where it is asked for, first in f, and
+ * for the smallest tips then in kappa.
  *
- * Why this cannot miss a maximum. J2 has at most one local maximum below the surface, at x >= 0, for any alpha, f and nu;
- * where there is one for some f there is one for every smaller f; and once the surface maximum has overtaken it, it stays
- * overtaken as f grows. These three facts are not proved here but checked by the tests (strength_survey), which search the
- * whole half-plane without using them. Given them, a path of maxima from f = 0 reaches the maximum or ends at a fold before
- * f. A step along the path counts only if every iterate had a negative definite Hessian: it cannot slip to the saddle that
- * the maximum meets at the fold. */
+ * Why this cannot miss it. Any maximum below the surface that is higher than the surface's lies on the branch that begins on
+ * the axis, and the path below stays on it. There is one other kind of local maximum, next to the corner x = a where the
+ * rounding ends, for f > 0.3; there the surface is the higher by more than a tenth. Both statements are not proved here but
+ * checked by the tests (strength_survey), which search the whole half-plane without using them. Given them, the path reaches
+ * the maximum, or ends at a fold before it and the surface governs. A step along the path counts only if every iterate had
+ * a negative definite Hessian: it cannot slip to the saddle that the maximum meets at the fold. */
 #include "subsurface.h"
 
 #include "domain.h"
@@ -22,8 +23,10 @@ typedef struct {
     double kappa;
 } axis;
 
-/* There G = i P(y) and G' = P'(y) are real functions, J2 = (y P')^2 + kappa P^2 and dJ2/dy = 2 P' steepness,
- * steepness = y P' + y^2 P'' + kappa P; P' > 0. */
+/* There G = i P(y) and G' = P'(y) are real functions, P < 0 < P', J2 = (y P')^2 + kappa P^2, dJ2/dy = 2 P' steepness with
+ *     steepness = (y P' + y^2 P'') + kappa P.
+ * It is negative at the surface and far below, where J2 falls like 1/y^2, and positive on at most one interval, at whose
+ * lower end J2 has its maximum. */
 static double steepness(double log_y, const void *context)
 {
     const axis *a = context;
@@ -32,37 +35,24 @@ static double steepness(double log_y, const void *context)
     return field.H_re - rw_potential_curvature(a->potential, 0, y).K_im + a->kappa * field.G_im;
 }
 
-/* y d(steepness)/dy. */
-static double slope_of_steepness(double log_y, const void *context)
+/* A depth inside that interval unless it is very short: its last point, as kappa grows, is between 0.55 alpha (small tips)
+ * and 0.35 alpha (Hertz). */
+static double depth_of_last_rise(double alpha)
 {
-    const axis *a = context;
-    const double y = exp(log_y);
-    const rw_curvature bend = rw_potential_curvature(a->potential, 0, y);
-    return (1 + a->kappa) * rw_potential_at(a->potential, 0, y).H_re - 3 * bend.K_im - bend.L_re;
+    return 0.56 * alpha / (1 + 0.65 * alpha * alpha);
 }
 
-/* Depth of the maximum on the axis; NaN where J2 falls all the way from the surface. The steepness is negative at the
- * surface (kappa P) and far below (J2 falls like 1/y^2); it is positive on at most one interval, which holds its peak, and
- * J2 has its maximum at the interval's lower end. Where the interval exists, the peak is between 0.29 and 0.64 alpha (tests:
- * strength_survey); below y = 1 it has ended. */
-static double depth_on_axis(const axis *a)
-{
-    const double log_alpha = log(a->potential->alpha);
-    const double lo = log_alpha + log(0.25), hi = log_alpha + log(0.75);
-    if (slope_of_steepness(lo, a) <= 0 || slope_of_steepness(hi, a) >= 0)
-        return NAN;
-    const double peak = rw_root(slope_of_steepness, a, lo, hi);
-    if (!(steepness(peak, a) > 0))
-        return NAN;
-    return exp(rw_root(steepness, a, peak, 0));
-}
-
-/* ---- Along the branch ---- */
+/* ---- Along a path ---- */
 
 typedef struct {
-    double f, x, y;
+    double f, kappa;
+} parameters;
+
+typedef struct {
+    double t; /* how far along the path, 0 to 1 */
+    double x, y;
     rw_von_mises at; /* J2 and its derivatives there */
-} branch_point;
+} path_point;
 
 typedef struct {
     double x, y; /* over the depth y of the point */
@@ -91,13 +81,13 @@ static double length(step s)
 }
 
 /* Newton from the given point. False where it leaves the region in which J2 is concave. */
-static bool settle(const rw_potential *potential, double kappa, branch_point *point)
+static bool settle(const rw_potential *potential, parameters q, path_point *point)
 {
     enum { MAX_STEPS = 12 };
     static const double LONGEST = 0.5;      /* of the depth: y stays positive */
     static const double SQUARE_ROOT = 1e-8; /* Newton doubles the digits: the step after this one is rounding */
     for (int i = 0; i < MAX_STEPS; i++) {
-        point->at = rw_von_mises_at(potential, point->f, kappa, point->x, point->y);
+        point->at = rw_von_mises_at(potential, q.f, q.kappa, point->x, point->y);
         if (!is_concave(&point->at))
             return false;
         const step d = solve_hessian(&point->at, point->at.x, point->at.y);
@@ -113,53 +103,67 @@ static bool settle(const rw_potential *potential, double kappa, branch_point *po
     return false;
 }
 
-/* Where the branch ends, from two points on it. Next to a fold the determinant falls to 0 like the square root of the
- * distance, so that its square is linear in f. HUGE_VAL where it does not fall. */
-static double fold_ahead(const branch_point *before, const branch_point *now)
+/* Where the path ends, from two points on it. Next to a fold the determinant falls to 0 like the square root of the
+ * distance, so that its square is linear. HUGE_VAL where it does not fall. */
+static double fold_ahead(const path_point *before, const path_point *now)
 {
     const double d0 = determinant(&before->at), d1 = determinant(&now->at);
     const double fall = (d0 - d1) * (d0 + d1);
-    return fall > 0 ? now->f + d1 * d1 * ((now->f - before->f) / fall) : HUGE_VAL;
+    return fall > 0 ? now->t + d1 * d1 * ((now->t - before->t) / fall) : HUGE_VAL;
 }
 
-/* The branch at friction f, from the point *now on it; false where it ends before. */
-static bool follow(const rw_potential *potential, double kappa, double f, rw_branch_extent extent, branch_point *now)
+static parameters between(parameters start, parameters end, double t)
 {
-    static const double LONGEST = 0.4; /* a step of the prediction, over the depth */
-    double stride = f - now->f;
-    while (now->f < f) {
-        const step tangent = solve_hessian(&now->at, now->at.drift_x, now->at.drift_y);
-        stride = fmin(fmin(stride, f - now->f), LONGEST / length(tangent));
-        if (stride < 1e-12 * f)
-            return false; /* the fold: it is not reached, only approached */
-        branch_point next = {.f = now->f + stride, .x = now->x + stride * tangent.x * now->y,
-                             .y = now->y + stride * tangent.y * now->y};
-        if (stride == f - now->f)
-            next.f = f;
-        if (!settle(potential, kappa, &next)) {
-            stride /= 4;
-            continue;
-        }
-        if (extent == RW_STOP_WHERE_OVERTAKEN && rw_surface_maximum(potential->alpha, next.f, kappa).J2 >= next.at.J2)
+    return (parameters){start.f + t * (end.f - start.f), start.kappa + t * (end.kappa - start.kappa)};
+}
+
+/* From *point at the start of the path to its end; false where the maximum does not exist that far. */
+static bool follow(const rw_potential *potential, parameters start, parameters end, path_point *point)
+{
+    static const double LONGEST = 0.4;      /* a step of the prediction, over the depth */
+    static const double SHORTEST = 1e-13;   /* of the path: then it is at the fold */
+    const double df = end.f - start.f, dkappa = end.kappa - start.kappa;
+    double stride = 1;
+    while (point->t < 1) {
+        const rw_von_mises *at = &point->at;
+        const step tangent = solve_hessian(at, df * at->f_x + dkappa * at->kappa_x, df * at->f_y + dkappa * at->kappa_y);
+        const double to_go = 1 - point->t;
+        stride = fmin(fmin(stride, to_go), LONGEST / length(tangent));
+        if (!(stride >= SHORTEST))
             return false;
-        stride = 0.9 * (fold_ahead(now, &next) - next.f);
-        *now = next;
+        path_point next = {.t = stride < to_go ? point->t + stride : 1,
+                           .x = point->x + stride * tangent.x * point->y,
+                           .y = point->y + stride * tangent.y * point->y};
+        if (settle(potential, between(start, end, next.t), &next)) {
+            stride = 0.95 * (fold_ahead(point, &next) - next.t);
+            *point = next;
+        } else {
+            stride /= 4;
+        }
     }
     return true;
 }
 
-bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_branch_extent extent, rw_maximum *maximum)
+bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *maximum)
 {
+    static const double LAST = 0.6; /* the fold with the largest f, over all alpha and nu, is at 0.55 (strength_survey) */
+    if (f > LAST)
+        return false;
     rw_potential potential;
     rw_potential_init(&potential, alpha);
-    const axis on_axis = {&potential, kappa};
-    branch_point point = {.f = 0, .x = 0, .y = depth_on_axis(&on_axis)};
-    if (isnan(point.y))
+    axis on_axis = {&potential, 0};
+    const double probe = log(depth_of_last_rise(alpha));
+    const double rise = steepness(probe, &on_axis);
+    const double pressure = -rw_potential_at(&potential, 0, exp(probe)).G_im;
+    /* For the smallest tips there may be a maximum for f > 0 where kappa is too large for one on the axis. */
+    on_axis.kappa = fmin(kappa, 0.9 * rise / pressure);
+    path_point point = {.t = 0, .x = 0, .y = exp(rw_root(steepness, &on_axis, probe, 0))};
+    point.at = rw_von_mises_at(&potential, 0, on_axis.kappa, 0, point.y);
+    const parameters start = {0, on_axis.kappa}, corner = {f, on_axis.kappa}, end = {f, kappa};
+    if (!follow(&potential, start, corner, &point))
         return false;
-    point.at = rw_von_mises_at(&potential, 0, kappa, 0, point.y);
-    if (extent == RW_STOP_WHERE_OVERTAKEN && rw_surface_maximum(alpha, 0, kappa).J2 >= point.at.J2)
-        return false;
-    if (!follow(&potential, kappa, f, extent, &point))
+    point.t = 0;
+    if (kappa > on_axis.kappa && !follow(&potential, corner, end, &point))
         return false;
     *maximum = (rw_maximum){.J2 = point.at.J2, .x = point.x, .y = point.y};
     return true;

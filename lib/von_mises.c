@@ -55,7 +55,9 @@ rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kap
         .xx = 2 * (dot(Dx, Dx) + dot(D, Dxx) + kappa * (sx * sx + s * sxx)),
         .xy = 2 * (dot(Dx, Dy) + dot(D, Dxy) + kappa * (sx * sy + s * sxy)),
         .yy = 2 * (dot(Dy, Dy) + dot(D, Dyy) + kappa * (sy * sy - s * sxx)),
-        .drift_x = 2 * (dot(Df, Dx) + dot(D, Dfx) + kappa * (sf * sx + s * sfx)),
-        .drift_y = 2 * (dot(Df, Dy) + dot(D, Dfy) + kappa * (sf * sy + s * sfy)),
+        .f_x = 2 * (dot(Df, Dx) + dot(D, Dfx) + kappa * (sf * sx + s * sfx)),
+        .f_y = 2 * (dot(Df, Dy) + dot(D, Dfy) + kappa * (sf * sy + s * sfy)),
+        .kappa_x = 2 * s * sx,
+        .kappa_y = 2 * s * sy,
     };
 }

@@ -7,9 +7,10 @@
 
 typedef struct {
     double J2;
-    double x, y;          /* first derivatives, times y */
-    double xx, xy, yy;    /* second derivatives, times y^2 */
-    double drift_x, drift_y; /* derivatives of x, y with respect to f */
+    double x, y;             /* first derivatives, times y */
+    double xx, xy, yy;       /* second derivatives, times y^2 */
+    double f_x, f_y;         /* derivatives of x, y with respect to f, */
+    double kappa_x, kappa_y; /* and to kappa */
 } rw_von_mises;
 
 /* kappa from Poisson's ratio; 0 where nu = 1/2. */

@@ -14,7 +14,7 @@
 #include "elliptic.h"
 
 /* Beyond this |z|^2 the closed form cancels like 1/z^2, and |R| < 1/4: the series in R is exact with RW_FAR_TERMS. */
-static const double FAR_SQUARED = 4.6;
+static const double FAR_SQUARED = 4.6; /* above 2 RW_NEAR^2 */
 
 /* Beyond this distance R = 1/(2z) to the last bit. */
 static const double REMOTE = 1e8;
@@ -56,34 +56,40 @@ static double squared_modulus(complex_number a)
  * that a sum needs; rwedge_coefficient() has them relatively. */
 static void far_coefficients(rw_potential *potential)
 {
+#define WEIGHT(n) (((n) % 2 ? -1 : 1) / (RW_PI * (2 * (n) + 1) * (n) * ((n) + 1))) /* 4 (-1)^n/(pi m (m^2-1)) */
+    static const double weight[RW_FAR_TERMS] = {0,         WEIGHT(1), WEIGHT(2), WEIGHT(3),  WEIGHT(4),  WEIGHT(5), WEIGHT(6),
+                                                WEIGHT(7), WEIGHT(8), WEIGHT(9), WEIGHT(10), WEIGHT(11), WEIGHT(12)};
+#undef WEIGHT
     const double alpha = potential->alpha, c0 = potential->c0;
     potential->far[0] = 2 / RW_PI * (potential->phi0_over_alpha + c0);
     /* sin(m phi0)/alpha and cos(m phi0), m = 2n+1: with the sine divided by alpha, alpha = 0 is not special. */
-    double sine = 1, cosine = c0, sign = -1;
+    double sine = 1, cosine = c0;
     const double cos2 = (1 - alpha) * (1 + alpha) - alpha * alpha;
-    for (int n = 1; n < RW_FAR_TERMS; n++, sign = -sign) {
+    for (int n = 1; n < RW_FAR_TERMS; n++) {
         const double next = sine * cos2 + cosine * 2 * c0;
         cosine = cosine * cos2 - sine * alpha * (2 * c0 * alpha);
         sine = next;
-        const double m = 2 * n + 1;
-        potential->far[n] = sign * 4 / RW_PI * (m * sine * c0 - cosine) / (m * (m * m - 1));
+        potential->far[n] = weight[n] * ((2 * n + 1) * sine * c0 - cosine);
     }
+}
+
+void rw_potential_init_near(rw_potential *potential, double alpha)
+{
+    potential->alpha = alpha;
+    potential->c0 = alpha < 1 ? rw_cos_asin(alpha) : 0;
+    potential->phi0_over_alpha = alpha == 0 ? 1 : asin(fmin(alpha, 1)) / alpha;
 }
 
 void rw_potential_init(rw_potential *potential, double alpha)
 {
-    potential->alpha = alpha;
-    if (alpha >= 1) { /* Hertz: G = R/alpha */
-        potential->c0 = 0;
-        potential->phi0_over_alpha = RW_HALF_PI / alpha;
-        potential->far[0] = 1 / alpha;
-        for (int n = 1; n < RW_FAR_TERMS; n++)
-            potential->far[n] = 0;
+    rw_potential_init_near(potential, alpha);
+    if (alpha < 1) {
+        far_coefficients(potential);
         return;
     }
-    potential->c0 = rw_cos_asin(alpha);
-    potential->phi0_over_alpha = alpha > 0 ? asin(alpha) / alpha : 1;
-    far_coefficients(potential);
+    potential->far[0] = 1 / alpha; /* Hertz: G = R/alpha */
+    for (int n = 1; n < RW_FAR_TERMS; n++)
+        potential->far[n] = 0;
 }
 
 /* Hertz: G = R/alpha, y G' = -y R/(X alpha), with R = -i exp(i zeta) and X = i cos(zeta). */

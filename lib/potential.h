@@ -28,6 +28,10 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
 /* alpha: finite, >= 0. */
 void rw_potential_init(rw_potential *potential, double alpha);
 
+/* The same in a third of the time, for points of |x|, y <= RW_NEAR alone. */
+#define RW_NEAR 1.5
+void rw_potential_init_near(rw_potential *potential, double alpha);
+
 /* (x, y): finite, y >= 0, and not the apex of the sharp wedge. Always finite there.
  * Error of each part below 20 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);

@@ -29,12 +29,21 @@ static bool can_matter(double c, double length)
     return c > 0 && length <= c * 1e280;
 }
 
-static tractions make_tractions(double alpha, double f, double c)
+/* reach: the largest |x| or y of the points. */
+static void prepare(rw_potential *potential, double alpha, double reach)
+{
+    if (reach <= RW_NEAR)
+        rw_potential_init_near(potential, alpha);
+    else
+        rw_potential_init(potential, alpha);
+}
+
+static tractions make_tractions(double alpha, double f, double c, double reach)
 {
     tractions t = {.f = f, .c = can_matter(c, alpha) ? c : 0};
-    rw_potential_init(&t.contact, alpha);
+    prepare(&t.contact, alpha, reach);
     if (t.c > 0)
-        rw_potential_init(&t.stick, alpha / t.c);
+        prepare(&t.stick, alpha / t.c, can_matter(c, reach) ? reach / c : HUGE_VAL);
     return t;
 }
 
@@ -77,10 +86,13 @@ int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double
         return RWEDGE_EDOMAIN;
     if (n > 0 && (!x || !y || !sxx || !syy || !txy))
         return RWEDGE_ENULL;
-    for (size_t i = 0; i < n; i++)
+    double reach = 0;
+    for (size_t i = 0; i < n; i++) {
         if (!is_point(alpha, x[i], y[i]))
             return RWEDGE_EDOMAIN;
-    const tractions t = make_tractions(alpha, f, c);
+        reach = fmax(reach, fmax(fabs(x[i]), y[i]));
+    }
+    const tractions t = make_tractions(alpha, f, c, reach);
     for (size_t i = 0; i < n; i++)
         stress_at(&t, x[i], y[i], &sxx[i], &syy[i], &txy[i]);
     return RWEDGE_OK;

@@ -150,7 +150,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     if (f > LAST)
         return false;
     rw_potential potential;
-    rw_potential_init(&potential, alpha);
+    rw_potential_init_near(&potential, alpha);
     axis on_axis = {&potential, 0};
     const double probe = log(depth_of_last_rise(alpha));
     const double rise = steepness(probe, &on_axis);
@@ -160,7 +160,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     path_point point = {.t = 0, .x = 0, .y = exp(rw_root(steepness, &on_axis, probe, 0))};
     point.at = rw_von_mises_at(&potential, 0, on_axis.kappa, 0, point.y);
     const parameters start = {0, on_axis.kappa}, corner = {f, on_axis.kappa}, end = {f, kappa};
-    if (!follow(&potential, start, corner, &point))
+    if (f > 0 && !follow(&potential, start, corner, &point))
         return false;
     point.t = 0;
     if (kappa > on_axis.kappa && !follow(&potential, corner, end, &point))

@@ -65,8 +65,9 @@ static int show_help(const syntax *grammar, poptContext context)
 static int keep(arguments *given, const syntax *grammar, int number, char *value)
 {
     if (given->value[number] != NULL && value != NULL) {
+        const struct poptOption *option = find(grammar->options, number);
         const int status =
-            usage_error("--%s %s: given twice; allowed: once", find(grammar->options, number)->longName, value);
+            usage_error("--%s %s: given twice; allowed: once", option != NULL ? option->longName : "?", value);
         free(value);
         return status;
     }

@@ -65,6 +65,19 @@ status_is 137
 same "old file" old "$(cat files/old.csv)"
 rm -f files/.rwedge-*
 
+# A standard stream that is closed from the start is not mistaken for the file.
+if [ -d /proc/self/fd ]; then
+    called="rwedge $long -o files/old.csv >&- 2>&-"
+    "$rwedge" $long -o files/old.csv >&- 2>&- &
+    process=$!
+    wait_for_start
+    same "stdout" /dev/null "$(readlink "/proc/$process/fd/1")"
+    same "stderr" /dev/null "$(readlink "/proc/$process/fd/2")"
+    kill -s TERM "$process"
+    ended
+    status_is 143
+fi
+
 # On standard output.
 called="rwedge $long, SIGTERM"
 start default-signal=TERM

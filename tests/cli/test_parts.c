@@ -93,6 +93,9 @@ static void every_double_reads_back(void **state)
 static void minus_zero_is_zero(void **state)
 {
     (void)state;
+    double value;
+    assert_true(number_read("-0.0e5", &value));
+    assert_false(signbit(value));
     char text[NUMBER_SIZE];
     number_write(-0.0, 17, '.', text);
     assert_string_equal(text, "0");

@@ -1,0 +1,38 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL]]
+# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built. What is missing on the machine
+# is installed first, where that is possible.
+set -eu
+top=$(cd "$(dirname "$0")/.." && pwd)
+. "$top/tests/support/install.sh"
+case $#${1:-} in
+[3-9]* | ?-*) echo "usage: $0 [FOLDER [TOOL]]" >&2; exit 2 ;;
+esac
+target=$(cd "${1:-$top/tables}" && pwd)
+tool=${2:-$top/build/cli/rwedge}
+
+if [ $# -lt 2 ]; then
+    require_build_tools
+    echo "Building $tool ..."
+    cmake -S "$top" -B "$top/build" -DCMAKE_BUILD_TYPE=Release -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=OFF >/dev/null
+    cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli >/dev/null
+fi
+
+# Ten digits: a last bit that differs between math libraries does not show.
+table()
+{
+    name=$1
+    shift
+    "$tool" table "$@" --digits 10 --output "$target/$name.csv"
+    echo "$name.csv: $(($(wc -l <"$target/$name.csv") - 1)) rows"
+}
+
+fine=0.01:1:0.01
+for nu in 0.25 0.30 0.35; do
+    table "elastic-limit-nu-$nu" elastic-limit --nu "$nu" # a/b 0.1 ... 1, f 0 ... 0.8: the paper's grid
+    table "elastic-limit-fine-nu-$nu" elastic-limit --nu "$nu" --a-over-b "$fine"
+done
+table max-tension max-tension --a-over-b 0:1:0.01 --friction 0.1:0.8:0.1
+table contact-law contact-law --a-over-b 0.01:2:0.01
+table critical-friction critical-friction --a-over-b "$fine" --nu 0.2:0.5:0.025

@@ -1,0 +1,55 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Can others use it? Installed by find_package and pkg-config, as a subproject, in one compiler line, from C++.
+#     package.sh SOURCE BUILD
+set -eu
+source=$1 build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+prefix=$work/prefix
+consumer=$source/tests/consumer
+
+try()
+{
+    what=$1
+    shift
+    if ! "$@" >"$work/log" 2>&1; then
+        echo "FAILED: $what"
+        cat "$work/log"
+        exit 1
+    fi
+    echo "ok: $what"
+}
+
+try "installs" cmake --install "$build" --prefix "$prefix"
+[ -f "$prefix/include/rwedge.h" ] || { echo "FAILED: no header installed"; exit 1; }
+pc=$(find "$prefix" -name rwedge.pc)
+libdir=$(dirname "$(dirname "$pc")")
+
+try "find_package configures" cmake -S "$consumer" -B "$work/found" -DCMAKE_PREFIX_PATH="$prefix"
+try "find_package builds" cmake --build "$work/found"
+try "the shared library runs" "$work/found/with_rwedge"
+try "the static library runs" "$work/found/with_rwedge_static"
+
+export PKG_CONFIG_PATH="$libdir/pkgconfig"
+# the installed file names the prefix that the build was configured with; this one is elsewhere
+flags="--define-variable=prefix=$prefix"
+# shellcheck disable=SC2046
+try "pkg-config, shared" cc "$consumer/main.c" -o "$work/shared" $(pkg-config "$flags" --cflags --libs rwedge) -lm
+try "runs" env LD_LIBRARY_PATH="$libdir" "$work/shared"
+# shellcheck disable=SC2046
+try "pkg-config, static" cc "$consumer/main.c" -o "$work/static" $(pkg-config "$flags" --cflags rwedge) \
+    "$libdir/librwedge.a" $(pkg-config "$flags" --libs --static rwedge | sed "s/ *-lrwedge//")
+try "runs" "$work/static"
+try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -Wno-long-long -x c++ -fsyntax-only \
+    -I"$prefix/include" "$consumer/main.c"
+try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
+try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/main.c"
+
+try "a subproject configures" cmake -S "$consumer" -B "$work/sub" -DRWEDGE_SOURCE="$source"
+try "a subproject builds" cmake --build "$work/sub" --parallel 2
+try "a subproject runs" "$work/sub/with_rwedge"
+
+cd "$source"
+try "one compiler line" cc -Iinclude lib/*.c tests/consumer/main.c -o "$work/line" -lgsl -lgslcblas -llapack -lm
+try "runs" "$work/line"

@@ -1,0 +1,92 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
+#
+#     ./tests/run.sh              the everyday run, a minute or two
+#     ./tests/run.sh --compilers  also: no warning from gcc and clang
+#     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
+#     ./tests/run.sh --campaign   also: the long survey of the strength, 50,000 cases (some minutes)
+#     ./tests/run.sh --all        all of these, as the CI does
+#
+# The last line says how many passed, failed and were skipped; each skip says why in its own output.
+set -eu
+top=$(cd "$(dirname "$0")/.." && pwd)
+cd "$top"
+. tests/support/install.sh
+
+compilers=no sanitize=no campaign=no
+for option; do
+    case $option in
+    --compilers) compilers=yes ;;
+    --sanitize) sanitize=yes ;;
+    --campaign) campaign=yes ;;
+    --all) compilers=yes sanitize=yes campaign=yes ;;
+    -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
+    esac
+done
+
+require_build_tools
+require library:cmocka=libcmocka-dev command:c++=g++ command:strace=strace command:script=bsdutils
+[ $compilers = no ] || require command:gcc=gcc command:clang=clang
+
+passed=0 failed=0 skipped=0
+
+# count JUNIT-FILE - adds a run's results to the totals.
+count()
+{
+    number() { sed -n "s/.*[^a-z]$1=\"\([0-9]*\)\".*/\1/p" "$2" | head -n 1; }
+    all=$(number tests "$1") bad=$(number failures "$1") left=$(($(number skipped "$1") + $(number disabled "$1")))
+    failed=$((failed + bad))
+    skipped=$((skipped + left))
+    passed=$((passed + all - bad - left))
+}
+
+# build_and_test FOLDER CMAKE-ARGUMENTS...
+build_and_test()
+{
+    folder=$1
+    shift
+    cmake -S . -B "$folder" -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON "$@" >/dev/null
+    cmake --build "$folder" --parallel "$(processors)"
+    rm -f "$folder/results.xml"
+    ctest --test-dir "$folder" --output-on-failure --parallel "$(processors)" --output-junit results.xml || true
+    count "$folder/results.xml"
+}
+
+# step NAME COMMAND... - a check that is not a ctest.
+step()
+{
+    name=$1
+    shift
+    echo "== $name"
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        echo "== FAILED: $name"
+        failed=$((failed + 1))
+    fi
+}
+
+without_warnings()
+{
+    CC=$1 cmake -S . -B "build/$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
+        -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON >/dev/null &&
+        cmake --build "build/$1" --parallel "$(processors)" >/dev/null
+}
+
+build_and_test build -DCMAKE_BUILD_TYPE=Release
+if [ $compilers = yes ]; then
+    step "no warning from gcc" without_warnings gcc
+    step "no warning from clang" without_warnings clang
+fi
+if [ $sanitize = yes ]; then
+    echo "== Under the sanitizers"
+    build_and_test build/debug --preset debug
+fi
+if [ $campaign = yes ]; then
+    step "survey of the strength" build/tests/strength_survey 50000 2026
+fi
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]

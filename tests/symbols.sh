@@ -1,0 +1,29 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The shared library exports exactly what the header declares, and calls nothing that prints, ends the process or changes its
+# state.    symbols.sh HEADER LIBRARY
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+grep -o 'rwedge_[a-zA-Z_0-9]*(' "$1" | tr -d '(' | sort -u >"$work/mentioned"
+# declarations only: the comments mention functions too, but no function that is not declared
+sed -n '/^RWEDGE_API/,/;/p' "$1" | grep -o 'rwedge_[a-zA-Z_0-9]*(' | tr -d '(' | sort -u >"$work/declared"
+nm -D --defined-only "$2" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort -u >"$work/exported"
+[ -s "$work/declared" ] || { echo "no declarations found"; exit 1; }
+if ! diff "$work/declared" "$work/exported"; then
+    echo "FAILED: < declared in the header, > exported"
+    exit 1
+fi
+if ! diff "$work/declared" "$work/mentioned" >"$work/difference"; then
+    echo "FAILED: the header's comments name functions that it does not declare:"
+    cat "$work/difference"
+    exit 1
+fi
+forbidden='^(abort|exit|_exit|_Exit|quick_exit|raise|signal|longjmp|setlocale|printf|fprintf|vfprintf|puts|putchar|fputs|fputc|'
+forbidden="$forbidden"'fwrite|perror|__printf_chk|__fprintf_chk|gsl_set_error_handler.*|fesetround|fesetenv|feenableexcept|srand|rand)$'
+nm -D --undefined-only "$2" | awk '{ sub(/@.*/, "", $NF); print $NF }' | sort -u >"$work/called"
+if grep -E "$forbidden" "$work/called"; then
+    echo "FAILED: the library calls what it must not"
+    exit 1
+fi
+echo "$(wc -l <"$work/exported") functions exported, as declared; $(wc -l <"$work/called") called, none of them forbidden"

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The shipped tables: what they hold is what the library gives, and linear interpolation in them is as good as
+ * tables/README.md says. The errors are measured at the centre of every cell, where they are largest, and printed. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 9, MOST_ROWS = 7000 };
+
+/* A CSV file; an empty cell or a word is NaN. */
+typedef struct {
+    int rows;
+    double cell[MOST_ROWS][COLUMNS];
+} sheet;
+
+static sheet loaded;
+
+static void load(const char *name)
+{
+    char path[1024], line[1024];
+    snprintf(path, sizeof path, "%s/%s.csv", TABLES, name);
+    FILE *stream = fopen(path, "r");
+    if (!stream || !fgets(line, sizeof line, stream))
+        fail_msg("cannot read %s", path);
+    loaded.rows = 0;
+    while (fgets(line, sizeof line, stream)) {
+        assert_true(loaded.rows < MOST_ROWS);
+        double *row = loaded.cell[loaded.rows++];
+        const char *cell = line;
+        for (int i = 0; i < COLUMNS; i++) {
+            char *end;
+            const double value = strtod(cell, &end);
+            row[i] = end > cell && strchr(",\n", *end) ? value : NAN;
+            cell += strcspn(cell, ",\n");
+            cell += *cell == ',';
+        }
+    }
+    fclose(stream);
+}
+
+/* Ten digits. */
+static const double PRINTED = 5.1e-10;
+
+/* Columns of the elastic-limit tables. */
+enum { A_OVER_B, F, NU, LIMIT, X, Y, BRANCH, BELOW, SURFACE };
+
+static const char *const nus[] = {"0.25", "0.30", "0.35"};
+
+static void elastic_limits_are_the_library_s(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 3; n++)
+        for (int fine = 0; fine < 2; fine++) {
+            char name[64];
+            snprintf(name, sizeof name, "elastic-limit-%snu-%s", fine ? "fine-" : "", nus[n]);
+            load(name);
+            assert_int_equal(loaded.rows, fine ? 6500 : 650);
+            for (int i = 0; i < loaded.rows; i++) {
+                const double *v = loaded.cell[i];
+                double limit, x, y;
+                assert_close(v[NU], atof(nus[n]), 0);
+                assert_int_equal(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y), RWEDGE_OK);
+                assert_close(v[LIMIT], limit, PRINTED);
+                assert_close(v[X], x, PRINTED);
+                assert_close(v[Y], y, PRINTED);
+                assert_close(fmin(v[SURFACE], isnan(v[BELOW]) ? HUGE_VAL : v[BELOW]), limit, PRINTED);
+            }
+        }
+}
+
+typedef struct {
+    double below, surface, smaller, naive; /* largest relative errors */
+} errors;
+
+static double mean_of_corners(int row, int across, int column)
+{
+    return (loaded.cell[row][column] + loaded.cell[row + 1][column] + loaded.cell[row + across][column] +
+            loaded.cell[row + across + 1][column]) / 4;
+}
+
+static void keep_larger(double *worst, double value, double exact)
+{
+    *worst = fmax(*worst, fabs(value / exact - 1));
+}
+
+/* Both branches interpolated apart and the smaller taken, and, for comparison, the limit itself interpolated. */
+static errors interpolate_limits(int across, double from)
+{
+    errors worst = {0, 0, 0, 0};
+    for (int i = 0; i + across + 1 < loaded.rows; i++) {
+        const double *v = loaded.cell[i], *w = loaded.cell[i + across + 1];
+        if ((i + 1) % across == 0 || v[A_OVER_B] < from)
+            continue;
+        const double alpha = (v[A_OVER_B] + w[A_OVER_B]) / 2, f = (v[F] + w[F]) / 2, nu = v[NU];
+        const double below = mean_of_corners(i, across, BELOW), surface = mean_of_corners(i, across, SURFACE);
+        double exact, x, y;
+        assert_int_equal(rwedge_surface_yield(alpha, f, nu, &exact, &x), RWEDGE_OK);
+        keep_larger(&worst.surface, surface, exact);
+        if (!isnan(below) && rwedge_subsurface_yield(alpha, f, nu, &exact, &x, &y) == RWEDGE_OK)
+            keep_larger(&worst.below, below, exact);
+        exact = rwedge_elastic_limit(alpha, f, nu);
+        keep_larger(&worst.smaller, isnan(below) ? surface : fmin(below, surface), exact);
+        keep_larger(&worst.naive, mean_of_corners(i, across, LIMIT), exact);
+    }
+    return worst;
+}
+
+static void interpolating_the_branches_apart_is_accurate(void **state)
+{
+    (void)state;
+    /* table, from which a/b, and the error of the limit that tables/README.md states */
+    static const struct {
+        const char *name;
+        double from, stated;
+    } cases[] = {{"elastic-limit-nu-", 0.1, 0.012},
+                 {"elastic-limit-fine-nu-", 0.01, 0.007},
+                 {"elastic-limit-fine-nu-", 0.05, 0.0009},
+                 {"elastic-limit-fine-nu-", 0.1, 0.0005}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (int n = 0; n < 3; n++) {
+            char name[64];
+            snprintf(name, sizeof name, "%s%s", cases[i].name, nus[n]);
+            load(name);
+            const errors e = interpolate_limits(65, cases[i].from);
+            print_message("%-28s a/b >= %.2f: below %.1e, surface %.1e, smaller %.1e; the limit itself %.1e\n", name,
+                          cases[i].from, e.below, e.surface, e.smaller, e.naive);
+            assert_true(e.smaller <= cases[i].stated);
+            assert_true(e.naive >= e.smaller); /* the larger by far where a cusp is within the cell */
+        }
+}
+
+static void max_tension_interpolates(void **state)
+{
+    (void)state;
+    load("max-tension");
+    assert_int_equal(loaded.rows, 101 * 8);
+    double worst = 0;
+    for (int i = 0; i + 8 < loaded.rows; i++) {
+        const double *v = loaded.cell[i], *w = loaded.cell[i + 8];
+        assert_close(v[3], rwedge_max_tension(v[0]), PRINTED);
+        assert_close(v[2], v[1] * rwedge_max_tension(v[0]), PRINTED);
+        keep_larger(&worst, (v[3] + w[3]) / 2, rwedge_max_tension((v[0] + w[0]) / 2));
+    }
+    print_message("max-tension: %.1e\n", worst);
+    assert_true(worst <= 1.8e-4);
+}
+
+static void contact_law_interpolates(void **state)
+{
+    (void)state;
+    load("contact-law");
+    assert_int_equal(loaded.rows, 200);
+    double load_worst = 0, peak_worst = 0;
+    for (int i = 0; i + 1 < loaded.rows; i++) {
+        const double *v = loaded.cell[i], *w = loaded.cell[i + 1], middle = (v[0] + w[0]) / 2;
+        assert_close(v[1], rwedge_load(v[0]), PRINTED);
+        assert_close(v[2], rwedge_load(v[0]) / v[0], PRINTED);
+        assert_close(v[3], rwedge_peak_pressure(v[0]), PRINTED);
+        assert_close(v[4], rwedge_transition_pressure(v[0]), PRINTED);
+        keep_larger(&load_worst, (v[1] + w[1]) / 2, rwedge_load(middle));
+        keep_larger(&peak_worst, (v[3] + w[3]) / 2, rwedge_peak_pressure(middle));
+    }
+    print_message("contact-law: load %.1e, peak pressure %.1e\n", load_worst, peak_worst);
+    assert_true(load_worst <= 1.6e-4 && peak_worst <= 0.0105);
+}
+
+static void critical_friction_interpolates(void **state)
+{
+    (void)state;
+    enum { ACROSS = 100 }; /* Poisson's ratio down, a/b across */
+    load("critical-friction");
+    assert_int_equal(loaded.rows, 13 * ACROSS);
+    double worst = 0, worst_of_common = 0;
+    for (int i = 0; i + ACROSS + 1 < loaded.rows; i++) {
+        const double *v = loaded.cell[i], *w = loaded.cell[i + ACROSS + 1];
+        assert_within(v[2], rwedge_critical_friction(v[0], v[1]), PRINTED);
+        const bool all_positive = v[2] > 0 && loaded.cell[i + 1][2] > 0 && loaded.cell[i + ACROSS][2] > 0 && w[2] > 0;
+        if ((i + 1) % ACROSS == 0 || !all_positive)
+            continue;
+        const double exact = rwedge_critical_friction((v[0] + w[0]) / 2, (v[1] + w[1]) / 2);
+        const double error = fabs(mean_of_corners(i, ACROSS, 2) - exact);
+        worst = fmax(worst, error);
+        if (v[0] > 0.095 && v[1] > 0.295)
+            worst_of_common = fmax(worst_of_common, error);
+    }
+    print_message("critical-friction: %.1e in f where none of the four neighbours is 0; %.1e for a/b >= 0.1, nu >= 0.3\n",
+                  worst, worst_of_common);
+    assert_true(worst <= 0.02 && worst_of_common <= 0.004);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elastic_limits_are_the_library_s),
+        cmocka_unit_test(interpolating_the_branches_apart_is_accurate),
+        cmocka_unit_test(max_tension_interpolates),
+        cmocka_unit_test(contact_law_interpolates),
+        cmocka_unit_test(critical_friction_interpolates),
+    };
+    return RUN_CLAIMS("tables", tests);
+}

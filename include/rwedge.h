@@ -240,7 +240,7 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.        Sec. 3.2; new
  *   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
- *   Q  |Q| <= f P; equality, to 8 epsilon, is full sliding
+ *   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width, the
  * peak pressure or the energy is not a normal number; RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as
  * before.

@@ -8,7 +8,8 @@
 #include <float.h>
 #include <stdlib.h>
 
-/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product. */
+/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller interpolates between two
+ * loads, they are rounded like the larger. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
 /* ---- Life ---- */
@@ -65,10 +66,11 @@ void rwedge_contact_destroy(rwedge_contact *contact)
 static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
 {
     const double limit = contact->f * P, magnitude = fabs(Q);
-    if (magnitude > limit * (1 + SLIDING_ROUNDING))
+    const double last = rw_path_end(&contact->path)->load;
+    const double rounding = P > 0 ? SLIDING_ROUNDING * contact->f * fmax(P, last) : 0;
+    if (magnitude > limit + rounding)
         return RWEDGE_ESLIDING;
-    *shear = 0;
-    if (magnitude >= limit * (1 - SLIDING_ROUNDING))
+    if (magnitude >= limit - rounding)
         *shear = Q > 0 ? P : Q < 0 ? -P : 0;
     else
         *shear = Q / limit * P;
@@ -112,13 +114,15 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
         return status;
     if (P > 0 && !is_in_range(&contact->geometry, P))
         return RWEDGE_ERANGE;
-    const double energy = contact->energy + energy_of(contact, P, shear);
+    const double share = energy_of(contact, P, shear) + contact->energy_carry;
+    const double energy = contact->energy + share;
     if (!isfinite(energy))
         return RWEDGE_ERANGE;
     if (!rw_path_reserve(&contact->path, 2) || !rw_entries_advance(&contact->entries, &contact->path, P, shear))
         return RWEDGE_ENOMEM;
     rw_path_advance(&contact->path, P, shear);
     measure_new_corners(contact);
+    contact->energy_carry = share - (energy - contact->energy);
     contact->energy = energy;
     return RWEDGE_OK;
 }

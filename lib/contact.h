@@ -12,7 +12,7 @@
 struct rwedge_contact {
     rw_geometry geometry;
     double f;
-    double energy;
+    double energy, energy_carry; /* their sum; the carry is what rounding left out of a long history */
     rw_path path; /* loads are P, shears Q/f */
     rw_entries entries;
 };

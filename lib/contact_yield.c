@@ -89,6 +89,8 @@ static void climb(search *s, double x, double y, double J2, double step)
         for (int j = 0; j < 8; j++) {
             px[j] = x + step * AROUND[j][0];
             py[j] = fmax(0, y + step * AROUND[j][1]);
+            if (s->contact->geometry.a == 0 && px[j] == 0 && py[j] == 0)
+                py[j] = step / 2; /* beside the apex of the sharp wedge, where there is no stress to speak of */
         }
         evaluate(s, 8, px, py, around);
         int highest = 0;

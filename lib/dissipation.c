@@ -63,6 +63,8 @@ static double logarithmic_slope(double ratio)
 static double integrand(const layer *l, double d)
 {
     const double u = l->top - d;
+    if (u <= 0) /* rounding of a depth next to the origin, where B/u is finite and without weight */
+        return 0;
     return overlap(l, d) / (u * logarithmic_slope(u / l->corner_load));
 }
 
@@ -98,11 +100,11 @@ static double panel_integral(const layer *l, double shallow, double deep)
 }
 
 /* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for panels in geometric sequence;
- * those below 1e-20 of the load add nothing, as B is of order u there. */
+ * those that rounding would not separate from u = 0 add nothing, as B is of order u there. */
 static double smooth_integral(const layer *l, double shallow, double deep)
 {
     double sum = 0;
-    while (shallow < deep && l->top - shallow > 1e-20 * l->top) {
+    while (shallow < deep && l->top - shallow > DBL_EPSILON * l->top) {
         const double next = fmin(deep, l->top - (l->top - shallow) / 4);
         sum += panel_integral(l, shallow, next);
         shallow = next;

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts with a load history: classical results, equilibrium, Coulomb's law, stresses. */
+#include "histories.h"
+#include "quadrature.h"
+
+/* ---- Classical results ---- */
+
+/* sqrt(1 - (x/c)^2) times c/b. */
+static double ellipse(double c, double b, double x)
+{
+    return x < c ? sqrt((c - x) * (c + x)) / b : 0;
+}
+
+static void hertz_loading_unloading_reloading_is_mindlin(void **state)
+{
+    (void)state;
+    const double f = 0.4, R = 5, a = THETA * R, P = 0.02;
+    rwedge_contact *contact = create(a, f);
+    load(contact, P, 0);
+    const double b = rwedge_contact_half_width(contact), p0 = 2 * P / (PI * b);
+    assert_close(b, sqrt(2 * A * P * R / PI), 1e-14);
+    const double Q1 = 0.7 * f * P, Q2 = -0.2 * f * P, Q3 = 0.4 * f * P;
+    const double c1 = b * sqrt(1 - 0.7), c2 = b * sqrt(1 - 0.9 / 2), c3 = b * sqrt(1 - 0.6 / 2);
+    load(contact, P, Q1);
+    assert_close(rwedge_contact_stick_half_width(contact), c1, 1e-14);
+    for (double x = 0; x < b; x += b / 37)
+        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)), 1e-14 * p0);
+    load(contact, P, Q2);
+    assert_close(rwedge_contact_stick_half_width(contact), c2, 1e-14);
+    for (double x = 0; x < b; x += b / 37)
+        assert_within(shear(contact, x), f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)), 1e-14 * p0);
+    load(contact, P, Q3);
+    assert_close(rwedge_contact_stick_half_width(contact), c3, 1e-14);
+    for (double x = 0; x < b; x += b / 37)
+        assert_within(shear(contact, x),
+                      -f * p0 * (ellipse(b, b, x) - 2 * ellipse(c3, b, x) + 2 * ellipse(c2, b, x) - ellipse(c1, b, x)),
+                      1e-14 * p0);
+    load(contact, P, Q1); /* the loop is closed and forgotten */
+    for (double x = 0; x < b; x += b / 37)
+        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)), 1e-14 * p0);
+    rwedge_contact_destroy(contact);
+}
+
+/* Cattaneo's slip: -A f p0/b times what the two ellipses displace. */
+static void hertz_slip_is_cattaneo(void **state)
+{
+    (void)state;
+    const double f = 0.4, P = 0.02, a = 1;
+    rwedge_contact *contact = create(a, f);
+    load(contact, P, 0);
+    load(contact, P, 0.75 * f * P);
+    const double b = rwedge_contact_half_width(contact), c = b / 2;
+    for (double x = 0; x <= b; x += b / 16) {
+        const double z = x / c, X = sqrt(fmax(0, z * z - 1));
+        const double expected = -f * THETA / a * c * c / 2 * (z > 1 ? z * X - acosh(z) : 0);
+        assert_within(slip(contact, x), expected, 1e-16 + 1e-13 * fabs(expected));
+    }
+    rwedge_contact_destroy(contact);
+}
+
+static void fig_7_of_the_paper_is_one_load(void **state)
+{
+    (void)state;
+    static const double STICK[] = {0, 1.0 / 6, 1.0 / 2};
+    const double alpha = 0.25, b = 0.8, f = 0.3, P = rwedge_normal_load(THETA, alpha * b, A, b);
+    for (int i = 0; i < 3; i++) {
+        const double c = STICK[i];
+        rwedge_contact *contact = create(alpha * b, f);
+        load(contact, P, 0);
+        load(contact, P, f * P * rwedge_shear_ratio(alpha, c));
+        assert_close(rwedge_contact_half_width(contact), b, 1e-14);
+        assert_within(rwedge_contact_stick_half_width(contact), c * b, 1e-14);
+        for (int k = -99; k < 100; k += 2) {
+            const double x = k / 100.0, y = 0.3 + x * x;
+            assert_within(shear(contact, b * x), f * THETA / A * rwedge_shear(alpha, c, x), 1e-14);
+            assert_within(pressure(contact, b * x), THETA / A * rwedge_pressure(alpha, x), 1e-14);
+            double s[3], expected[3], at[2] = {b * x, b * y};
+            assert_int_equal(rwedge_contact_stresses(contact, 1, &at[0], &at[1], &s[0], &s[1], &s[2]), RWEDGE_OK);
+            assert_int_equal(rwedge_stress(alpha, f, c, x, y, &expected[0], &expected[1], &expected[2]), RWEDGE_OK);
+            for (int m = 0; m < 3; m++)
+                assert_within(s[m], THETA / A * expected[m], 1e-14);
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* ---- Equilibrium and Coulomb's law ---- */
+
+static double pressure_at(double x, const void *contact)
+{
+    return pressure(contact, x);
+}
+
+static double shear_at(double x, const void *contact)
+{
+    return shear(contact, x);
+}
+
+static void tractions_add_up_to_the_load_after_every_step(void **state)
+{
+    (void)state;
+    for (int number = 1; number <= 24; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        for (int step = 0; step < 12; step++) {
+            go_on(&h, contact);
+            double points[POINTS_MAX];
+            const size_t n = breakpoints(contact, points);
+            assert_close(-2 * integral(pressure_at, contact, n, points), h.P, 1e-11);
+            assert_within(-2 * integral(shear_at, contact, n, points), h.Q, 1e-11 * h.f * h.P);
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void friction_is_nowhere_exceeded(void **state)
+{
+    (void)state;
+    for (int number = 1; number <= 60; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        for (int step = 0; step < 12; step++) {
+            go_on(&h, contact);
+            const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
+            for (int i = 0; i < 50; i++) {
+                const double x = b * (i + 0.5) / 50, p = pressure(contact, x), q = shear(contact, x);
+                assert_true(fabs(q) <= h.f * fabs(p) + 1e-14 * THETA / A);
+                if (x > c)
+                    assert_close(fabs(q), h.f * fabs(p), 1e-13);
+            }
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void what_slips_is_at_the_limit_and_slips_with_the_traction(void **state)
+{
+    (void)state;
+    int slipped = 0;
+    for (int number = 1; number <= 60; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        go_on(&h, contact);
+        for (int step = 0; step < 12; step++) {
+            const double before = rwedge_contact_half_width(contact), noise = 1e-13 * h.f * THETA * before;
+            double slips[40], at[40];
+            for (int i = 0; i < 40; i++)
+                slips[i] = slip(contact, at[i] = before * (i + 0.5) / 40);
+            go_on(&h, contact);
+            for (int i = 0; i < 40 && at[i] < rwedge_contact_half_width(contact); i++) {
+                const double moved = slip(contact, at[i]) - slips[i], q = shear(contact, at[i]);
+                if (fabs(moved) <= noise)
+                    continue;
+                slipped++;
+                assert_close(fabs(q), h.f * fabs(pressure(contact, at[i])), 1e-13);
+                assert_true(moved * q > 0);
+            }
+        }
+        rwedge_contact_destroy(contact);
+    }
+    assert_true(slipped > 1000);
+}
+
+static void pressing_without_slip_gives_no_slip(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0.5);
+    load(contact, 0.1, 0.02);
+    load(contact, 0.2, -0.01);
+    load(contact, 0.15, 0.005); /* back along the last step */
+    for (double x = 0; x < 0.37; x += 0.01)
+        assert_true(slip(contact, x) == 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) < 1e-30);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Stresses ---- */
+
+typedef struct {
+    const rwedge_contact *contact;
+    double x, y;
+    int component; /* sxx, syy, txy */
+} flamant;
+
+static double point_force(double t, const void *context)
+{
+    const flamant *at = context;
+    double sum = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        const double dx = at->x - side * t, y = at->y, r2 = dx * dx + y * y;
+        const double radial = 2 / PI * (y * pressure(at->contact, t) + dx * shear(at->contact, t)) / (r2 * r2);
+        sum += radial * (at->component == 0 ? dx * dx : at->component == 1 ? y * y : dx * y);
+    }
+    return sum;
+}
+
+static void stresses_are_flamant_integrated_over_the_tractions(void **state)
+{
+    (void)state;
+    for (int number = 1; number <= 20; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        for (int step = 0; step < 7; step++)
+            go_on(&h, contact);
+        double points[POINTS_MAX];
+        const size_t n = breakpoints(contact, points);
+        for (int i = 0; i < 6; i++) {
+            const double b = rwedge_contact_half_width(contact);
+            const double x = b * (3 * random_fraction(&h.seed) - 1.5), y = b * (0.05 + random_fraction(&h.seed));
+            double s[3];
+            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+            for (int component = 0; component < 3; component++) {
+                const flamant at = {contact, x, y, component};
+                assert_within(s[component], integral(point_force, &at, n, points), 1e-11 * THETA / A);
+            }
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hertz_loading_unloading_reloading_is_mindlin),
+        cmocka_unit_test(hertz_slip_is_cattaneo),
+        cmocka_unit_test(fig_7_of_the_paper_is_one_load),
+        cmocka_unit_test(tractions_add_up_to_the_load_after_every_step),
+        cmocka_unit_test(friction_is_nowhere_exceeded),
+        cmocka_unit_test(what_slips_is_at_the_limit_and_slips_with_the_traction),
+        cmocka_unit_test(pressing_without_slip_gives_no_slip),
+        cmocka_unit_test(stresses_are_flamant_integrated_over_the_tractions),
+    };
+    return RUN_CLAIMS("contact", tests);
+}

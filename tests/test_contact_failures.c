@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked with --wrap for malloc and
+ * realloc. */
+#include "histories.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Memory that runs short ---- */
+
+/* How many allocations succeed before one fails; negative: all do. */
+static int allocations_left = -1;
+
+void *__real_malloc(size_t size);
+void *__real_realloc(void *block, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_realloc(void *block, size_t size);
+
+static bool is_granted(void)
+{
+    if (allocations_left < 0)
+        return true;
+    return allocations_left-- > 0;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return is_granted() ? __real_malloc(size) : NULL;
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+    return is_granted() ? __real_realloc(block, size) : NULL;
+}
+
+/* All that can be seen of a contact. */
+typedef struct {
+    double half_width, stick, energy, memory;
+    double p[9], q[9], slip[9], sxx[9], syy[9], txy[9];
+} appearance;
+
+static appearance look(const rwedge_contact *contact)
+{
+    appearance seen;
+    memset(&seen, 0, sizeof seen);
+    seen.half_width = rwedge_contact_half_width(contact);
+    seen.stick = rwedge_contact_stick_half_width(contact);
+    seen.energy = rwedge_contact_dissipated_energy(contact);
+    seen.memory = (double)rwedge_contact_memory(contact);
+    double x[9], y[9];
+    for (int i = 0; i < 9; i++) {
+        x[i] = seen.half_width * (i - 4.1) / 5;
+        y[i] = 0.1 * i;
+    }
+    assert_int_equal(rwedge_contact_tractions(contact, 9, x, seen.p, seen.q), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_slip(contact, 9, x, seen.slip), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy), RWEDGE_OK);
+    return seen;
+}
+
+static void assert_looks(const rwedge_contact *contact, const appearance *before)
+{
+    const appearance now = look(contact);
+    assert_memory_equal(&now, before, sizeof now);
+}
+
+static void a_load_without_memory_leaves_the_contact_as_it_was(void **state)
+{
+    (void)state;
+    int refused = 0;
+    for (int number = 1; number <= 20; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        for (int step = 0; step < 15; step++) {
+            random_history next = h;
+            rwedge_contact *copy = NULL;
+            assert_int_equal(rwedge_contact_copy(contact, &copy), RWEDGE_OK);
+            go_on(&next, copy); /* what the load will be, and give */
+            const appearance before = look(contact), after = look(copy);
+            int32_t status = RWEDGE_ENOMEM;
+            for (int granted = 0; status != RWEDGE_OK; granted++) {
+                allocations_left = granted;
+                status = rwedge_contact_load(contact, next.P, next.Q);
+                allocations_left = -1;
+                if (status == RWEDGE_OK)
+                    break;
+                refused++;
+                assert_int_equal(status, RWEDGE_ENOMEM);
+                assert_looks(contact, &before);
+            }
+            assert_looks(contact, &after);
+            rwedge_contact_destroy(copy);
+            h = next;
+        }
+        rwedge_contact_destroy(contact);
+    }
+    assert_true(refused > 20);
+}
+
+static void creating_and_copying_without_memory_says_so(void **state)
+{
+    (void)state;
+    random_history h;
+    rwedge_contact *contact = begin(&h, 3), *other = NULL;
+    for (int step = 0; step < 15; step++)
+        go_on(&h, contact);
+    int refused = 0;
+    for (int granted = 0;; granted++) {
+        allocations_left = granted;
+        const int32_t status = rwedge_contact_copy(contact, &other);
+        allocations_left = -1;
+        if (status == RWEDGE_OK)
+            break;
+        assert_int_equal(status, RWEDGE_ENOMEM);
+        assert_null(other);
+        refused++;
+    }
+    assert_true(refused >= 3);
+    rwedge_contact_destroy(other);
+    other = NULL;
+    for (int granted = 0; granted < 2; granted++) {
+        allocations_left = granted;
+        const int32_t status = rwedge_contact_create(THETA, 1, A, 0.5, &other);
+        allocations_left = -1;
+        assert_int_equal(status, RWEDGE_ENOMEM);
+        assert_null(other);
+    }
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(NULL);
+}
+
+/* ---- Copies ---- */
+
+static void a_copy_is_independent(void **state)
+{
+    (void)state;
+    random_history h;
+    rwedge_contact *contact = begin(&h, 6), *copy = NULL;
+    for (int step = 0; step < 10; step++)
+        go_on(&h, contact);
+    assert_int_equal(rwedge_contact_copy(contact, &copy), RWEDGE_OK);
+    const appearance before = look(contact);
+    assert_looks(copy, &before);
+    random_history other = h;
+    for (int step = 0; step < 10; step++)
+        go_on(&other, copy);
+    assert_looks(contact, &before);
+    const appearance after = look(copy);
+    for (int step = 0; step < 10; step++)
+        go_on(&h, contact);
+    assert_looks(contact, &after); /* the same loads give the same bits */
+    rwedge_contact_destroy(copy);
+    assert_looks(contact, &after);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Refusals ---- */
+
+static void a_refused_load_changes_nothing(void **state)
+{
+    (void)state;
+    const double f = 0.5, P = 0.2;
+    rwedge_contact *contact = create(0.1, f);
+    load(contact, P, 0);
+    load(contact, P, 0.05);
+    const appearance before = look(contact);
+    const struct {
+        double P, Q;
+        int32_t status;
+    } loads[] = {
+        {P, 0.1 * (1 + 1e-14), RWEDGE_ESLIDING}, {P, -0.1 * (1 + 1e-14), RWEDGE_ESLIDING},
+        {P, HUGE_VAL, RWEDGE_EDOMAIN},           {P, NAN, RWEDGE_EDOMAIN},
+        {NAN, 0, RWEDGE_EDOMAIN},                {HUGE_VAL, 0, RWEDGE_EDOMAIN},
+        {-1, 0, RWEDGE_EDOMAIN},                 {-0.1, 0, RWEDGE_EDOMAIN},
+        {0, 1e-9, RWEDGE_ESLIDING},              {1e-310, 0, RWEDGE_ERANGE},
+        {1e308, 0.1, RWEDGE_ERANGE},
+    };
+    for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
+        assert_int_equal(rwedge_contact_load(contact, loads[i].P, loads[i].Q), loads[i].status);
+        assert_looks(contact, &before);
+    }
+    rwedge_contact_destroy(contact);
+}
+
+static void equality_is_full_sliding_to_rounding(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    for (int i = 0; i < 1000; i++) {
+        const double f = random_fraction(&seed), P = random_fraction(&seed);
+        const double Q = f * P * (1 + (2 * random_fraction(&seed) - 1) * 4 * DBL_EPSILON) * (i % 2 ? 1 : -1);
+        rwedge_contact *contact = create(0.1, f);
+        load(contact, P, 0);
+        load(contact, P, Q);
+        assert_true(rwedge_contact_stick_half_width(contact) == 0);
+        const double x = 0.3 * rwedge_contact_half_width(contact);
+        assert_close(shear(contact, x), (i % 2 ? 1 : -1) * f * pressure(contact, x), 1e-15);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void without_friction_there_is_no_tangential_load(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0);
+    load(contact, 0.2, 0);
+    assert_int_equal(rwedge_contact_load(contact, 0.2, 1e-300), RWEDGE_ESLIDING);
+    assert_true(shear(contact, 0.1) == 0 && slip(contact, 0.1) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+static void bad_arguments_are_refused(void **state)
+{
+    (void)state;
+    static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL};
+    rwedge_contact *contact = NULL;
+    for (int i = 0; i < 4; i++)
+        for (int position = 0; position < 4; position++) {
+            double v[4] = {0.1, 1, 1, 0.5};
+            v[position] = BAD[i];
+            assert_int_equal(rwedge_contact_create(v[0], v[1], v[2], v[3], &contact), RWEDGE_EDOMAIN);
+            assert_null(contact);
+        }
+    assert_int_equal(rwedge_contact_create(0, 1, 1, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(1.6, 1, 1, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(0.1, 1, 0, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(0.1, 1, 1, 0.5, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_copy(NULL, &contact), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_load(NULL, 1, 0), RWEDGE_ENULL);
+    assert_nan(rwedge_contact_half_width(NULL));
+    assert_nan(rwedge_contact_stick_half_width(NULL));
+    assert_nan(rwedge_contact_dissipated_energy(NULL));
+    assert_int_equal(rwedge_contact_memory(NULL), 0);
+}
+
+static void bad_points_write_nothing(void **state)
+{
+    (void)state;
+    rwedge_contact *sharp = create(0, 0.5), *contact = create(0.1, 0.5);
+    double x[2] = {0.1, 0}, y[2] = {0, 0}, s[3][2] = {{7, 7}, {7, 7}, {7, 7}}, factor = 7;
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, NULL, NULL), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_OK); /* separated: no apex yet */
+    assert_true(s[0][1] == 0);
+    s[0][0] = s[0][1] = s[1][0] = s[2][0] = 7;
+    load(sharp, 0.2, 0);
+    load(contact, 0.2, 0.05);
+    assert_int_equal(rwedge_contact_tractions(sharp, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
+    const double b = rwedge_contact_half_width(contact), bad[4] = {NAN, HUGE_VAL, -HUGE_VAL, 1.0001 * b};
+    for (int i = 0; i < 4; i++) {
+        x[1] = bad[i];
+        assert_int_equal(rwedge_contact_slip(contact, 2, x, s[0]), RWEDGE_EDOMAIN);
+        if (i < 3) {
+            assert_int_equal(rwedge_contact_tractions(contact, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);
+            assert_int_equal(rwedge_contact_stresses(contact, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
+        }
+    }
+    x[1] = 0;
+    y[1] = -1e-9;
+    assert_int_equal(rwedge_contact_stresses(contact, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_stresses(contact, 1, x, y, s[0], s[1], NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_tractions(contact, 1, NULL, s[0], s[1]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_slip(NULL, 1, x, s[0]), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_slip(contact, 0, NULL, NULL), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.6, 1, &factor, NULL, NULL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 0, &factor, NULL, NULL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, NULL, NULL, NULL), RWEDGE_ENULL);
+    assert_true(s[0][0] == 7 && s[0][1] == 7 && s[1][0] == 7 && s[2][0] == 7 && factor == 7);
+    rwedge_contact_destroy(sharp);
+    rwedge_contact_destroy(contact);
+}
+
+static void outputs_may_be_the_inputs(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0.5);
+    load(contact, 0.2, 0.05);
+    double x[70], y[70], sxx[70], syy[70], txy[70];
+    for (int i = 0; i < 70; i++) {
+        x[i] = 0.01 * i - 0.3;
+        y[i] = 0.005 * i;
+    }
+    assert_int_equal(rwedge_contact_stresses(contact, 70, x, y, sxx, syy, txy), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, 70, x, y, y, x, txy), RWEDGE_OK);
+    assert_memory_equal(x, syy, sizeof x);
+    assert_memory_equal(y, sxx, sizeof y);
+    rwedge_contact_destroy(contact);
+}
+
+/* Scales far from 1, where a careless intermediate result would over- or underflow. */
+static void results_scale_with_the_units(void **state)
+{
+    (void)state;
+    for (int length = -60; length <= 60; length += 30)
+        for (int stress = -60; stress <= 60; stress += 30) {
+            const double L = ldexp(1, length), S = ldexp(1, stress);
+            rwedge_contact *unit = create(0.1, 0.5), *scaled = NULL;
+            assert_int_equal(rwedge_contact_create(THETA, 0.1 * L, A / S, 0.5, &scaled), RWEDGE_OK);
+            for (int i = 0; i < 3; i++) {
+                const double Q = i == 0 ? 0 : i == 1 ? 0.05 : -0.02;
+                load(unit, 0.2, Q);
+                load(scaled, 0.2 * S * L, Q * S * L);
+            }
+            assert_close(rwedge_contact_half_width(scaled), L * rwedge_contact_half_width(unit), 1e-14);
+            assert_close(shear(scaled, 0.3 * L), S * shear(unit, 0.3), 1e-13);
+            assert_close(slip(scaled, 0.3 * L), L * slip(unit, 0.3), 1e-13);
+            assert_close(rwedge_contact_dissipated_energy(scaled), S * L * L * rwedge_contact_dissipated_energy(unit),
+                         1e-13);
+            rwedge_contact_destroy(unit);
+            rwedge_contact_destroy(scaled);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_load_without_memory_leaves_the_contact_as_it_was),
+        cmocka_unit_test(creating_and_copying_without_memory_says_so),
+        cmocka_unit_test(a_copy_is_independent),
+        cmocka_unit_test(a_refused_load_changes_nothing),
+        cmocka_unit_test(equality_is_full_sliding_to_rounding),
+        cmocka_unit_test(without_friction_there_is_no_tangential_load),
+        cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(bad_points_write_nothing),
+        cmocka_unit_test(outputs_may_be_the_inputs),
+        cmocka_unit_test(results_scale_with_the_units),
+    };
+    return RUN_CLAIMS("contact_failures", tests);
+}

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Dimensional quantities of one contact, and how far a contact with a history is from yield. */
+#include "histories.h"
+
+static void a_cylinder_gives_the_formulas_of_hertz(void **state)
+{
+    (void)state;
+    const double R = 50, E = 70e3, nu = 0.3, P = 100; /* mm, N/mm^2, N/mm */
+    const double compliance = rwedge_compliance(E, nu, E, nu), theta = 0.1, a = rwedge_rounding(theta, R);
+    assert_close(a, 5, 1e-15);
+    assert_close(rwedge_radius(theta, a), R, 1e-15);
+    const double E_star = E / (2 * (1 - nu * nu));
+    assert_close(rwedge_half_width(theta, a, compliance, P), sqrt(4 * P * R / (PI * E_star)), 1e-14);
+}
+
+static void half_width_and_load_are_inverse(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    for (int i = 0; i < 20000; i++) {
+        const double a = i % 7 == 0 ? 0 : pow(10, 40 * random_fraction(&seed) - 20);
+        const double b = pow(10, 40 * random_fraction(&seed) - 20);
+        assert_close(rwedge_half_width(THETA, a, A, rwedge_normal_load(THETA, a, A, b)), b, 1e-14);
+    }
+    assert_true(rwedge_half_width(THETA, 0.1, A, 0) == 0 && rwedge_normal_load(THETA, 0.1, A, 0) == 0);
+    assert_close(rwedge_half_width(THETA, 0, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
+    assert_close(rwedge_half_width(THETA, 1e-300, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
+}
+
+static void the_yield_load_is_where_the_elastic_limit_says(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int i = 0; i < 200; i++) {
+        const double a = 0.3, alpha = pow(10, 2 * random_fraction(&seed) - 1.7);
+        const double f = i % 5 ? random_fraction(&seed) : 0, nu = i % 3 ? 0.3 : 0.5 * random_fraction(&seed);
+        const double b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
+        const double k = P / (b * rwedge_elastic_limit(alpha, f, nu));
+        assert_close(rwedge_yield_load(THETA, a, A, f, nu, k), P, 1e-11);
+    }
+}
+
+static void what_never_yields_has_an_infinite_yield_load(void **state)
+{
+    (void)state;
+    const double bound = 2 / PI * THETA / A;
+    assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
+    assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
+}
+
+static void bad_design_arguments_are_not_numbers(void **state)
+{
+    (void)state;
+    static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < 4; i++) {
+        const double v = BAD[i];
+        assert_nan(rwedge_radius(v, 1));
+        assert_nan(rwedge_radius(0.1, v));
+        assert_nan(rwedge_rounding(v, 1));
+        assert_nan(rwedge_rounding(0.1, v));
+        assert_nan(rwedge_half_width(v, 1, 1, 1));
+        assert_nan(rwedge_half_width(0.1, v, 1, 1));
+        assert_nan(rwedge_half_width(0.1, 1, v, 1));
+        assert_nan(rwedge_half_width(0.1, 1, 1, v));
+        assert_nan(rwedge_normal_load(v, 1, 1, 1));
+        assert_nan(rwedge_normal_load(0.1, v, 1, 1));
+        assert_nan(rwedge_normal_load(0.1, 1, v, 1));
+        assert_nan(rwedge_normal_load(0.1, 1, 1, v));
+        assert_nan(rwedge_yield_load(v, 1, 1, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, v, 1, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, v, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, 1, v, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, v, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, 0.3, v));
+    }
+    assert_nan(rwedge_radius(2, 1));
+    assert_nan(rwedge_half_width(0.1, 1, 0, 1));
+    assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, 0.3, 0));
+}
+
+/* ---- The yield factor of a state ---- */
+
+static double yield_factor(const rwedge_contact *contact, double nu, double k, double *x, double *y)
+{
+    double factor = -1;
+    assert_int_equal(rwedge_contact_yield_factor(contact, nu, k, &factor, x, y), RWEDGE_OK);
+    return factor;
+}
+
+static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {1e-7, 1e-3, 0.0176, 0.05, 0.1, 0.3, 0.5, 0.9, 1, 3};
+    static const double FRICTIONS[] = {0, 0.05, 0.15, 0.2367, 0.26, 0.4, 0.8};
+    static const double NUS[] = {0, 0.2, 0.3, 0.5};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
+            for (size_t m = 0; m < sizeof NUS / sizeof *NUS; m++) {
+                const double b = 0.7, a = ALPHAS[i] * b, f = FRICTIONS[j], k = 3;
+                const double P = rwedge_normal_load(THETA, a, A, b);
+                rwedge_contact *contact = create(a, f);
+                load(contact, P, f * P);
+                const double expected = rwedge_elastic_limit(ALPHAS[i], f, NUS[m]) * b * k / P;
+                assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
+                load(contact, P, -f * P); /* the mirror image */
+                assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
+                rwedge_contact_destroy(contact);
+            }
+}
+
+static double root_J2(const rwedge_contact *contact, double nu, double x, double y)
+{
+    double s[3];
+    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    const double szz = nu * (s[0] + s[1]);
+    return sqrt(((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - szz) * (s[1] - szz) + (szz - s[0]) * (szz - s[0])) / 6 +
+                s[2] * s[2]);
+}
+
+/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is attained where it says. */
+static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
+{
+    (void)state;
+    for (int number = 2; number < 42; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number % 4 ? number : number + 1);
+        for (int step = 0; step < 6; step++)
+            go_on(&h, contact);
+        const double b = rwedge_contact_half_width(contact), nu = number % 2 ? 0.3 : 0.5;
+        double x, y, grid = 0;
+        const double factor = yield_factor(contact, nu, 1, &x, &y);
+        for (int i = -150; i <= 150; i++)
+            for (int j = 0; j <= 60; j++)
+                grid = fmax(grid, root_J2(contact, nu, 1.2 * b * i / 150, 1.5 * b * j * j / 3600));
+        for (int i = -4000; i <= 4000; i++)
+            grid = fmax(grid, root_J2(contact, nu, 1.1 * b * i / 4000, 0));
+        assert_true(grid <= 1 / factor * (1 + 1e-14));
+        assert_close(grid, 1 / factor, 0.02);
+        assert_close(root_J2(contact, nu, x, y), 1 / factor, 1e-13);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0, 0.5);
+    load(contact, 0.2, 0);
+    assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
+    assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), PI / 2 * A / THETA, 1e-12);
+    load(contact, 0.2, 0.05);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
+    load(contact, 0.2, 0.1);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cylinder_gives_the_formulas_of_hertz),
+        cmocka_unit_test(half_width_and_load_are_inverse),
+        cmocka_unit_test(the_yield_load_is_where_the_elastic_limit_says),
+        cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
+        cmocka_unit_test(bad_design_arguments_are_not_numbers),
+        cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
+        cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
+        cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
+    };
+    return RUN_CLAIMS("design", tests);
+}

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What friction dissipates, and what a contact remembers. */
+#include "histories.h"
+#include "quadrature.h"
+
+static double work(double x, const void *contact)
+{
+    return shear(contact, x) * slip(contact, x);
+}
+
+typedef struct {
+    const rwedge_contact *contact;
+    double P, Q;
+} cycle;
+
+/* The rigid displacement under dQ, when the front of slip is under the load s, is that of a flat punch of half-width
+ * eta(s): -(A/pi) ln(eta) + constant. With Q lower by t than at the reversal, s = P - t/(2f). */
+static double rigid_displacement(double t, const void *context)
+{
+    const cycle *c = context;
+    const rw_geometry *g = &c->contact->geometry;
+    const double eta = rwedge_half_width(g->theta, g->a, g->A, c->P - t / (2 * c->contact->f));
+    return 2 * (c->Q - t) * g->A / PI * log(eta);
+}
+
+static void a_cycle_dissipates_the_area_of_its_loop(void **state)
+{
+    (void)state;
+    static const double ROUNDINGS[] = {0, 1e-6, 0.01, 0.2, 0.3, 0.39, 2};
+    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
+        for (double ratio = 0.05; ratio < 1; ratio += 0.18) {
+            const double f = 0.5, P = 0.16, Q = ratio * f * P;
+            rwedge_contact *contact = create(ROUNDINGS[i], f);
+            load(contact, P, 0);
+            load(contact, P, Q);
+            double points[POINTS_MAX];
+            const size_t n = breakpoints(contact, points);
+            const double by_slip = 4 * 2 * integral(work, contact, n, points);
+            const double first = rwedge_contact_dissipated_energy(contact);
+            load(contact, P, -Q);
+            load(contact, P, Q);
+            const double energy = rwedge_contact_dissipated_energy(contact) - first;
+            const cycle c = {contact, P, Q};
+            const double corner = rwedge_normal_load(THETA, ROUNDINGS[i], A, ROUNDINGS[i]);
+            const double t_corner = fmax(0, fmin(2 * Q, 2 * f * (P - corner)));
+            const double ends[] = {0, t_corner, 2 * Q};
+            assert_close(energy, integral(rigid_displacement, &c, 2, ends), 1e-10);
+            assert_close(energy, by_slip, 1e-10);
+            assert_close(first, by_slip / 4, 1e-10); /* each reversal slips twice as far */
+            rwedge_contact_destroy(contact);
+        }
+}
+
+static void energy_never_falls_and_does_not_depend_on_how_a_step_is_cut(void **state)
+{
+    (void)state;
+    for (int number = 1; number <= 60; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number), *parts = NULL;
+        assert_int_equal(rwedge_contact_copy(contact, &parts), RWEDGE_OK);
+        double P = 0, Q = 0, energy = 0;
+        for (int step = 0; step < 12; step++) {
+            go_on(&h, contact);
+            for (int i = 1; i < 5; i++)
+                load(parts, P + i * (h.P - P) / 5, Q + i * (h.Q - Q) / 5);
+            load(parts, P = h.P, Q = h.Q);
+            assert_true(rwedge_contact_dissipated_energy(contact) >= energy);
+            energy = rwedge_contact_dissipated_energy(contact);
+            assert_within(rwedge_contact_dissipated_energy(parts), energy, 1e-12 * energy + 1e-18);
+            for (double x = 0; x < rwedge_contact_half_width(contact); x += 0.01)
+                assert_within(slip(parts, x), slip(contact, x), 1e-13 * h.f * THETA);
+        }
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(parts);
+    }
+}
+
+/* ---- Memory ---- */
+
+static void equal_cycles_change_nothing(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0.6);
+    size_t size = 0, entries = 0;
+    double energy = 0, slipped = 0;
+    for (int i = 0; i < 100000; i++) {
+        const double before = rwedge_contact_dissipated_energy(contact);
+        load(contact, 0.2, 0.07);
+        load(contact, 0.15, -0.06);
+        if (i == 2) {
+            size = rwedge_contact_memory(contact);
+            entries = contact->entries.count;
+            energy = rwedge_contact_dissipated_energy(contact) - before;
+            slipped = slip(contact, 0.3);
+        }
+        if (i > 2)
+            assert_true(rwedge_contact_memory(contact) == size && contact->entries.count == entries);
+    }
+    assert_true(slipped != 0);
+    assert_close(slip(contact, 0.3), slipped, 1e-12);
+    assert_close(rwedge_contact_dissipated_energy(contact), 1e5 * energy, 1e-4);
+    rwedge_contact_destroy(contact);
+}
+
+static void separation_forgets_all_but_the_energy(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0.6);
+    load(contact, 0.2, 0);
+    load(contact, 0.2, 0.1);
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    load(contact, 0, 0);
+    assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_memory(contact) == 0);
+    assert_true(shear(contact, 0) == 0 && slip(contact, 0) == 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) > energy); /* the edge slips back while it lifts */
+    load(contact, 0.2, 0);
+    assert_true(shear(contact, 0.1) == 0 && slip(contact, 0.1) == 0);
+    assert_int_equal(rwedge_contact_memory(contact), 1);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cycle_dissipates_the_area_of_its_loop),
+        cmocka_unit_test(energy_never_falls_and_does_not_depend_on_how_a_step_is_cut),
+        cmocka_unit_test(equal_cycles_change_nothing),
+        cmocka_unit_test(separation_forgets_all_but_the_energy),
+    };
+    return RUN_CLAIMS("dissipation", tests);
+}

@@ -13,13 +13,13 @@ typedef struct {
     double sin_v, cos_v, sinh_w, cosh_w;
 } rw_elliptic;
 
-/* x >= 0, y >= 0, both below 1e8 or so. False where the point cannot be told from the edge x = 1, y = 0 (x = 1 and y below
+/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. False where the point cannot be told from the edge x = 1, y = 0 (x = 1 and y below
  * 1e-154, where y^2 would underflow); *e is the edge then.
  * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m
  * cancels (|z| near 1) its error is small beside 2 y. */
-static inline bool rw_elliptic_coordinates(double x, double y, rw_elliptic *e)
+static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)
 {
-    const double m = (x - 1) * (x + 1) + y * y;
+    const double m = beyond * (x + 1) + y * y;
     const double discriminant = m * m + 4 * y * y;
     *e = (rw_elliptic){.x = x, .y = y, .sin_v = 1, .cos_v = 0, .sinh_w = 0, .cosh_w = 1};
     if (discriminant < DBL_MIN)

@@ -73,21 +73,30 @@ static void far_coefficients(rw_potential *potential)
     }
 }
 
-void rw_potential_init_near(rw_potential *potential, double alpha)
+void rw_potential_init_near(rw_potential *potential, double a, double c)
 {
+    const double alpha = a / c;
+    potential->half_width = c;
+    potential->per_half_width = 1 / c;
+    potential->a = a;
     potential->alpha = alpha;
-    potential->c0 = alpha < 1 ? rw_cos_asin(alpha) : 0;
-    potential->phi0_over_alpha = alpha == 0 ? 1 : asin(fmin(alpha, 1)) / alpha;
+    potential->c0 = alpha < 1 ? sqrt((c - a) / c * (1 + alpha)) : 0;
+    potential->phi0_over_alpha = alpha == 0 ? 1 : atan2(fmin(alpha, 1), potential->c0) / alpha;
 }
 
 void rw_potential_init(rw_potential *potential, double alpha)
 {
-    rw_potential_init_near(potential, alpha);
-    if (alpha < 1) {
+    rw_potential_init_patch(potential, alpha, 1);
+}
+
+void rw_potential_init_patch(rw_potential *potential, double a, double c)
+{
+    rw_potential_init_near(potential, a, c);
+    if (potential->alpha < 1) {
         far_coefficients(potential);
         return;
     }
-    potential->far[0] = 1 / alpha; /* Hertz: G = R/alpha */
+    potential->far[0] = 1 / potential->alpha; /* Hertz: G = R/alpha */
     for (int n = 1; n < RW_FAR_TERMS; n++)
         potential->far[n] = 0;
 }
@@ -110,8 +119,8 @@ typedef struct {
 } ratio_logarithm;
 
 /* Far from the rounding, |B| < |A|/2, l is small and needs relative accuracy because it is divided by alpha. Nearer,
- * (A-B)(A+B) = (z-alpha)(z+alpha) gives the small factor from differences that are exact. */
-static ratio_logarithm log_of_ratio(const rw_potential *p, const rw_elliptic *e, complex_number cos_zeta)
+ * (A-B)(A+B) = (z-alpha)(z+alpha) gives the small factor from differences that are exact; past is x - alpha. */
+static ratio_logarithm log_of_ratio(const rw_potential *p, const rw_elliptic *e, double past, complex_number cos_zeta)
 {
     const double alpha = p->alpha, c0 = p->c0;
     const complex_number A = {c0 * e->x, c0 * e->y};
@@ -130,7 +139,7 @@ static ratio_logarithm log_of_ratio(const rw_potential *p, const rw_elliptic *e,
         log_re = -0.5 * log1p(4 * cross * e->sin_v * e->cos_v / squared_modulus(difference));
         log_im = atan2(2 * cross * e->sinh_w * e->cosh_w, squared_modulus(A) - squared_modulus(B));
     } else {
-        const complex_number minus = {e->x - alpha, e->y}, plus = {e->x + alpha, e->y};
+        const complex_number minus = {past, e->y}, plus = {e->x + alpha, e->y};
         const complex_number conj = {r.total.re, -r.total.im};
         const complex_number factors = product(minus, plus);
         const complex_number ratio = product(product(factors, conj), conj);
@@ -147,15 +156,15 @@ static ratio_logarithm log_of_ratio(const rw_potential *p, const rw_elliptic *e,
 }
 
 /* alpha < 1, |z| of a few at most. */
-static rw_field near_field(const rw_potential *p, const rw_elliptic *e)
+static rw_field near_field(const rw_potential *p, const rw_elliptic *e, double past)
 {
     const complex_number cos_zeta = {e->cos_v * e->cosh_w, -e->sin_v * e->sinh_w};
-    const ratio_logarithm l = log_of_ratio(p, e, cos_zeta);
+    const ratio_logarithm l = log_of_ratio(p, e, past, cos_zeta);
     const complex_number denominator = {cos_zeta.re + p->c0, cos_zeta.im};
     const complex_number E = product(l.total, (complex_number){denominator.re, -denominator.im});
     const double log_E2 = log(squared_modulus(l.total) / squared_modulus(denominator));
     const double arg_E = atan2(E.im, E.re);
-    const complex_number z_l = product((complex_number){e->x - p->alpha, e->y}, l.over_alpha);
+    const complex_number z_l = product((complex_number){past, e->y}, l.over_alpha);
     const double twice = 2 * p->phi0_over_alpha;
     const double W_re = log_E2 - z_l.re - twice * cos_zeta.re;
     const double W_im = 2 * arg_E - z_l.im - twice * cos_zeta.im;
@@ -197,43 +206,68 @@ static rw_field remote_field(const rw_potential *p, double x, double y)
     return (rw_field){G * cosine, -G * sine, -G * sine * square.re, -G * sine * square.im};
 }
 
-static rw_field field_right(const rw_potential *p, double x, double y);
+/* A point of the right half, over the half-width, and the differences that count where they are small. */
+typedef struct {
+    double x, y;
+    double beyond, past; /* x - 1, x - alpha */
+} place;
+
+static place place_of(const rw_potential *p, double x, double y)
+{
+    const double per_c = p->per_half_width, right = fabs(x);
+    return (place){.x = right * per_c,
+                   .y = y * per_c,
+                   .beyond = (right - p->half_width) * per_c,
+                   .past = (right - p->a) * per_c};
+}
+
+static bool is_at_apex(const rw_potential *p, place at)
+{
+    return p->alpha < TINY && at.x < TINY && at.y < TINY;
+}
+
+static place zoomed_place(place at)
+{
+    return (place){.x = at.x * ZOOM, .y = at.y * ZOOM, .beyond = -1, .past = at.past * ZOOM};
+}
+
+static rw_field field_right(const rw_potential *p, place at);
 
 /* alpha and |z| so small that their squares underflow: the fields depend on z/alpha and ln(alpha) alone there, and only
  * Im G has the logarithm. */
-static rw_field apex_field(const rw_potential *p, double x, double y)
+static rw_field apex_field(const rw_potential *p, place at)
 {
     rw_potential zoomed = *p;
     zoomed.alpha *= ZOOM;
-    rw_field field = field_right(&zoomed, x * ZOOM, y * ZOOM);
+    rw_field field = field_right(&zoomed, zoomed_place(at));
     field.G_im -= 2 / RW_PI * log(ZOOM);
     return field;
 }
 
-static rw_field field_right(const rw_potential *p, double x, double y)
+static rw_field field_right(const rw_potential *p, place at)
 {
-    if (x > REMOTE || y > REMOTE)
-        return remote_field(p, x, y);
-    if (p->alpha < TINY && x < TINY && y < TINY)
-        return apex_field(p, x, y);
+    if (at.x > REMOTE || at.y > REMOTE)
+        return remote_field(p, at.x, at.y);
+    if (is_at_apex(p, at))
+        return apex_field(p, at);
     rw_elliptic e;
-    if (!rw_elliptic_coordinates(x, y, &e))
+    if (!rw_elliptic_coordinates(at.x, at.y, at.beyond, &e))
         return (rw_field){fmin(1, 1 / p->alpha), 0, 0, 0};
     if (p->alpha >= 1)
         return hertz(p->alpha, &e);
-    if (x * x + y * y > FAR_SQUARED)
+    if (at.x * at.x + at.y * at.y > FAR_SQUARED)
         return far_field(p, &e);
-    return near_field(p, &e);
+    return near_field(p, &e, at.past);
 }
 
 rw_field rw_potential_at(const rw_potential *potential, double x, double y)
 {
-    rw_field field = field_right(potential, fabs(x), y);
+    rw_field field = field_right(potential, place_of(potential, x, y));
     if (x < 0) { /* p is even: G(-conj z) = -conj G(z) */
         field.G_re = -field.G_re;
         field.H_im = -field.H_im;
     }
-    if (y == 0 && fabs(x) >= 1)
+    if (y == 0 && fabs(x) >= potential->half_width)
         field.G_im = 0; /* no pressure, to the last bit */
     return field;
 }
@@ -246,21 +280,21 @@ static complex_number y_over(double y, complex_number a)
 /* G''  =  (2/pi) [ c0/(X q) + (phi0/alpha)/X^3 ],   q = (z-alpha)(z+alpha),
  * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],   made of ratios of y, which neither under- nor
  * overflow. For Hertz c0 = 0. */
-rw_curvature rw_potential_curvature(const rw_potential *potential, double x, double y)
+static rw_curvature curvature_right(const rw_potential *potential, place at)
 {
-    const double alpha = potential->alpha;
-    if (alpha < TINY && x < TINY && y < TINY) { /* K and L depend on z/alpha alone */
+    if (is_at_apex(potential, at)) { /* K and L depend on z/alpha alone */
         rw_potential zoomed = *potential;
         zoomed.alpha *= ZOOM;
-        return rw_potential_curvature(&zoomed, x * ZOOM, y * ZOOM);
+        return curvature_right(&zoomed, zoomed_place(at));
     }
+    const double x = at.x, y = at.y;
     rw_elliptic e;
-    if (!rw_elliptic_coordinates(x, y, &e))
+    if (!rw_elliptic_coordinates(x, y, at.beyond, &e))
         return (rw_curvature){0, 0, 0, 0};
     const complex_number per_X = y_over(1, (complex_number){e.sin_v * e.sinh_w, e.cos_v * e.cosh_w});
     const complex_number y2_per_X2 = scaled(y * y, product(per_X, per_X));
     const complex_number y2_per_q =
-        product(y_over(y, (complex_number){x - alpha, y}), y_over(y, (complex_number){x + alpha, y}));
+        product(y_over(y, (complex_number){at.past, y}), y_over(y, (complex_number){x + potential->alpha, y}));
     const complex_number z_per_y = {x / y, 1};
     const complex_number corner = scaled(potential->c0, y2_per_q);
     const complex_number edge = scaled(potential->phi0_over_alpha, y2_per_X2);
@@ -269,4 +303,9 @@ rw_curvature rw_potential_curvature(const rw_potential *potential, double x, dou
                                          scaled(3, product(edge, y2_per_X2)));
     const complex_number L = scaled(-2 / RW_PI, product(product(steepness, z_per_y), per_X));
     return (rw_curvature){K.re, K.im, L.re, L.im};
+}
+
+rw_curvature rw_potential_curvature(const rw_potential *potential, double x, double y)
+{
+    return curvature_right(potential, place_of(potential, x, y));
 }

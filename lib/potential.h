@@ -7,9 +7,11 @@
 
 enum { RW_FAR_TERMS = 13 }; /* (1/16)^13 = 2e-16 */
 
-/* What depends on alpha alone; made once for any number of points. */
+/* What depends on the contact alone; made once for any number of points. */
 typedef struct {
-    double alpha;
+    double half_width, a;     /* of the patch, and the rounding, in the unit of the points */
+    double per_half_width;    /* 1/half_width */
+    double alpha;             /* a over half_width */
     double c0;                /* cos(phi0), phi0 = asin(alpha) */
     double phi0_over_alpha;   /* 1 for the sharp wedge */
     double far[RW_FAR_TERMS]; /* b_n, for the far field */
@@ -28,15 +30,19 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
 /* alpha: finite, >= 0. */
 void rw_potential_init(rw_potential *potential, double alpha);
 
-/* The same in a third of the time, for points of |x|, y <= RW_NEAR alone. */
-#define RW_NEAR 1.5
-void rw_potential_init_near(rw_potential *potential, double alpha);
+/* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the points; a/c finite. Where a and
+ * c, or a point and c, are nearly equal it is their differences that count, and these a quotient would lose. */
+void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
-/* (x, y): finite, y >= 0, and not the apex of the sharp wedge. Always finite there.
+/* The same in a third of the time, for points of |x|, y <= RW_NEAR c alone. */
+#define RW_NEAR 1.5
+void rw_potential_init_near(rw_potential *potential, double a, double c);
+
+/* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always finite there.
  * Error of each part below 20 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
 
-/* K = y^2 G'' and L = y^3 G''', which are algebraic. x >= 0, y > 0, |z| below 1e8. */
+/* K = y^2 G'' and L = y^3 G''', which are algebraic. x >= 0, y > 0, |z| below 1e8 half-widths. */
 typedef struct {
     double K_re, K_im, L_re, L_im;
 } rw_curvature;

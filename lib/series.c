@@ -188,7 +188,7 @@ static rw_field field_at(const rwedge_series *series, double x, double y)
         y_per_X_re = sine * cosine;
         y_per_X_im = -sine * sine;
     } else {
-        const bool apart = rw_elliptic_coordinates(right, y, &e);
+        const bool apart = rw_elliptic_coordinates(right, y, right - 1, &e);
         const double shrink = rw_elliptic_shrink(&e);
         const double scale = apart ? y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w) : 0;
         R_re = shrink * e.sin_v;

@@ -6,6 +6,7 @@
 #include "rwedge.h"
 
 #include "domain.h"
+#include "pressure.h"
 
 /* asin(q) - q for 0 <= q <= 1. */
 static double asin_excess(double q)
@@ -77,5 +78,5 @@ double rwedge_shear(double alpha, double c, double x)
         return sharp_wedge_shear(c, x);
     if (alpha > c * 1e280) /* a patch whose traction, below c/alpha, could not be seen */
         return rwedge_pressure(alpha, x);
-    return rwedge_pressure(alpha, x) - rwedge_pressure(alpha / c, x / c);
+    return rwedge_pressure(alpha, x) - rw_patch_pressure(alpha, c, x);
 }

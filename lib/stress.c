@@ -23,27 +23,27 @@ typedef struct {
     rw_potential contact, stick;
 } tractions;
 
-/* A stick zone so narrow that alpha/c or z/c would overflow carries no load that a double could show. */
+/* A stick zone so narrow that 1/c, alpha/c or z/c might overflow carries no load that a double could show. */
 static bool can_matter(double c, double length)
 {
-    return c > 0 && length <= c * 1e280;
+    return c > 1e-290 && length <= c * 1e280;
 }
 
 /* reach: the largest |x| or y of the points. */
-static void prepare(rw_potential *potential, double alpha, double reach)
+static void prepare(rw_potential *potential, double alpha, double c, double reach)
 {
-    if (reach <= RW_NEAR)
-        rw_potential_init_near(potential, alpha);
+    if (reach <= RW_NEAR * c)
+        rw_potential_init_near(potential, alpha, c);
     else
-        rw_potential_init(potential, alpha);
+        rw_potential_init_patch(potential, alpha, c);
 }
 
 static tractions make_tractions(double alpha, double f, double c, double reach)
 {
     tractions t = {.f = f, .c = can_matter(c, alpha) ? c : 0};
-    prepare(&t.contact, alpha, reach);
+    prepare(&t.contact, alpha, 1, reach);
     if (t.c > 0)
-        prepare(&t.stick, alpha / t.c, can_matter(c, reach) ? reach / c : HUGE_VAL);
+        prepare(&t.stick, alpha, c, reach);
     return t;
 }
 
@@ -57,7 +57,7 @@ static void stress_at(const tractions *t, double x, double y, double *sxx, doubl
     const rw_field normal = rw_potential_at(&t->contact, x, y);
     rw_field shear = normal;
     if (can_matter(t->c, fmax(fabs(x), y)))
-        shear = difference(normal, rw_potential_at(&t->stick, x / t->c, y / t->c));
+        shear = difference(normal, rw_potential_at(&t->stick, x, y));
     const rw_stress_state s = rw_superpose(normal, rw_field_multiple(t->f, shear));
     *sxx = s.mean - s.difference;
     *syy = s.mean + s.difference;

@@ -47,6 +47,28 @@ static void partial_slip_stresses_match_reference(void **state)
     assert_int_equal(table.row, 600);
 }
 
+/* Points next to the edge of a stick zone that ends next to the corner x = a. A coordinate divided by c lost the distance to
+ * the edge there, and with it half of the digits. Values from ball arithmetic with 600 bits. */
+static void stick_edges_keep_their_digits(void **state)
+{
+    (void)state;
+    static const double cases[][8] = {
+        /* alpha, f, c, x, y, sxx, syy, txy */
+        {0.469067885573485, 1.0062261138521063, 0.4690678855862623, 0.46906788557350104, 2.837767323274999e-14,
+         -1.0671389332130914, -1.0671389002046025, -1.0737756144907830},
+        {0.999999999029367, 1.2081250743995966, 0.9999999990220022, 0.999999999149257, 2.7844330093869515e-11,
+         -7.7817234072758381e-5, -4.1834016533245682e-5, -4.6359747807493800e-5},
+        {0.9999996299575209, 1.9677218165559982, 0.9999996299574303, 0.9999996299574908, 1.4537391473804766e-14,
+         -0.00086143477351121438, -0.00086003709971822665, -0.0016921703089923644},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const double *v = cases[i];
+        double s[3];
+        stress(v[0], v[1], v[2], v[3], v[4], s);
+        assert_within(relative_error(s, &v[5], v[3], v[4]), 0, 1e-13);
+    }
+}
+
 static void stresses_are_flamant_integrated(void **state)
 {
     (void)state;
@@ -269,6 +291,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sliding_stresses_match_reference),
         cmocka_unit_test(partial_slip_stresses_match_reference),
+        cmocka_unit_test(stick_edges_keep_their_digits),
         cmocka_unit_test(stresses_are_flamant_integrated),
         cmocka_unit_test(surface_carries_the_tractions),
         cmocka_unit_test(surface_is_free_outside),

@@ -289,7 +289,8 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
 /* Energy dissipated by friction since the contact was created, per unit length and unit thickness (force): the time
  * integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
  * falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
- * NaN for NULL. Relative error of each load's share below 1e-12, where the layer that slips is not thinner than 1e-4 b. */
+ * NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that
+ * slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the

@@ -219,13 +219,6 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     }
 }
 
-static rw_field times(double factor, rw_field field)
-{
-    rw_field product = {0, 0, 0, 0};
-    add(&product, factor, field);
-    return product;
-}
-
 /* Points in blocks, so that a patch is prepared once for many points, and an output may be an input. */
 int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
                                 double sxx[], double syy[], double txy[])
@@ -241,7 +234,7 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
         for (size_t i = 0; i < block; i++) {
-            const rw_stress_state s = rw_superpose(fields.normal[i], times(contact->f, fields.tangential[i]));
+            const rw_stress_state s = rw_superpose(fields.normal[i], rw_field_multiple(contact->f, fields.tangential[i]));
             sxx[start + i] = unit * (s.mean - s.difference);
             syy[start + i] = unit * (s.mean + s.difference);
             txy[start + i] = unit * s.shear;

@@ -16,7 +16,7 @@
 
 #include <float.h>
 
-enum { ANGLES = 17, RADII = 54, CLIMB_MAX = 400 };
+enum { ANGLES = 17, RADII = 54, CLIMB_MAX = 400, NEWTON_MAX = 40 }; /* ANGLES <= RW_BLOCK */
 
 /* The ratio of neighbouring radii: RADII of them span 1e9. */
 static const double FALL = 0.67;
@@ -35,10 +35,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 {
     rw_contact_fields fields;
     rw_contact_fields_at(s->contact, n, x, y, &fields);
-    const double f = s->contact->f;
     for (size_t i = 0; i < n; i++) {
-        const rw_field T = fields.tangential[i];
-        const rw_field shear = {f * T.G_re, f * T.G_im, f * T.H_re, f * T.H_im};
+        const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
         J2[i] = state.difference * state.difference + state.shear * state.shear + s->kappa * state.mean * state.mean;
         if (J2[i] > s->J2) {
@@ -79,6 +77,36 @@ static double reach(const rwedge_contact *contact, size_t i)
 
 /* ---- Climbing ---- */
 
+/* Newton's steps to the top, with differences over 1e-4 of the depth: they follow the long flat ridges of J2 that a narrow
+ * rounding has, where the search in eight directions below would creep. */
+static void refine(search *s, double x, double y, double J2)
+{
+    for (int i = 0; i < NEWTON_MAX && y > 0; i++) {
+        const double h = 1e-4 * y;
+        double px[9], py[9], v[9];
+        for (int j = 0; j < 9; j++) {
+            px[j] = x + h * (j % 3 - 1);
+            py[j] = y + h * (j / 3 - 1);
+        }
+        evaluate(s, 9, px, py, v);
+        const double g_x = (v[5] - v[3]) / 2, g_y = (v[7] - v[1]) / 2;
+        const double xx = v[5] - 2 * v[4] + v[3], yy = v[7] - 2 * v[4] + v[1], xy = (v[8] - v[6] - v[2] + v[0]) / 4;
+        const double determinant = xx * yy - xy * xy;
+        if (!(xx < 0 && determinant > 0)) /* no maximum nearby */
+            return;
+        const double to_x = (xy * g_y - yy * g_x) / determinant * h, to_y = (xy * g_x - xx * g_y) / determinant * h;
+        const double shorter = fmin(1, 0.5 * y / hypot(to_x, to_y));
+        const double next_x = x + shorter * to_x, next_y = y + shorter * to_y;
+        double next;
+        evaluate(s, 1, &next_x, &next_y, &next);
+        if (!(next > J2))
+            return;
+        x = next_x;
+        y = next_y;
+        J2 = next;
+    }
+}
+
 /* Eight neighbours at a distance, which is halved where none is higher: to a distance that no longer shows in a maximum. */
 static void climb(search *s, double x, double y, double J2, double step)
 {
@@ -105,6 +133,7 @@ static void climb(search *s, double x, double y, double J2, double step)
             step /= 2;
         }
     }
+    refine(s, x, y, J2);
 }
 
 /* ---- The grid around one mark ---- */

@@ -153,7 +153,7 @@ static void contact_law_interpolates(void **state)
     (void)state;
     load("contact-law");
     assert_int_equal(loaded.rows, 200);
-    double load_worst = 0, peak_worst = 0;
+    double load_worst = 0, peak_worst = 0, inverse_worst = 0;
     for (int i = 0; i + 1 < loaded.rows; i++) {
         const double *v = loaded.cell[i], *w = loaded.cell[i + 1], middle = (v[0] + w[0]) / 2;
         assert_close(v[1], rwedge_load(v[0]), PRINTED);
@@ -162,9 +162,12 @@ static void contact_law_interpolates(void **state)
         assert_close(v[4], rwedge_transition_pressure(v[0]), PRINTED);
         keep_larger(&load_worst, (v[1] + w[1]) / 2, rwedge_load(middle));
         keep_larger(&peak_worst, (v[3] + w[3]) / 2, rwedge_peak_pressure(middle));
+        const double inverse_load = (1 / v[2] + 1 / w[2]) / 2; /* a/b linearly in theta a/(AP) */
+        keep_larger(&inverse_worst, middle, rwedge_a_over_b(1 / inverse_load));
     }
-    print_message("contact-law: load %.1e, peak pressure %.1e\n", load_worst, peak_worst);
-    assert_true(load_worst <= 1.6e-4 && peak_worst <= 0.0105);
+    print_message("contact-law: load %.1e, peak pressure %.1e, a/b from the load %.1e\n", load_worst, peak_worst,
+                  inverse_worst);
+    assert_true(load_worst <= 1.6e-4 && peak_worst <= 0.0105 && inverse_worst <= 1.1e-4);
 }
 
 static void critical_friction_interpolates(void **state)

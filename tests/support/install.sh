@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tables/generate.sh and tests/run.sh: what they need, found or installed.
 
-# have KIND:NAME - is the command on the path, or the library known to pkg-config?
+# have KIND:NAME - is the command on the path, the library known to pkg-config, the header where the compiler looks?
 have()
 {
     case $1 in
     command:*) command -v "${1#command:}" >/dev/null 2>&1 ;;
     library:*) pkg-config --exists "${1#library:}" 2>/dev/null ;;
+    header:*) echo "#include <${1#header:}>" | cc -E - >/dev/null 2>&1 ;;
     esac
 }
 
@@ -50,7 +51,8 @@ require()
 require_build_tools()
 {
     require command:cc=gcc command:cmake=cmake command:make=make command:pkg-config=pkg-config &&
-        require library:gsl=libgsl-dev library:lapack=liblapack-dev library:popt=libpopt-dev library:jansson=libjansson-dev
+        require library:gsl=libgsl-dev library:lapack=liblapack-dev library:popt=libpopt-dev library:jansson=libjansson-dev \
+            header:csv.h=libcsv-dev
 }
 
 # The processors of this machine.

@@ -13,8 +13,8 @@
 #include "domain.h"
 #include "elliptic.h"
 
-/* Beyond this |z|^2 the closed form cancels like 1/z^2, and |R| < 1/4: the series in R is exact with RW_FAR_TERMS. */
-static const double FAR_SQUARED = 4.6; /* above 2 RW_NEAR^2 */
+/* Beyond this |z|^2 the closed form cancels like 1/z^2, and |R|^2 < 0.1: the series in R is exact with RW_FAR_TERMS. */
+static const double FAR_SQUARED = 3.2; /* above 2 RW_NEAR^2 */
 
 /* Beyond this distance R = 1/(2z) to the last bit. */
 static const double REMOTE = 1e8;
@@ -57,8 +57,9 @@ static double squared_modulus(complex_number a)
 static void far_coefficients(rw_potential *potential)
 {
 #define WEIGHT(n) (((n) % 2 ? -1 : 1) / (RW_PI * (2 * (n) + 1) * (n) * ((n) + 1))) /* 4 (-1)^n/(pi m (m^2-1)) */
-    static const double weight[RW_FAR_TERMS] = {0,         WEIGHT(1), WEIGHT(2), WEIGHT(3),  WEIGHT(4),  WEIGHT(5), WEIGHT(6),
-                                                WEIGHT(7), WEIGHT(8), WEIGHT(9), WEIGHT(10), WEIGHT(11), WEIGHT(12)};
+    static const double weight[RW_FAR_TERMS] = {
+        0,         WEIGHT(1), WEIGHT(2),  WEIGHT(3),  WEIGHT(4),  WEIGHT(5),  WEIGHT(6),  WEIGHT(7),
+        WEIGHT(8), WEIGHT(9), WEIGHT(10), WEIGHT(11), WEIGHT(12), WEIGHT(13), WEIGHT(14), WEIGHT(15)};
 #undef WEIGHT
     const double alpha = potential->alpha, c0 = potential->c0;
     potential->far[0] = 2 / RW_PI * (potential->phi0_over_alpha + c0);

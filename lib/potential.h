@@ -5,7 +5,7 @@
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
-enum { RW_FAR_TERMS = 13 }; /* (1/16)^13 = 2e-16 */
+enum { RW_FAR_TERMS = 16 }; /* |R|^2 is below 0.1 there: 1e-16 */
 
 /* What depends on the contact alone; made once for any number of points. */
 typedef struct {
@@ -35,7 +35,7 @@ void rw_potential_init(rw_potential *potential, double alpha);
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
 /* The same in a third of the time, for points of |x|, y <= RW_NEAR c alone. */
-#define RW_NEAR 1.5
+#define RW_NEAR 1.25
 void rw_potential_init_near(rw_potential *potential, double a, double c);
 
 /* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always finite there.

@@ -2,7 +2,7 @@
 /* Does the elastic limit belong to the global maximum? A search of the whole half-plane, x of both signs, that knows nothing
  * of how the library searches, over random a/b, f and nu; and the facts on which the library's search rests:
  *   - a maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second one that is next to the corner
- *     x = a, at f > 0.3, and lower than the surface's; its height over the surface's is printed,
+ *     x = a, at f > 0.25, and lower than the surface's; its height over the surface's is printed,
  *   - on the surface there is one local maximum, and rwedge_surface_yield() finds it,
  *   - as f grows, yield moves from below to the surface once and stays there; and no maximum is left below for f > 0.6.
  *
@@ -150,7 +150,7 @@ static void check_corner(const contact_case *c, const place *p)
 {
     const double r = exp(p->log_r) / c->alpha, distance = hypot(r * cos(p->angle) - 1, r * sin(p->angle));
     double limit, x;
-    if (rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) != RWEDGE_OK || c->f < 0.3 || distance > 0.5)
+    if (rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) != RWEDGE_OK || c->f < 0.25 || distance > 0.5)
         contradict(c, "a maximum off the branch and off the corner, distance in a", distance, 0.5);
     else
         highest_at_corner = fmax(highest_at_corner, p->J2 / pow(rwedge_load(c->alpha) / limit, 2));

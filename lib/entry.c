@@ -61,27 +61,16 @@ static void cut_off(rw_entries *entries, double load)
     entries->fresh = fmin(entries->fresh, load);
 }
 
-/* An entry that covers nothing but rounding gives way: else a load that trembles would leave one at each rise. */
-static void pop_sliver(rw_entries *entries)
-{
-    const size_t last = entries->count - 1;
-    const double start = last > 0 ? entries->entries[last - 1].end : 0;
-    if (entries->count > 0 && entries->entries[last].end - start <= rw_path_tolerance(start))
-        pop(entries);
-}
-
 bool rw_entries_advance(rw_entries *entries, const rw_path *path, double load, double shear)
 {
     const rw_corner *end = rw_path_end(path);
     size_t kept;
     int slip;
     rw_path_departure(path, load, shear, &kept, &slip);
-    if (slip != 0 && fmax(end->load, load) > entries->fresh) {
+    if (slip != 0 && load > entries->fresh) {
         rw_entry entry = {fmax(end->load, load), {0}, end->load, end->shear, load, shear};
         if (!reserve(entries, 1) || !rw_path_copy(path, &entry.base))
             return false;
-        if (entries->count > 0)
-            pop_sliver(entries);
         entries->entries[entries->count++] = entry;
         entries->fresh = entry.end;
     }

@@ -84,6 +84,37 @@ static void fig_7_of_the_paper_is_one_load(void **state)
     }
 }
 
+/* On the surface sxx = p - 2 Re G_T, and the slip's gradient is -A Re G_T. */
+static double half_tension(double x, const void *contact)
+{
+    const double y = 0;
+    double s[3];
+    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    return A / 2 * (s[0] - s[1]);
+}
+
+static void slip_is_the_surface_strain_integrated(void **state)
+{
+    (void)state;
+    static const double ROUNDINGS[] = {0, 1e-5, 0.1, 0.35, 0.6};
+    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++) {
+        const double f = 0.4, P = 0.2;
+        rwedge_contact *contact = create(ROUNDINGS[i], f);
+        load(contact, P, 0); /* from here P is constant, and the slip that of the present traction alone */
+        static const double RATIOS[] = {0.8, -0.5, 0.3, 0.1, 1};
+        for (int step = 0; step < 5; step++) {
+            load(contact, P, RATIOS[step] * f * P);
+            double points[POINTS_MAX], sum = 0;
+            const size_t n = breakpoints(contact, points);
+            for (size_t piece = 0; piece < n; piece++) {
+                sum += integral(half_tension, contact, 1, &points[piece]);
+                assert_within(slip(contact, points[piece + 1]), sum, 1e-13 * f * THETA);
+            }
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
 /* ---- Equilibrium and Coulomb's law ---- */
 
 static double pressure_at(double x, const void *contact)
@@ -223,6 +254,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hertz_loading_unloading_reloading_is_mindlin),
         cmocka_unit_test(hertz_slip_is_cattaneo),
+        cmocka_unit_test(slip_is_the_surface_strain_integrated),
         cmocka_unit_test(fig_7_of_the_paper_is_one_load),
         cmocka_unit_test(tractions_add_up_to_the_load_after_every_step),
         cmocka_unit_test(friction_is_nowhere_exceeded),

@@ -200,6 +200,35 @@ static void equality_is_full_sliding_to_rounding(void **state)
     }
 }
 
+/* A caller who interpolates along the line of full sliding rounds like the larger load. */
+static void an_interpolated_load_may_slide(void **state)
+{
+    (void)state;
+    const double f = 0.3, from = 0.7, to = 0.003;
+    rwedge_contact *contact = create(0.1, f);
+    for (int i = 1; i < 1000; i++) {
+        const double t = i / 1000.0;
+        load(contact, from, f * from);
+        load(contact, from + t * (to - from), f * from + t * (f * to - f * from));
+        assert_true(rwedge_contact_stick_half_width(contact) == 0);
+    }
+    rwedge_contact_destroy(contact);
+}
+
+static void far_points_have_no_stress(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(1e-3, 0.3);
+    load(contact, 1e-4, 0);
+    load(contact, 1e-4, 1e-5);
+    const double far[3] = {1.7e308, -1.7e308, 1e300}, deep[3] = {0, 1.7e308, 1e300};
+    double s[3][3];
+    assert_int_equal(rwedge_contact_stresses(contact, 3, far, deep, s[0], s[1], s[2]), RWEDGE_OK);
+    for (int i = 0; i < 9; i++)
+        assert_true(fabs(s[i / 3][i % 3]) < 1e-290);
+    rwedge_contact_destroy(contact);
+}
+
 static void without_friction_there_is_no_tangential_load(void **state)
 {
     (void)state;
@@ -320,6 +349,8 @@ int main(void)
         cmocka_unit_test(a_copy_is_independent),
         cmocka_unit_test(a_refused_load_changes_nothing),
         cmocka_unit_test(equality_is_full_sliding_to_rounding),
+        cmocka_unit_test(an_interpolated_load_may_slide),
+        cmocka_unit_test(far_points_have_no_stress),
         cmocka_unit_test(without_friction_there_is_no_tangential_load),
         cmocka_unit_test(bad_arguments_are_refused),
         cmocka_unit_test(bad_points_write_nothing),

@@ -77,29 +77,59 @@ static void energy_never_falls_and_does_not_depend_on_how_a_step_is_cut(void **s
 
 /* ---- Memory ---- */
 
+static void cycle_often(double P_low)
+{
+    rwedge_contact *contact = create(0.1, 0.6);
+    load(contact, 0.2, 0);
+    size_t size = 0, entries = 0;
+    double energy = 0, start = 0, slipped = 0;
+    const int cycles = 100000;
+    for (int i = 1; i <= cycles; i++) {
+        const double before = rwedge_contact_dissipated_energy(contact);
+        load(contact, 0.2, 0.07);
+        load(contact, P_low, -0.06);
+        if (i == 3) {
+            size = rwedge_contact_memory(contact);
+            entries = contact->entries.count;
+            start = rwedge_contact_dissipated_energy(contact);
+            energy = start - before;
+            slipped = slip(contact, 0.3);
+        }
+        if (i > 3)
+            assert_true(rwedge_contact_memory(contact) == size && contact->entries.count == entries);
+    }
+    assert_true(size <= 3 && entries <= 2);
+    assert_true(slipped != 0);
+    assert_close(slip(contact, 0.3), slipped, 1e-12);
+    assert_close(rwedge_contact_dissipated_energy(contact) - start, (cycles - 3) * energy, 1e-13);
+    rwedge_contact_destroy(contact);
+}
+
 static void equal_cycles_change_nothing(void **state)
 {
     (void)state;
-    rwedge_contact *contact = create(0.1, 0.6);
-    size_t size = 0, entries = 0;
-    double energy = 0, slipped = 0;
-    for (int i = 0; i < 100000; i++) {
-        const double before = rwedge_contact_dissipated_energy(contact);
-        load(contact, 0.2, 0.07);
-        load(contact, 0.15, -0.06);
-        if (i == 2) {
-            size = rwedge_contact_memory(contact);
-            entries = contact->entries.count;
-            energy = rwedge_contact_dissipated_energy(contact) - before;
-            slipped = slip(contact, 0.3);
-        }
-        if (i > 2)
-            assert_true(rwedge_contact_memory(contact) == size && contact->entries.count == entries);
-    }
-    assert_true(slipped != 0);
-    assert_close(slip(contact, 0.3), slipped, 1e-12);
-    assert_close(rwedge_contact_dissipated_energy(contact), 1e5 * energy, 1e-4);
-    rwedge_contact_destroy(contact);
+    cycle_often(0.2);
+    cycle_often(0.15);
+}
+
+/* The path of the entry and that of the moment part at a corner. */
+static void slip_is_continuous_where_its_front_meets_a_corner(void **state)
+{
+    (void)state;
+    const double f = 0.5;
+    rwedge_contact *exact = create(0.1, f), *nearly = NULL;
+    load(exact, 0.2, 0);
+    load(exact, 0.2, 0.5 * f * 0.2); /* a corner at half the load */
+    load(exact, 0.25, 0.4 * f * 0.2);
+    assert_int_equal(rwedge_contact_copy(exact, &nearly), RWEDGE_OK);
+    load(exact, 0.25, -f * 0.15);
+    load(nearly, 0.25, -f * 0.15 * (1 - 1e-9));
+    assert_int_equal(rwedge_contact_memory(exact), 2);
+    assert_int_equal(rwedge_contact_memory(nearly), 3);
+    for (double x = 0.01; x < rwedge_contact_half_width(exact); x += 0.01)
+        assert_within(slip(exact, x), slip(nearly, x), 1e-8 * f * THETA);
+    rwedge_contact_destroy(exact);
+    rwedge_contact_destroy(nearly);
 }
 
 static void separation_forgets_all_but_the_energy(void **state)
@@ -125,6 +155,7 @@ int main(void)
         cmocka_unit_test(a_cycle_dissipates_the_area_of_its_loop),
         cmocka_unit_test(energy_never_falls_and_does_not_depend_on_how_a_step_is_cut),
         cmocka_unit_test(equal_cycles_change_nothing),
+        cmocka_unit_test(slip_is_continuous_where_its_front_meets_a_corner),
         cmocka_unit_test(separation_forgets_all_but_the_energy),
     };
     return RUN_CLAIMS("dissipation", tests);

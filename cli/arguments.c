@@ -62,8 +62,24 @@ static int show_help(const syntax *grammar, poptContext context)
     return STATUS_DONE;
 }
 
+/* Another value of an option that may be repeated, on a line of its own. */
+static int append(char **lines, char *value)
+{
+    const size_t before = strlen(*lines), length = strlen(value);
+    char *longer = realloc(*lines, before + length + 2);
+    if (longer != NULL) {
+        longer[before] = '\n';
+        memcpy(longer + before + 1, value, length + 1);
+        *lines = longer;
+    }
+    free(value);
+    return longer != NULL ? STATUS_DONE : failure("out of memory");
+}
+
 static int keep(arguments *given, const syntax *grammar, int number, char *value)
 {
+    if (given->value[number] != NULL && value != NULL && number == grammar->repeated)
+        return append(&given->value[number], value);
     if (given->value[number] != NULL && value != NULL) {
         const struct poptOption *option = find(grammar->options, number);
         const int status =
@@ -107,4 +123,21 @@ void arguments_free(arguments *given)
     for (int i = 0; i < OPTION_LIMIT; i++)
         free(given->value[i]);
     poptFreeContext(given->context);
+}
+
+int arguments_run(const syntax *grammar, int argc, const char **argv, int (*run)(const arguments *given))
+{
+    arguments given;
+    int status;
+    if (arguments_read(&given, grammar, argc, argv, &status))
+        status = run(&given);
+    arguments_free(&given);
+    return status;
+}
+
+int arguments_no_operand(const arguments *given)
+{
+    if (given->operand == NULL || given->operand[0] == NULL)
+        return STATUS_DONE;
+    return usage_error("%s: unexpected; allowed: options only", given->operand[0]);
 }

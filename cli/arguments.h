@@ -25,6 +25,7 @@ typedef struct {
     const struct poptOption *options;
     const char *operands;            /* as the usage line shows them */
     void (*more_help)(FILE *stream); /* what follows the options */
+    int repeated;                    /* the option that may be given again, its values one to a line; 0 for none */
 } syntax;
 
 typedef struct {
@@ -37,6 +38,12 @@ typedef struct {
  * with the status: after --help, or a mistake. Free what it gave in either case. */
 bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status);
 void arguments_free(arguments *given);
+
+/* Reads the command line and hands it to the command; returns the exit status. */
+int arguments_run(const syntax *grammar, int argc, const char **argv, int (*run)(const arguments *given));
+
+/* A mistake where there is a word that is no option. */
+int arguments_no_operand(const arguments *given);
 
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);

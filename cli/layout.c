@@ -16,12 +16,6 @@ int64_t plan_size(const plan *what)
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
-/* Whether to go on: an output that fails is given up at the next row. */
-static bool all_well(const records *rows)
-{
-    return rows->out->error == 0 && rows->problem == NULL;
-}
-
 static bool not_computed(const table *which, const double value[], int32_t status)
 {
     char where[160] = "";
@@ -53,7 +47,7 @@ static bool write_row(const plan *what, records *rows, const double value[])
     for (int i = 0; i < what->table->column_count; i++)
         rows->format->value(rows, what->table->column[i], row[i]);
     rows->format->end_row(rows);
-    return all_well(rows);
+    return records_go_on(rows);
 }
 
 /* The combination of index i; the last axis runs fastest. */
@@ -94,7 +88,7 @@ static void name_across(const plan *what, const records *rows, int64_t i, char n
 static void write_grid_header(const plan *what, records *rows)
 {
     rows->format->name(rows, what->table->column[what->quantity]);
-    for (int64_t i = 0; i < what->axis[what->table->across].count && all_well(rows); i++) {
+    for (int64_t i = 0; i < what->axis[what->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
         name_across(what, rows, i, name);
         rows->format->name(rows, name);
@@ -106,7 +100,7 @@ static bool write_grid_row(const plan *what, records *rows, double value[])
 {
     const int across = what->table->across;
     rows->format->value(rows, what->table->column[what->quantity], cell_number(value[A_OVER_B]));
-    for (int64_t i = 0; i < what->axis[across].count && all_well(rows); i++) {
+    for (int64_t i = 0; i < what->axis[across].count && records_go_on(rows); i++) {
         cell row[COLUMNS_MAX];
         char name[NUMBER_SIZE];
         value[across] = range_value(&what->axis[across], i);
@@ -116,7 +110,7 @@ static bool write_grid_row(const plan *what, records *rows, double value[])
         rows->format->value(rows, name, row[what->quantity]);
     }
     rows->format->end_row(rows);
-    return all_well(rows);
+    return records_go_on(rows);
 }
 
 static bool write_grid(const plan *what, records *rows, double value[])
@@ -131,8 +125,9 @@ static bool write_grid(const plan *what, records *rows, double value[])
     return true;
 }
 
-bool plan_write(const plan *what, records *rows, bool show_progress)
+bool plan_write(void *plan_to_write, records *rows, bool show_progress)
 {
+    const plan *what = plan_to_write;
     double value[VARIABLE_COUNT] = {0};
     progress_start(show_progress, plan_size(what), what->grid ? "values" : "rows");
     rows->format->begin(rows);
@@ -143,7 +138,5 @@ bool plan_write(const plan *what, records *rows, bool show_progress)
     const bool done = what->grid ? write_grid(what, rows, value) : write_long(what, rows, value);
     rows->format->end(rows);
     progress_erase();
-    if (rows->problem != NULL)
-        failure("%s: %s", rows->out->name, rows->problem);
-    return done || (rows->problem == NULL && rows->out->error != 0); /* that, output_finish() says */
+    return records_are_sound(rows) && (done || rows->out->error != 0); /* that, output_finish() says */
 }

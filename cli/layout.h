@@ -18,6 +18,6 @@ int64_t plan_size(const plan *what);
 
 /* Writes it, with progress; the records hold what went wrong with writing. False, with a message, where a value cannot
  * be computed or written as the format needs it. */
-bool plan_write(const plan *what, records *rows, bool show_progress);
+bool plan_write(void *plan_to_write, records *rows, bool show_progress);
 
 #endif

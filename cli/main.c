@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "message.h"
 #include "signals.h"
+#include "solve.h"
 #include "table.h"
 
 #include <errno.h>
@@ -12,14 +13,7 @@
 
 #include <rwedge.h>
 
-typedef struct {
-    const char *name, *whole_name, *summary;
-    int (*run)(int argc, const char **argv);
-} command;
-
-static const command commands[] = {
-    {"table", "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...", table_command},
-};
+static const command *const commands[] = {&solve_command, &table_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN };
@@ -33,7 +27,7 @@ static void list_commands(FILE *stream)
 {
     fputs("\nThe contact of a wedge with a rounded apex and an elastically similar half-plane.\n\nCommands:\n", stream);
     for (int i = 0; i < COMMAND_COUNT; i++)
-        fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].summary);
+        fprintf(stream, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
     fputs("\n\"rwedge COMMAND --help\" describes a command.\n"
           "Exit status: 0 done, 1 it could not be done, 2 a mistake on the command line.\n",
           stream);
@@ -44,7 +38,7 @@ static int unknown_command(const char *name)
     char allowed[200] = "";
     for (int i = 0; i < COMMAND_COUNT; i++) {
         const size_t used = strlen(allowed);
-        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "", commands[i].name);
+        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "", commands[i]->name);
     }
     if (name == NULL)
         return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
@@ -61,7 +55,7 @@ static int show_version(void)
 /* Options in front of a command are rwedge's own. */
 static int without_command(int argc, const char **argv)
 {
-    const syntax grammar = {options, "COMMAND ...", list_commands};
+    const syntax grammar = {options, "COMMAND ...", list_commands, 0};
     arguments given;
     int status;
     if (arguments_read(&given, &grammar, argc, argv, &status)) {
@@ -92,10 +86,10 @@ int main(int argc, char **argv)
         return STATUS_FAILED;
     signals_install();
     for (int i = 0; argc > 1 && i < COMMAND_COUNT; i++)
-        if (strcmp(words[1], commands[i].name) == 0) {
-            words[1] = commands[i].whole_name;
+        if (strcmp(words[1], commands[i]->name) == 0) {
+            words[1] = commands[i]->whole_name;
             message_speaker_is(words[1]);
-            return commands[i].run(argc - 1, words + 1);
+            return commands[i]->run(argc - 1, words + 1);
         }
     words[0] = "rwedge";
     return without_command(argc > 0 ? argc : 1, words);

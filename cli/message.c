@@ -37,6 +37,14 @@ int usage_error(const char *format, ...)
     return STATUS_USAGE;
 }
 
+void notice(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    say(format, values);
+    va_end(values);
+}
+
 int failure(const char *format, ...)
 {
     va_list values;

@@ -20,4 +20,7 @@ const char *message_speaker(void);
 int usage_error(const char *format, ...) CLI_PRINTF_LIKE;
 int failure(const char *format, ...) CLI_PRINTF_LIKE;
 
+/* A line that is no failure: what the user should know of a result. */
+void notice(const char *format, ...) CLI_PRINTF_LIKE;
+
 #endif

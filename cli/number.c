@@ -57,6 +57,23 @@ bool number_read(const char *text, double *value)
     return text[length] == '\0' && number_read_part(text, length, value);
 }
 
+bool number_read_cell(const char *text, char decimal_sign, double *value)
+{
+    char plain[512]; /* no double needs more digits to be written exactly than this takes in any sensible form */
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+        length--;
+    if (length >= sizeof plain || (decimal_sign != '.' && memchr(text, '.', length) != NULL))
+        return false;
+    memcpy(plain, text, length);
+    plain[length] = '\0';
+    char *sign = strchr(plain, decimal_sign);
+    if (sign != NULL)
+        *sign = '.';
+    return number_read(plain, value);
+}
+
 static void print(double value, int digits, char text[NUMBER_SIZE])
 {
     snprintf(text, NUMBER_SIZE, "%.*g", digits, value);

@@ -14,7 +14,10 @@ size_t number_length(const char *text);
 /* Reads a whole text as a finite number, correctly rounded; -0 becomes 0. */
 bool number_read(const char *text, double *value);
 
-/* The same for the first length characters, which number_length() has found. */
+/* The same with blanks around it, and with that decimal sign: the text of a cell. */
+bool number_read_cell(const char *text, char decimal_sign, double *value);
+
+/* The same as number_read() for the first length characters, which number_length() has found. */
 bool number_read_part(const char *text, size_t length, double *value);
 
 enum { NUMBER_SIZE = 32, NUMBER_DIGITS = 17 };

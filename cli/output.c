@@ -149,6 +149,8 @@ bool output_finish(output *out)
 
 void output_discard(output *out)
 {
+    if (out->unfinished == NULL)
+        flush(out);
     close(out->descriptor);
     out->error = ECANCELED;
     settle(out);

@@ -32,7 +32,7 @@ bool output_text(output *out, const char *text);
 /* Makes the result appear. Says what went wrong, and returns false, where it did not. This or the next ends it. */
 bool output_finish(output *out);
 
-/* Leaves everything as it was. */
+/* Leaves a file as it was; what was meant for standard output, a pipe or a device up to here goes there. */
 void output_discard(output *out);
 
 #endif

@@ -2,6 +2,7 @@
 #include "output_options.h"
 
 #include "message.h"
+#include "progress.h"
 
 #include <string.h>
 
@@ -76,11 +77,25 @@ int output_options_read(const arguments *given, output_options *how)
     return status;
 }
 
-records output_options_records(const output_options *how, output *out)
+static records records_for(const output_options *how, output *out)
 {
     return (records){.format = how->format,
                      .out = out,
                      .digits = how->digits,
                      .decimal_sign = how->decimal_sign,
                      .separator = how->separator};
+}
+
+int output_options_write(const output_options *how, rows_writer *write_rows, void *context)
+{
+    output out;
+    if (!output_open(&out, how->path))
+        return STATUS_FAILED;
+    records rows = records_for(how, &out);
+    const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
+    if (!write_rows(context, &rows, show_progress)) {
+        output_discard(&out);
+        return STATUS_FAILED;
+    }
+    return output_finish(&out) ? STATUS_DONE : STATUS_FAILED;
 }

@@ -21,6 +21,10 @@ extern struct poptOption output_option_table[];
 /* STATUS_DONE, or what to leave with. */
 int output_options_read(const arguments *given, output_options *how);
 
-records output_options_records(const output_options *how, output *out);
+/* Writes rows; false, with the reason said, where they cannot be computed or read. */
+typedef bool rows_writer(void *context, records *rows, bool show_progress);
+
+/* Opens the output, has the rows written, and makes them appear. Returns the exit status. */
+int output_options_write(const output_options *how, rows_writer *write_rows, void *context);
 
 #endif

@@ -48,7 +48,10 @@ static void show_when_due(void)
         return;
     work.next = now + THEN_EVERY;
     line_shown = 1;
-    fprintf(stderr, "\r%s: %" PRId64 " of %" PRId64 " %s", message_speaker(), work.done, work.total, work.unit);
+    fprintf(stderr, "\r%s: %" PRId64, message_speaker(), work.done);
+    if (work.total != PROGRESS_NO_TOTAL)
+        fprintf(stderr, " of %" PRId64, work.total);
+    fprintf(stderr, " %s", work.unit);
 }
 
 void progress_step(void)

@@ -9,6 +9,8 @@
 /* Shown only where stderr is a terminal, and stdout, when it takes the rows, is not. */
 bool progress_wanted(bool rows_to_stdout);
 
+/* total is the number of units, or this where it is not known. */
+#define PROGRESS_NO_TOTAL INT64_C(-1)
 void progress_start(bool wanted, int64_t total, const char *unit);
 
 /* Call it for every row: it costs an increment, and a look at the clock every few rows where progress is wanted. */

@@ -51,4 +51,11 @@ struct records {
 
 extern const record_format delimited_format, json_format;
 
+/* Whether to write on: an output that fails is given up at the next row. */
+bool records_go_on(const records *rows);
+
+/* False, with the reason said, where a format could not write a text; what an output could not, output_finish() says.
+ */
+bool records_are_sound(const records *rows);
+
 #endif

@@ -4,7 +4,6 @@
 #include "layout.h"
 #include "message.h"
 #include "output_options.h"
-#include "progress.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -168,36 +167,31 @@ static int read_plan(const arguments *given, plan *what)
     return status == STATUS_DONE ? check_size(given, what) : status;
 }
 
-static int write_table(const plan *what, const output_options *how)
+static int write_table(const arguments *given)
 {
-    output out;
-    if (!output_open(&out, how->path))
-        return STATUS_FAILED;
-    records rows = output_options_records(how, &out);
-    const bool progress = !how->quiet && progress_wanted(output_is_stdout(&out));
-    if (!plan_write(what, &rows, progress)) {
-        output_discard(&out);
-        return STATUS_FAILED;
-    }
-    return output_finish(&out) ? STATUS_DONE : STATUS_FAILED;
-}
-
-int table_command(int argc, const char **argv)
-{
-    const syntax grammar = {options, "TABLE [OPTION...]", describe_tables};
-    arguments given;
     plan what = {0};
     output_options how;
-    int status;
-    if (arguments_read(&given, &grammar, argc, argv, &status)) {
-        status = read_plan(&given, &what);
-        if (status == STATUS_DONE)
-            status = output_options_read(&given, &how);
-        if (status == STATUS_DONE)
-            status = write_table(&what, &how);
-    }
+    int status = read_plan(given, &what);
+    if (status == STATUS_DONE)
+        status = output_options_read(given, &how);
+    if (status == STATUS_DONE)
+        status = output_options_write(&how, plan_write, &what);
     for (int i = 0; i < VARIABLE_COUNT; i++)
         range_free(&what.axis[i]);
-    arguments_free(&given);
     return status;
 }
+
+static int run(int argc, const char **argv)
+{
+    const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};
+    return arguments_run(&grammar, argc, argv, write_table);
+}
+
+static const char *table_name(int i)
+{
+    return i < TABLE_COUNT ? tables[i].name : NULL;
+}
+
+const command table_command = {
+    "table", "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...",
+    options, table_name,     run};

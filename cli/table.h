@@ -3,7 +3,8 @@
 #ifndef CLI_TABLE_H
 #define CLI_TABLE_H
 
-/* argv[0] is "rwedge table"; returns the exit status. */
-int table_command(int argc, const char **argv);
+#include "command.h"
+
+extern const command table_command;
 
 #endif

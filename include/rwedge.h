@@ -175,8 +175,8 @@ RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, do
  * is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
 
-/* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already.
- *                                                                                                              Fig. 4; new
+/* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
+ * (the smallest of such tips, a/b < 0.0015, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
  *   alpha  > 0 (the sharp wedge yields at its apex: 0)
  * NaN outside the domain. Relative error below 1e-11. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);

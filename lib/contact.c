@@ -3,13 +3,14 @@
 #include "contact.h"
 
 #include "dissipation.h"
+#include "pressure.h"
 #include "stress.h"
 
 #include <float.h>
 #include <stdlib.h>
 
-/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller interpolates between two
- * loads, they are rounded like the larger. */
+/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller interpolates between
+ * two loads, they are rounded like the larger. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
 /* ---- Life ---- */
@@ -160,7 +161,7 @@ static bool is_apex(const rwedge_contact *contact, double x, double y)
 static double patch_pressure(const rw_corner *corner, double a, double x)
 {
     const double s = corner->half_width;
-    return fabs(x) < s && rw_patch_matters(s, a) ? rwedge_pressure(a / s, x / s) : 0;
+    return fabs(x) < s && rw_patch_matters(s, a) ? rw_patch_pressure(a, s, x) : 0;
 }
 
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[], double p[], double q[])
@@ -207,11 +208,11 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
         if (!rw_patch_matters(s, contact->geometry.a) || (weight == 0 && !whole))
             continue;
         rw_potential patch;
-        rw_potential_init(&patch, contact->geometry.a / s);
+        rw_potential_init_patch(&patch, contact->geometry.a, s);
         for (size_t i = 0; i < n; i++) {
             if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
                 continue;
-            const rw_field field = rw_potential_at(&patch, x[i] / s, y[i] / s);
+            const rw_field field = rw_potential_at(&patch, x[i], y[i]);
             add(&fields->tangential[i], weight, field);
             if (whole)
                 fields->normal[i] = field;
@@ -234,7 +235,8 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
         for (size_t i = 0; i < block; i++) {
-            const rw_stress_state s = rw_superpose(fields.normal[i], rw_field_multiple(contact->f, fields.tangential[i]));
+            const rw_field shear = rw_field_multiple(contact->f, fields.tangential[i]);
+            const rw_stress_state s = rw_superpose(fields.normal[i], shear);
             sxx[start + i] = unit * (s.mean - s.difference);
             syy[start + i] = unit * (s.mean + s.difference);
             txy[start + i] = unit * s.shear;

@@ -5,18 +5,18 @@
  * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w depends on the path below
  * u alone, the load with which the edge of the contact is at x.
  *
- * While the point is in contact every slip changes the path, and w with it, and nothing else does: a rising load adds to
- * the path beyond u, a falling one cuts it off there. The slip is therefore w of the present path less w of the path that
- * was there when the point came into contact (entry.h). What both paths have in common is left out of both sums: it
- * would cancel. */
+ * While the point is in contact every slip changes the path, and w with it, and nothing else does: a rising load adds
+ * to the path beyond u, a falling one cuts it off there. The slip is therefore w of the present path less w of the path
+ * that was there when the point came into contact (entry.h). What both paths have in common is left out of both sums:
+ * it would cancel. */
 #include "contact.h"
 
 #include "slip.h"
 
 /* The displacement at x over f theta, but for that of the profile, of the corners first ... count-1, with the slope
  * `beyond` after the last. */
-static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first, size_t count, double beyond,
-                           double x)
+static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first, size_t count,
+                           double beyond, double x)
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {

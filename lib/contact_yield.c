@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The maximum of J2 over the half-plane under any history: a search, because the tractions of a history have no closed form
- * for it, and J2 may have many maxima.
+/* The maximum of J2 over the half-plane under any history: a search, because the tractions of a history have no closed
+ * form for it, and J2 may have many maxima.
  *
- * Why the global one is not missed. G is analytic but for the marks on the surface: the edges of the patches, x = +-a and
- * the centre. At a distance r from the nearest mark the fields vary over lengths of the order r: -Im G is positive and
- * harmonic in the half-plane, so that y |G'| <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to the surface
- * between marks they continue across it. In polar coordinates around each mark, with ln r, no maximum is therefore
- * narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle, reaches from 3 b (beyond it J2 falls
- * like r^-2) to 1e-9 of the distance to the next mark, and has the marks themselves and the surface on it. Every maximum of
- * the grid that is not far below the highest is then followed to its top. */
+ * Why the global one is not missed. G is analytic but for the marks on the surface: the edges of the patches, x = +-a
+ * and the centre. At a distance r from the nearest mark the fields vary over lengths of the order r: -Im G is positive
+ * and harmonic in the half-plane, so that y |G'| <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to
+ * the surface between marks they continue across it. In polar coordinates around each mark, with ln r, no maximum is
+ * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle, reaches from 3 b (beyond it
+ * J2 falls like r^-2) to 1e-9 of the distance to the next mark, and has the marks themselves and the surface on it.
+ * Every maximum of the grid that is not far below the highest is then followed to its top. */
 #include "contact.h"
 
 #include "stress.h"
@@ -21,7 +21,8 @@ enum { ANGLES = 17, RADII = 54, CLIMB_MAX = 400, NEWTON_MAX = 40 }; /* ANGLES <=
 /* The ratio of neighbouring radii: RADII of them span 1e9. */
 static const double FALL = 0.67;
 
-/* A maximum of the grid is followed where it is above this fraction of the highest: the grid's steps cannot lose as much. */
+/* A maximum of the grid is followed where it is above this fraction of the highest: the grid's steps cannot lose as
+ * much. */
 static const double WORTHWHILE = 0.25;
 
 /* The highest J2 so far, in (theta/A)^2, and where. */
@@ -49,7 +50,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 
 /* ---- The marks ---- */
 
-/* Mark 0 is the centre, then in pairs +-: the edges of the contact, +-a, and the patches' edges from outside inwards. */
+/* Mark 0 is the centre, then in pairs +-: the edges of the contact, +-a, and the patches' edges from outside
+ * inwards. */
 static double mark(const rwedge_contact *contact, size_t i)
 {
     if (i == 0)
@@ -65,8 +67,8 @@ static size_t count_marks(const rwedge_contact *contact)
     return 1 + 2 * contact->path.count;
 }
 
-/* How far the grid around a mark reaches: twice the distance to the nearest of the marks before it, whose grid takes over
- * there. */
+/* How far the grid around a mark reaches: twice the distance to the nearest of the marks before it, whose grid takes
+ * over there. */
 static double reach(const rwedge_contact *contact, size_t i)
 {
     double nearest = 1.5 * rwedge_contact_half_width(contact);
@@ -77,8 +79,8 @@ static double reach(const rwedge_contact *contact, size_t i)
 
 /* ---- Climbing ---- */
 
-/* Newton's steps to the top, with differences over 1e-4 of the depth: they follow the long flat ridges of J2 that a narrow
- * rounding has, where the search in eight directions below would creep. */
+/* Newton's steps to the top, with differences over 1e-4 of the depth: they follow the long flat ridges of J2 that a
+ * narrow rounding has, where the search in eight directions below would creep. */
 static void refine(search *s, double x, double y, double J2)
 {
     for (int i = 0; i < NEWTON_MAX && y > 0; i++) {
@@ -107,7 +109,8 @@ static void refine(search *s, double x, double y, double J2)
     }
 }
 
-/* Eight neighbours at a distance, which is halved where none is higher: to a distance that no longer shows in a maximum. */
+/* Eight neighbours at a distance, which is halved where none is higher: to a distance that no longer shows in a
+ * maximum. */
 static void climb(search *s, double x, double y, double J2, double step)
 {
     static const double AROUND[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -193,8 +196,8 @@ static void search_around(search *s, size_t i)
     climb_from_grid(s, &grid);
 }
 
-/* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the material yields by shape alone
- * and the traction's infinity is stuck. */
+/* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the material yields by shape
+ * alone and the traction's infinity is stuck. */
 static bool is_infinite(const rwedge_contact *contact, double kappa)
 {
     return contact->geometry.a == 0 && (kappa > 0 || contact->f * contact->path.corners[1].ratio != 0);

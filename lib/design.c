@@ -64,8 +64,8 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
-/* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the peak
- * grows like a logarithm. Below the smallest alpha the load is beyond double, but for extreme scales. */
+/* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the
+ * peak grows like a logarithm. Below the smallest alpha the load is beyond double, but for extreme scales. */
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
     const rw_geometry geometry = {theta, a, A};

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1 - D|, the shear traction
- * changes by f w times that of a flat punch of half-width eta(s). Outside it the points slip by
+/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1 - D|, the shear
+ * traction changes by f w times that of a flat punch of half-width eta(s). Outside it the points slip by
  *     |d slip| = (A f w/pi) arcosh(|x|/eta(s)) ds,
  * and the pressure p = -int ds'/(pi sqrt(eta(s')^2 - x^2)) does the work
  *     int f |p| |d slip| dx = (A f^2 w/pi) ds int_s^P ln(eta(s')/eta(s)) ds'
- * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement ln(eta'/eta). Written as
- * ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged, a layer s1 < s < s0 of constant w, passed while the
- * edge moves from P0 to P1, dissipates
+ * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement ln(eta'/eta). Written
+ * as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged, a layer s1 < s < s0 of constant w, passed
+ * while the edge moves from P0 to P1, dissipates
  *     (A f^2 w/pi) int B(u) du/(u m(u)),   B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
  * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp wedge. */
 #include "dissipation.h"
@@ -17,8 +17,8 @@
 
 #include <float.h>
 
-/* A layer, in depths below the load `top` at the start of the step, because layers may be thin: the front goes from s0 to
- * s1, the edge from p0 to p1, s0 <= s1, p <= s. */
+/* A layer, in depths below the load `top` at the start of the step, because layers may be thin: the front goes from s0
+ * to s1, the edge from p0 to p1, s0 <= s1, p <= s. */
 typedef struct {
     double top, corner_load;
     double s0, s1, p0, p1;
@@ -99,8 +99,8 @@ static double panel_integral(const layer *l, double shallow, double deep)
     return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
 }
 
-/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for panels in geometric sequence;
- * those that rounding would not separate from u = 0 add nothing, as B is of order u there. */
+/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for panels in geometric
+ * sequence; those that rounding would not separate from u = 0 add nothing, as B is of order u there. */
 static double smooth_integral(const layer *l, double shallow, double deep)
 {
     double sum = 0;
@@ -137,8 +137,8 @@ typedef struct {
     double corner_load;
 } step;
 
-/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load has climbed by t climb above
- * that at t = 0, and the front is where the path has climbed as much: by 1 - slip D per depth. */
+/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load has climbed by t climb
+ * above that at t = 0, and the front is where the path has climbed as much: by 1 - slip D per depth. */
 static double sweep(const step *s, int slip, double start, double end)
 {
     const double climb = slip * s->rise - s->run;
@@ -167,8 +167,8 @@ static int sign(double v)
     return (v > 0) - (v < 0);
 }
 
-/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead of the path's there. Where
- * it changes sign the zone of slip has shrunk to nothing and begins anew with the other sign. */
+/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead of the path's there.
+ * Where it changes sign the zone of slip has shrunk to nothing and begins anew with the other sign. */
 static double falling(const step *s)
 {
     const rw_corner *corners = s->path->corners;

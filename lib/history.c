@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The memory diagram as a path in the plane of load and shear.
  *
- * Memory: a load adds two corners at most, where its line meets the path and where it ends, and a corner stays only until
- * a later load's line passes beyond it. So the corners are the running record of the history: each is an extreme of T + s
- * or of T - s that no later load has exceeded. Only a sequence of reversals, each smaller than all that remain, grows; for
- * it nothing shorter would do. In a repeated cycle the lines meet the path at corners that are there already, and
- * rounding must not leave a sliver at each pass: hence the tolerance. */
+ * Memory: a load adds two corners at most, where its line meets the path and where it ends, and a corner stays only
+ * until a later load's line passes beyond it. So the corners are what the state still depends on: rises of different
+ * slopes, and extremes of T + s or T - s that no later load has exceeded. They grow in number only with loads that
+ * curve, and with reversals each smaller than all that remain; nothing shorter would do for these. In a repeated cycle
+ * the lines meet the path at corners that are there already, and rounding must not leave a sliver at each pass: hence
+ * the tolerance. */
 #include "history.h"
 
 #include "domain.h"
@@ -75,8 +76,8 @@ static double chord(const rw_corner *from, double load, double shear)
     return clipped((shear - from->shear) / (load - from->load));
 }
 
-/* Whether the path can go straight from the corner before its end to (load, shear). Every corner that was left out so has
- * narrowed the slopes that remain; without that, a slow bend in many small steps would be straightened away. */
+/* Whether the path can go straight from the corner before its end to (load, shear). Every corner that was left out so
+ * has narrowed the slopes that remain; without that, a slow bend in many small steps would be straightened away. */
 static bool is_straight(const rw_path *path, double load, double shear, double *least, double *most)
 {
     if (path->count < 2)
@@ -173,7 +174,8 @@ rw_corner rw_path_departure(const rw_path *path, double load, double shear, size
         return stuck_departure(path, load, kept);
     const double tolerance = rw_path_tolerance(fmax(load, rw_path_end(path)->load));
     size_t last = path->count - 1; /* the last corner inside the line; the origin always is */
-    while (last > 0 && (path->corners[last].load > load || inside(&path->corners[last], *slip, load, shear) < -tolerance))
+    while (last > 0 &&
+           (path->corners[last].load > load || inside(&path->corners[last], *slip, load, shear) < -tolerance))
         last--;
     *kept = last + 1;
     const rw_corner *before = &path->corners[last];
@@ -185,8 +187,8 @@ rw_corner rw_path_departure(const rw_path *path, double load, double shear, size
     return corner.load < load ? corner : *before;
 }
 
-/* Where a step changes less than the tolerance the path stays as it is, and does not take over the new values: so that many
- * small steps cannot shift it unnoticed. */
+/* Where a step changes less than the tolerance the path stays as it is, and does not take over the new values: so that
+ * many small steps cannot shift it unnoticed. */
 void rw_path_advance(rw_path *path, double load, double shear)
 {
     const rw_corner end = *rw_path_end(path);

@@ -4,9 +4,9 @@
  *     (pi/2) gap = x D - ((x-alpha)^2/(2 alpha)) M - (c0/2) L + (phi0/(2 alpha)) (x X - L),
  *     D = atan(c0 X/(1 + alpha x)),   M = atan(alpha X/(c0 x)),
  *
- * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so that nothing is large for
- * c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha). Next to the edge the sum is of the order X^3 and
- * its terms of the order c0 X: there its derivative is integrated instead. */
+ * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so that nothing is large
+ * for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha). Next to the edge the sum is of the order X^3
+ * and its terms of the order c0 X: there its derivative is integrated instead. */
 #include "slip.h"
 
 #include "domain.h"
@@ -57,7 +57,8 @@ static double derivative(double X, const void *potential)
     return 2 / RW_PI * slope * X / x;
 }
 
-/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the closed form at infinity. */
+/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the closed form at
+ * infinity. */
 static double far_primitive(const rw_potential *p, double x)
 {
     const double R = 1 / (x + sqrt((x - 1) * (x + 1))), R2 = R * R;

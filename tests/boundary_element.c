@@ -65,7 +65,8 @@ static double profile(const boundary_element *s, double x)
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 
-void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f, size_t n, double width)
+void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f, size_t n,
+                            double width)
 {
     *solver = (boundary_element){.theta = theta, .a = a, .A = A, .f = f, .n = n, .width = width / (double)n};
     for (size_t i = 0; i < n; i++)
@@ -136,8 +137,8 @@ static void solve_tangential(const boundary_element *s, size_t m, const double p
 }
 
 /* Whether Coulomb's law holds everywhere; where it does not the element sticks or slips instead. */
-static bool obeys_friction(const boundary_element *s, size_t m, const double p[], const double q[], const double moved[],
-                           motion moves[])
+static bool obeys_friction(const boundary_element *s, size_t m, const double p[], const double q[],
+                           const double moved[], motion moves[])
 {
     bool obeys = true;
     const double noise = 1e-12;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A fretting test: a rounded pad is pressed on a specimen and shaken. What happens at the trailing edge in one cycle, and
- * the Smith-Watson-Topper parameter of the plane across the surface: largest stress times strain amplitude. N, mm. */
+/* A fretting test: a rounded pad is pressed on a specimen and shaken. What happens at the trailing edge in one cycle,
+ * and the Smith-Watson-Topper parameter of the plane across the surface: largest stress times strain amplitude. N,
+ * mm. */
 #include <math.h>
 #include <rwedge.h>
 #include <stdio.h>
@@ -49,7 +50,8 @@ int main(void)
     }
     printf("Smith-Watson-Topper %.6f MPa\n", stress_max * (strain_max - strain_min) / 2);
     printf("dissipated per cycle %.6e N\n", rwedge_contact_dissipated_energy(pad) - before);
-    printf("yield factor %.4f, yield load when sliding %.2f N/mm\n", factor_min, rwedge_yield_load(theta, a, A, f, nu, k));
+    printf("yield factor %.4f, yield load when sliding %.2f N/mm\n", factor_min,
+           rwedge_yield_load(theta, a, A, f, nu, k));
     rwedge_contact_destroy(pad);
     return EXIT_SUCCESS;
 }

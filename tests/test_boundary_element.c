@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram against the incremental boundary-element solver along random histories: they must approach each other
- * as mesh and step shrink. */
+/* The memory diagram against the incremental boundary-element solver along random histories: they must approach each
+ * other as mesh and step shrink. */
 #include "boundary_element.h"
 #include "histories.h"
 
@@ -8,7 +8,8 @@
 
 enum { LEVELS = 3, COARSEST = 30, LEGS = 10 };
 
-/* Mean differences over a history, relative to friction's limit, to the largest slip there could be, and to the energy. */
+/* Mean differences over a history, relative to friction's limit, to the largest slip there could be, and to the
+ * energy. */
 typedef struct {
     double shear, slip, energy;
 } difference;

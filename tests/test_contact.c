@@ -28,7 +28,8 @@ static void hertz_loading_unloading_reloading_is_mindlin(void **state)
     load(contact, P, Q2);
     assert_close(rwedge_contact_stick_half_width(contact), c2, 1e-14);
     for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)), 1e-14 * p0);
+        assert_within(shear(contact, x), f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)),
+                      1e-14 * p0);
     load(contact, P, Q3);
     assert_close(rwedge_contact_stick_half_width(contact), c3, 1e-14);
     for (double x = 0; x < b; x += b / 37)

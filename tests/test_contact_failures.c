@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked with --wrap for malloc and
- * realloc. */
+/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked with --wrap for malloc
+ * and realloc. */
 #include "histories.h"
 
 #include <float.h>
@@ -321,7 +321,7 @@ static void outputs_may_be_the_inputs(void **state)
 static void results_scale_with_the_units(void **state)
 {
     (void)state;
-    for (int length = -60; length <= 60; length += 30)
+    for (int length = -420; length <= 420; length += 60)
         for (int stress = -60; stress <= 60; stress += 30) {
             const double L = ldexp(1, length), S = ldexp(1, stress);
             rwedge_contact *unit = create(0.1, 0.5), *scaled = NULL;
@@ -336,6 +336,14 @@ static void results_scale_with_the_units(void **state)
             assert_close(slip(scaled, 0.3 * L), L * slip(unit, 0.3), 1e-13);
             assert_close(rwedge_contact_dissipated_energy(scaled), S * L * L * rwedge_contact_dissipated_energy(unit),
                          1e-13);
+            for (int i = 0; i < 20; i++) {
+                const double x = 0.1 * (i - 9.3), y = 0.01 * i * i, x_scaled = L * x, y_scaled = L * y;
+                double s[3], expected[3];
+                assert_int_equal(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0], &expected[1], &expected[2]), 0);
+                assert_int_equal(rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]), 0);
+                for (int j = 0; j < 3; j++)
+                    assert_within(s[j] / S, expected[j], 1e-14);
+            }
             rwedge_contact_destroy(unit);
             rwedge_contact_destroy(scaled);
         }

@@ -122,7 +122,8 @@ static double root_J2(const rwedge_contact *contact, double nu, double x, double
                 s[2] * s[2]);
 }
 
-/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is attained where it says. */
+/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is attained where it
+ * says. */
 static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
 {
     (void)state;
@@ -146,8 +147,8 @@ static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
     }
 }
 
-/* Narrow roundings, thin layers and strong friction; points at every scale around every place where the tractions have a
- * corner, and in rings around the maximum itself. */
+/* Narrow roundings, thin layers and strong friction; points at every scale around every place where the tractions have
+ * a corner, and in rings around the maximum itself. */
 static void no_scale_hides_a_higher_point(void **state)
 {
     (void)state;

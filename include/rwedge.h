@@ -298,6 +298,8 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  *   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
  *   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
  *   x, y    where the maximum is, length; each may be NULL
+ * It is the global maximum that is searched for, from each edge of slip that is remembered, at every scale; a millisecond
+ * for a first load, and its time grows with the square of rwedge_contact_memory().
  * RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
  * finite number. Relative error below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k, double *factor,

@@ -116,7 +116,7 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     if (P > 0 && !is_in_range(&contact->geometry, P))
         return RWEDGE_ERANGE;
     const double share = energy_of(contact, P, shear) + contact->energy_carry;
-    const double energy = contact->energy + share;
+    const double energy = fmax(contact->energy, contact->energy + share); /* the carry may be negative */
     if (!isfinite(energy))
         return RWEDGE_ERANGE;
     if (!rw_path_reserve(&contact->path, 2) || !rw_entries_advance(&contact->entries, &contact->path, P, shear))

@@ -51,21 +51,37 @@ static void a_cycle_dissipates_the_area_of_its_loop(void **state)
         }
 }
 
-static void energy_never_falls_and_does_not_depend_on_how_a_step_is_cut(void **state)
+/* Not even by the last bit, which the carry of the summation once took back. */
+static void energy_never_falls(void **state)
+{
+    (void)state;
+    for (int number = 1; number <= 3000; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number);
+        double energy = 0;
+        for (int step = 0; step < 20; step++) {
+            go_on(&h, contact);
+            assert_true(rwedge_contact_dissipated_energy(contact) >= energy);
+            energy = rwedge_contact_dissipated_energy(contact);
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
 {
     (void)state;
     for (int number = 1; number <= 60; number++) {
         random_history h;
         rwedge_contact *contact = begin(&h, number), *parts = NULL;
         assert_int_equal(rwedge_contact_copy(contact, &parts), RWEDGE_OK);
-        double P = 0, Q = 0, energy = 0;
+        double P = 0, Q = 0;
         for (int step = 0; step < 12; step++) {
             go_on(&h, contact);
             for (int i = 1; i < 5; i++)
                 load(parts, P + i * (h.P - P) / 5, Q + i * (h.Q - Q) / 5);
             load(parts, P = h.P, Q = h.Q);
-            assert_true(rwedge_contact_dissipated_energy(contact) >= energy);
-            energy = rwedge_contact_dissipated_energy(contact);
+            const double energy = rwedge_contact_dissipated_energy(contact);
             assert_within(rwedge_contact_dissipated_energy(parts), energy, 1e-12 * energy + 1e-18);
             for (double x = 0; x < rwedge_contact_half_width(contact); x += 0.01)
                 assert_within(slip(parts, x), slip(contact, x), 1e-13 * h.f * THETA);
@@ -153,7 +169,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cycle_dissipates_the_area_of_its_loop),
-        cmocka_unit_test(energy_never_falls_and_does_not_depend_on_how_a_step_is_cut),
+        cmocka_unit_test(energy_never_falls),
+        cmocka_unit_test(energy_does_not_depend_on_how_a_step_is_cut),
         cmocka_unit_test(equal_cycles_change_nothing),
         cmocka_unit_test(slip_is_continuous_where_its_front_meets_a_corner),
         cmocka_unit_test(separation_forgets_all_but_the_energy),

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: which command, and what holds for all of them. */
 #include "arguments.h"
+#include "field.h"
 #include "message.h"
+#include "profile.h"
 #include "signals.h"
 #include "solve.h"
 #include "table.h"
@@ -13,7 +15,7 @@
 
 #include <rwedge.h>
 
-static const command *const commands[] = {&solve_command, &table_command};
+static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN };

@@ -74,6 +74,18 @@ bool number_read_cell(const char *text, char decimal_sign, double *value)
     return number_read(plain, value);
 }
 
+bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
+{
+    const size_t length = digits_length(text);
+    int64_t read = 0;
+    for (size_t i = 0; i < length && read <= hi; i++)
+        read = 10 * read + (text[i] - '0');
+    if (length == 0 || text[length] != '\0' || read < lo || read > hi)
+        return false;
+    *value = read;
+    return true;
+}
+
 static void print(double value, int digits, char text[NUMBER_SIZE])
 {
     snprintf(text, NUMBER_SIZE, "%.*g", digits, value);

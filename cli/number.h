@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0 where none starts
  * there. Neither spaces nor "inf", "nan" and hexadecimal numbers, which strtod() would take, are numbers here. */
@@ -19,6 +20,9 @@ bool number_read_cell(const char *text, char decimal_sign, double *value);
 
 /* The same as number_read() for the first length characters, which number_length() has found. */
 bool number_read_part(const char *text, size_t length, double *value);
+
+/* Reads a whole number without a sign, lo to hi. */
+bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value);
 
 enum { NUMBER_SIZE = 32, NUMBER_DIGITS = 17 };
 

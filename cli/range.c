@@ -126,6 +126,11 @@ const char *range_read(const char *text, range *values)
     return complaint;
 }
 
+range range_between(double first, double last, int64_t count)
+{
+    return (range){.count = count, .first = first, .last = last, .step = (last - first) / (double)(count - 1)};
+}
+
 double range_value(const range *values, int64_t i)
 {
     if (values->items != NULL)

@@ -22,6 +22,9 @@ typedef struct {
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the option and the text. */
 const char *range_read(const char *text, range *values);
 
+/* So many values, at least 2, in equal steps. */
+range range_between(double first, double last, int64_t count);
+
 /* The value of index i, 0 <= i < count. */
 double range_value(const range *values, int64_t i);
 

@@ -36,3 +36,15 @@ int variable_read(const table_variable *which, const char *text, range *values)
         return outside_domain(which, text, outside);
     return STATUS_DONE;
 }
+
+int variable_read_one(const table_variable *which, const char *text, double *value)
+{
+    range values = {0};
+    int status = variable_read(which, text, &values);
+    if (status == STATUS_DONE && values.count > 1)
+        status = usage_error("--%s %s: must be one number", which->option, text);
+    if (status == STATUS_DONE)
+        *value = range_value(&values, 0);
+    range_free(&values);
+    return status;
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "drawing.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
+{
+    curve *next = &on->curve[on->curve_count];
+    *next = (curve){.from = from, .x = x, .y = y, .width = 1};
+    next->count = dataset_curve(from, number, &next->first);
+    if (on->curve_count < DRAWING_CURVES_MAX - 1)
+        on->curve_count++;
+    return next;
+}
+
+label *drawing_label(drawing *on, double x, double y, const char *format, ...)
+{
+    label *next = &on->label[on->label_count];
+    *next = (label){.x = x, .y = y};
+    va_list values;
+    va_start(values, format);
+    vsnprintf(next->text, sizeof next->text, format, values);
+    va_end(values);
+    if (on->label_count < DRAWING_LABELS_MAX - 1)
+        on->label_count++;
+    return next;
+}
+
+void drawing_number(double value, char text[NUMBER_SIZE])
+{
+    static const char *const sixths[] = {"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
+    const double nearest = floor(6 * value + 0.5);
+    if (nearest >= 1 && nearest <= 5 && nearest != 3 && fabs(6 * value - nearest) < 1e-9)
+        snprintf(text, NUMBER_SIZE, "%s", sixths[(int)nearest]);
+    else
+        number_write(value, 3, '.', text);
+}

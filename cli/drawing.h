@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A picture, described without regard to what draws it: axes, curves over the rows of a dataset, labels. Lengths on
+ * paper are for a column of 85 mm. In a text *a* is italic and _c is a subscript. */
+#ifndef CLI_DRAWING_H
+#define CLI_DRAWING_H
+
+#include "dataset.h"
+
+enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 120 };
+
+typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
+
+/* The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which paper swallows. */
+enum { BLACK, BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, PALETTE_SIZE };
+
+enum { DASHES = 5 }; /* 0 is a solid line; the others differ in print without colour */
+
+typedef struct {
+    const dataset *from;
+    size_t first, count;
+    int x, y; /* columns; a row whose number is not finite breaks the line */
+    curve_style style;
+    int colour, dash;
+    double width;      /* of the line, in points */
+    double grey;       /* of an area: 0 is black, 1 is white */
+    bool second_axis;
+    char legend[DRAWING_TEXT]; /* empty where labels say it */
+} curve;
+
+typedef enum { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT } alignment;
+
+typedef struct {
+    double x, y;
+    alignment align;
+    int colour;
+    bool boxed;       /* on white, so that it can stand on a line */
+    bool second_axis;
+    char text[DRAWING_TEXT];
+} label;
+
+typedef struct {
+    char text[DRAWING_TEXT];
+    double from, to; /* from > to turns the axis round */
+    double tic, tic_end; /* tics from 0 on up to there; tic_end 0 for the whole axis */
+} axis;
+
+typedef struct {
+    char title[DRAWING_TEXT];
+    axis x, y, second;       /* the second is there where its text is */
+    bool equal_scale;
+    double height;           /* of the picture over its width */
+    const char *legend_at;   /* "top right" ...; NULL where there is none */
+    curve curve[DRAWING_CURVES_MAX];
+    int curve_count;
+    label label[DRAWING_LABELS_MAX];
+    int label_count;
+} drawing;
+
+/* The next curve, a thin black line through all rows of the curve of a dataset, to be changed as needed; one beyond the
+ * last is taken and forgotten. */
+curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
+
+/* The next label, its text made as by printf. */
+#ifdef __GNUC__
+__attribute__((format(printf, 4, 5)))
+#endif
+label *drawing_label(drawing *on, double x, double y, const char *format, ...);
+
+/* A number for a label: few digits, and 1/6 for a sixth. */
+void drawing_number(double value, char text[NUMBER_SIZE]);
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A loaded contact to look into, dimensional or in natural units: what "profile" and "field" have in common. */
+#ifndef CLI_STATE_H
+#define CLI_STATE_H
+
+#include "inputs.h"
+
+#include <rwedge.h>
+
+enum {
+    OPTION_A_OVER_B = OPTION_AFTER_INPUTS,
+    OPTION_Q_OVER_FP,
+    OPTION_C_OVER_B,
+    OPTION_HISTORY,
+    OPTION_LOAD, /* may be repeated */
+    OPTION_AFTER_STATE
+};
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
+extern struct poptOption state_option_table[];
+
+typedef struct {
+    rwedge_contact *contact;
+    double a, nu;
+    double b;           /* half-width of the contact, as it is written: 1 in natural units; 0 when separated */
+    double length_unit; /* of what is written, in the contact's own unit; so is the next */
+    double slip_unit;
+} contact_state;
+
+/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Returns the exit status; free it in
+ * either case. */
+int state_read(const arguments *given, char decimal_sign, contact_state *state);
+void state_free(contact_state *state);
+
+/* Whether the stresses at this point are infinite: at the apex of the sharp wedge. */
+bool state_is_apex(const contact_state *state, double x, double y);
+
+/* Prints what the help of both commands says about them. */
+void state_describe(FILE *stream);
+
+#endif

@@ -7,9 +7,9 @@
 
 typedef struct {
     const char *name, *whole_name, *summary;
-    const struct poptOption *options;
-    const char *(*operand)(int i);           /* the words that may follow, NULL after the last; NULL where none may */
-    int (*run)(int argc, const char **argv); /* argv[0] is the whole name; returns the exit status */
+    const syntax *grammar;
+    const char *(*operand)(int i);      /* the words that may follow, NULL after the last; NULL where none may */
+    int (*run)(const arguments *given); /* returns the exit status */
 } command;
 
 #endif

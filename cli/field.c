@@ -92,10 +92,6 @@ static int field(const arguments *given)
     return status;
 }
 
-static int run(int argc, const char **argv)
-{
-    const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
-    return arguments_run(&grammar, argc, argv, field);
-}
+static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
 
-const command field_command = {"field", "rwedge field", "stresses on a grid below the surface", options, NULL, run};
+const command field_command = {"field", "rwedge field", "stresses on a grid below the surface", &grammar, NULL, field};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: which command, and what holds for all of them. */
 #include "arguments.h"
+#include "completion.h"
 #include "field.h"
 #include "message.h"
 #include "profile.h"
@@ -18,9 +19,11 @@
 static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-enum { OPTION_VERSION = OPTION_OWN };
+enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
 static const struct poptOption options[] = {
     OPTION_HELP_ENTRY,
+    {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION, "Print the completion of a shell, and end",
+     "bash|zsh|fish"},
     {"version", 'V', POPT_ARG_NONE, NULL, OPTION_VERSION, "Show the version, and end", NULL},
     POPT_TABLEEND,
 };
@@ -63,6 +66,8 @@ static int without_command(int argc, const char **argv)
     if (arguments_read(&given, &grammar, argc, argv, &status)) {
         if (given.value[OPTION_VERSION] != NULL)
             status = show_version();
+        else if (given.value[OPTION_COMPLETION] != NULL)
+            status = completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
         else
             status = unknown_command(given.operand != NULL ? given.operand[0] : NULL);
     }
@@ -91,7 +96,7 @@ int main(int argc, char **argv)
         if (strcmp(words[1], commands[i]->name) == 0) {
             words[1] = commands[i]->whole_name;
             message_speaker_is(words[1]);
-            return commands[i]->run(argc - 1, words + 1);
+            return arguments_run(commands[i]->grammar, argc - 1, words + 1, commands[i]->run);
         }
     words[0] = "rwedge";
     return without_command(argc > 0 ? argc : 1, words);

@@ -151,11 +151,7 @@ static int profile(const arguments *given)
     return status;
 }
 
-static int run(int argc, const char **argv)
-{
-    const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
-    return arguments_run(&grammar, argc, argv, profile);
-}
+static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
 
 const command profile_command = {
-    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", options, NULL, run};
+    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar, NULL, profile};

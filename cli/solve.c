@@ -139,11 +139,8 @@ static int solve(const arguments *given)
     return many.path != NULL ? batch_run(&many, &how) : solve_one(&many.constants, &one, &how);
 }
 
-static int run(int argc, const char **argv)
-{
-    const syntax grammar = {options, "[OPTION...]", describe_results, 0};
-    return arguments_run(&grammar, argc, argv, solve);
-}
+static const syntax grammar = {options, "[OPTION...]", describe_results, 0};
 
 const command solve_command = {
-    "solve", "rwedge solve", "one contact, or a file of them: sizes, pressures, tension, strength", options, NULL, run};
+    "solve",  "rwedge solve", "one contact, or a file of them: sizes, pressures, tension, strength",
+    &grammar, NULL,           solve};

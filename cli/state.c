@@ -9,8 +9,8 @@
 #include <math.h>
 
 struct poptOption state_option_table[] = {
-    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
-     "The next load of a history instead of --P and --Q; repeat it", "P,Q"},
+    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD, "The next load of a history instead of --P and --Q; repeat it",
+     "P,Q"},
     {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
      "A history from a CSV file with the columns P and Q; - is standard input", "FILE"},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,

@@ -181,17 +181,13 @@ static int write_table(const arguments *given)
     return status;
 }
 
-static int run(int argc, const char **argv)
-{
-    const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};
-    return arguments_run(&grammar, argc, argv, write_table);
-}
-
 static const char *table_name(int i)
 {
     return i < TABLE_COUNT ? tables[i].name : NULL;
 }
 
+static const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};
+
 const command table_command = {
-    "table", "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...",
-    options, table_name,     run};
+    "table",  "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...",
+    &grammar, table_name,     write_table};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID: one quantity after the other. A grid of any size takes
- * no memory, because every quantity computes the stresses anew: writing their digits takes longer. */
+/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID: one quantity after the other. A grid of any size
+ * takes no memory, because every quantity computes the stresses anew: writing their digits takes longer. */
 #include "grid.h"
 
 #include "progress.h"

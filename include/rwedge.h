@@ -153,6 +153,7 @@ RWEDGE_API double rwedge_max_tension(double alpha);
 /* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
  *                                                                                                             Figs. 3 to 5
  * It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+ * In this section alpha is 0 or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found.
  * NaN outside the domain. Relative error below 1e-12. */
 RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
 
@@ -212,8 +213,8 @@ RWEDGE_API double rwedge_normal_load(double theta, double a, double A, double b)
 /* The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
  * contact grows with P, so that a/b in the elastic limit depends on it: a root.                             Figs. 3 to 5
  *   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
- * 0 for the sharp wedge, and HUGE_VAL where no load that a double can hold yields: for f = 0 and nu = 0.5 that is
- * k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+ * 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
+ * nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
  * Relative error below 1e-11. */
 RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k);
 

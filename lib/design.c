@@ -65,7 +65,7 @@ static double excess(double log_alpha, const void *context)
 }
 
 /* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the
- * peak grows like a logarithm. Below the smallest alpha the load is beyond double, but for extreme scales. */
+ * peak grows like a logarithm. */
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
     const rw_geometry geometry = {theta, a, A};
@@ -77,7 +77,7 @@ double rwedge_yield_load(double theta, double a, double A, double f, double nu, 
     const double hertz = peak(1, f, nu);
     if (y.wanted <= hertz)
         return rwedge_normal_load(theta, a, A, a * (y.wanted / hertz));
-    const double lowest = log(DBL_MIN);
+    const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
     if (!(excess(lowest, &y) < 0))
         return HUGE_VAL;
     return rwedge_normal_load(theta, a, A, a / exp(rw_root(excess, &y, lowest, 0)));

@@ -26,7 +26,7 @@ double rwedge_max_tension(double alpha)
 
 static bool is_case(double alpha, double f, double nu)
 {
-    return rw_is_nonnegative(alpha) && rw_is_friction(f) && rw_is_poisson(nu);
+    return rw_is_tip(alpha) && rw_is_friction(f) && rw_is_poisson(nu);
 }
 
 static double limit_of(double alpha, rw_maximum maximum)
@@ -144,7 +144,7 @@ static double excess_below(double f, const void *context)
 double rwedge_critical_friction(double alpha, double nu)
 {
     static const double LARGEST = 1; /* at f = 1 no subsurface maximum is left, for any alpha and nu */
-    if (!rw_is_nonnegative(alpha) || !rw_is_poisson(nu))
+    if (!rw_is_tip(alpha) || !rw_is_poisson(nu))
         return NAN;
     const pair p = {shape(alpha), rw_plane_strain_weight(nu)};
     if (alpha == 0 || excess_below(0, &p) <= 0)

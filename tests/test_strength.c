@@ -141,11 +141,28 @@ static void sharp_wedge_yields_at_its_apex(void **state)
     assert_within(rwedge_elastic_limit(0, 0, 0.3), 0, 0);
     assert_close(rwedge_elastic_limit(0, 0, 0.5), PI, 1e-15);
     assert_close(rwedge_elastic_limit(1e-12, 0, 0.5), PI, 1e-5); /* continuously: the yield point is at sqrt(alpha) */
-    assert_true(rwedge_elastic_limit(1e-300, 0.2, 0.3) < 0.02);
+    assert_true(rwedge_elastic_limit(1e-14, 0.2, 0.3) < 0.4);
     assert_within(rwedge_critical_friction(0, 0.3), 0, 0);
     assert_int_equal(rwedge_subsurface_yield(0, 0, 0.5, &limit, &x, &y), RWEDGE_EABSENT);
     assert_int_equal(rwedge_surface_yield(0, 0.1, 0.5, &limit, &x), RWEDGE_OK);
     assert_true(limit == 0 && x == 0);
+}
+
+/* Where J2 is so flat that rounding moves its maximum, the branch was lost and the surface taken for the place of yield.
+ * Values of a search of the half-plane by the stresses alone. */
+static void flat_maxima_of_tiny_tips_are_found(void **state)
+{
+    (void)state;
+    static const double cases[][3] = {{1e-10, 0.001, 3.1407}, {9e-14, 0.01, 2.94}};
+    for (int i = 0; i < 2; i++) {
+        double limit, x, y;
+        assert_int_equal(rwedge_yield_point(cases[i][0], cases[i][1], 0.5, &limit, &x, &y), RWEDGE_OK);
+        assert_true(y > 0);
+        assert_close(limit, cases[i][2], 2e-3);
+    }
+    for (double alpha = 1e-14; alpha < 1e-6; alpha *= 1.7) /* the limit falls steadily from pi, with no jump to the surface */
+        for (double f = 1e-7; f < 0.05; f *= 2)
+            assert_true(rwedge_elastic_limit(alpha, f, 0.5) > PI * (1 - 15 * f));
 }
 
 static void incompressible_surface_is_safe_without_friction(void **state)
@@ -212,7 +229,7 @@ static void bad_arguments_leave_outputs_untouched(void **state)
     (void)state;
     static const double bad[][3] = {{-1, 0, 0.3},      {NAN, 0, 0.3},    {HUGE_VAL, 0, 0.3}, {0.5, -1, 0.3}, {0.5, NAN, 0.3},
                                     {0.5, 2e6, 0.3},   {0.5, 0, -1e-9},  {0.5, 0, 0.500001}, {0.5, 0, NAN},  {0, -1, 0.3},
-                                    {0, 0, HUGE_VAL}};
+                                    {0, 0, HUGE_VAL}, {0.99e-14, 0, 0.3}, {5e-324, 0.1, 0.5}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const double alpha = bad[i][0], f = bad[i][1], nu = bad[i][2];
         double limit = 7, x = 8, y = 9;
@@ -247,6 +264,7 @@ int main(void)
         cmocka_unit_test(subsurface_branch_ends_at_a_fold),
         cmocka_unit_test(hertz_does_not_depend_on_alpha),
         cmocka_unit_test(sharp_wedge_yields_at_its_apex),
+        cmocka_unit_test(flat_maxima_of_tiny_tips_are_found),
         cmocka_unit_test(incompressible_surface_is_safe_without_friction),
         cmocka_unit_test(max_tension_matches_reference),
         cmocka_unit_test(max_tension_is_the_largest),

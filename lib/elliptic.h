@@ -13,8 +13,8 @@ typedef struct {
     double sin_v, cos_v, sinh_w, cosh_w;
 } rw_elliptic;
 
-/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. False where the point cannot be told from the edge x = 1, y = 0 (x = 1 and y below
- * 1e-154, where y^2 would underflow); *e is the edge then.
+/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. False where the point cannot be told from the edge
+ * x = 1, y = 0 (x = 1 and y below 1e-154, where y^2 would underflow); *e is the edge then.
  * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m
  * cancels (|z| near 1) its error is small beside 2 y. */
 static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)

@@ -30,8 +30,8 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
 /* alpha: finite, >= 0. */
 void rw_potential_init(rw_potential *potential, double alpha);
 
-/* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the points; a/c finite. Where a and
- * c, or a point and c, are nearly equal it is their differences that count, and these a quotient would lose. */
+/* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the points; a/c finite. Where
+ * a and c, or a point and c, are nearly equal it is their differences that count, and these a quotient would lose. */
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
 /* The same in a third of the time, for points of |x|, y <= RW_NEAR c alone. */

@@ -2,7 +2,7 @@
 /* Time per call, beside that of the plain way: the paper's series with 60 terms and a search on a grid. Both are timed in one
  * run, several times over, and the fastest counts, so that the ratio holds on a busy machine too. Not a test.
  *
- *     build/tests/bench [TERMS]                                                                      TERMS of the plain series */
+ *     build/tests/bench [TERMS]     TERMS of the plain series, 60 if not given */
 #define _POSIX_C_SOURCE 199309L
 
 #include "rwedge.h"
@@ -190,6 +190,24 @@ static double pressures(void)
     return sum;
 }
 
+enum { STEPS = 1000, POINTS_A_STEP = 100 };
+
+/* A fretting test: constant P, Q up and down, and each time the stresses at a hundred points. */
+static double load_steps(void)
+{
+    rwedge_contact *contact;
+    double sum = 0;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK || rwedge_contact_load(contact, 20000, 0) != RWEDGE_OK)
+        return NAN;
+    for (int i = 0; i < STEPS; i++) {
+        rwedge_contact_load(contact, 20000, 9000 * sin(0.3 * i));
+        rwedge_contact_stresses(contact, POINTS_A_STEP, xs, ys, out[0], out[1], out[2]);
+        sum += out[0][0];
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
 static volatile double sink; /* keeps the work from being optimised away */
 
 static double fastest(double (*work)(void), int calls)
@@ -230,6 +248,7 @@ int main(int argc, char **argv)
         {"both branches, cold", table_of_branches, LIMITS, search},
         {"half-width from the load", inverses, POINTS, 0},
         {"pressure", pressures, POINTS, 0},
+        {"load step and 100 stress points", load_steps, STEPS, 0},
     };
     printf("%-34s %12s %12s\n", "", "ns a call", "plain / this");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {

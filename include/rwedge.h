@@ -111,8 +111,8 @@ RWEDGE_API double rwedge_transition_pressure(double alpha);
 
 /* Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
  *   n  >= 0
- * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n, also next to the zeros of
- * b_n as a function of alpha. */
+ * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
+ * (relatively) of a zero of b_n, below 1e-22 of the values around. */
 RWEDGE_API double rwedge_coefficient(double alpha, int32_t n);
 
 /* ---- Partial slip ------------------------------------------------------------------------------------------------- */
@@ -172,14 +172,14 @@ RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double 
  * RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x, double *y);
 
-/* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0, where J2
- * is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+/* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
+ * 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
 
 /* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
- * (the smallest of such tips, a/b < 0.0015, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
+ * (the smallest of such tips, a/b < 0.0016, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
  *   alpha  > 0 (the sharp wedge yields at its apex: 0)
- * NaN outside the domain. Relative error below 1e-11. */
+ * NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
 /* ---- Dimensional quantities --------------------------------------------------------------------------------------- */
@@ -320,8 +320,8 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
 /* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.                Sec. 4 of the paper
  *   samples  number of samples, >= terms, samples * terms <= 2^27
  *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
- * RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double (repeated or clustered
- * points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOCONV, RWEDGE_ENOMEM. */
+ * RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double (repeated or clustered
+ * points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
                                      rwedge_series **series);
 

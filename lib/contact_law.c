@@ -31,8 +31,10 @@ double rwedge_a_over_b(double AP_over_theta_a)
         return NAN;
     if (load <= RW_HALF_PI)
         return sqrt(RW_HALF_PI) / sqrt(load); /* Hertz; the quotient of the squares might overflow */
+    if (load > 2e8)
+        return 2 / load; /* the next term is alpha^2/6 of it */
     const double outwards = 4e-16;
     const double lo = RW_HALF_PI / load * (1 - outwards);
     const double hi = fmin(1, 2 / load * (1 + outwards));
-    return rw_root(excess, &load, lo, hi);
+    return rw_root(excess, &load, lo, hi, 0);
 }

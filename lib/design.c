@@ -80,5 +80,5 @@ double rwedge_yield_load(double theta, double a, double A, double f, double nu, 
     const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
     if (!(excess(lowest, &y) < 0))
         return HUGE_VAL;
-    return rwedge_normal_load(theta, a, A, a / exp(rw_root(excess, &y, lowest, 0)));
+    return rwedge_normal_load(theta, a, A, a / exp(rw_root(excess, &y, lowest, 0, 1e-17)));
 }

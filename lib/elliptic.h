@@ -33,6 +33,24 @@ static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw
     return true;
 }
 
+/* Beyond 1e8 R = 1/(2z) to the last bit. */
+static inline bool rw_is_remote(double x, double y)
+{
+    return x > 1e8 || y > 1e8;
+}
+
+/* A point that far, from any direction; the quarter keeps the modulus of the largest doubles finite. */
+typedef struct {
+    double cosine, sine; /* of the angle of z */
+    double R_re, R_im;   /* 1/(2z) */
+} rw_ray;
+
+static inline rw_ray rw_ray_to(double x, double y)
+{
+    const double r = hypot(x / 4, y / 4), cosine = x / 4 / r, sine = y / 4 / r;
+    return (rw_ray){cosine, sine, cosine / 8 / r, -sine / 8 / r};
+}
+
 /* |R| = exp(-w), where R = z - sqrt(z^2-1) = -i exp(i zeta). */
 static inline double rw_elliptic_shrink(const rw_elliptic *e)
 {

@@ -16,17 +16,14 @@
 /* Beyond this |z|^2 the closed form cancels like 1/z^2, and |R|^2 < 0.1: the series in R is exact with RW_FAR_TERMS. */
 static const double FAR_SQUARED = 3.2; /* above 2 RW_NEAR^2 */
 
-/* Beyond this distance R = 1/(2z) to the last bit. */
-static const double REMOTE = 1e8;
-
 /* Below this the fourth powers of alpha and |z| would underflow. */
 static const double TINY = 0x1p-200;
 
 /* Brings such a point nearer to TINY, if need be repeatedly; |z|^2 stays negligible beside 1. */
 static const double ZOOM = 0x1p150;
 
-/* Below this, and |z| > TINY, the wedge is sharp to the last bit; and alpha may have lost bits to underflow. */
-static const double SHARP = 0x1p-900;
+/* Below this, and |z| > TINY, the wedge is sharp to the last bit; and products of alpha and z might underflow. */
+static const double SHARP = 0x1p-260;
 
 typedef struct {
     double re, im;
@@ -109,7 +106,7 @@ static rw_field hertz(double alpha, const rw_elliptic *e)
     const complex_number R = {shrink * e->sin_v, -shrink * e->cos_v};
     const complex_number X_conj = {e->sin_v * e->sinh_w, -e->cos_v * e->cosh_w};
     const complex_number R_over_X = product(R, X_conj);
-    const double factor = -e->y / (alpha * (e->cos_v * e->cos_v + e->sinh_w * e->sinh_w));
+    const double factor = -e->y / (e->cos_v * e->cos_v + e->sinh_w * e->sinh_w) / alpha;
     return (rw_field){R.re / alpha, R.im / alpha, factor * R_over_X.re, factor * R_over_X.im};
 }
 
@@ -196,15 +193,13 @@ static rw_field far_field(const rw_potential *p, const rw_elliptic *e)
     return (rw_field){G.re, G.im, factor * dG.re, factor * dG.im};
 }
 
-/* R = 1/(2z): G = b_0/(2z), y G' = -y b_0/(2 z^2); the quarter keeps the modulus of the largest doubles finite. */
+/* G = b_0 R, y G' = -y b_0 R/z. */
 static rw_field remote_field(const rw_potential *p, double x, double y)
 {
-    const double r = hypot(x / 4, y / 4);
-    const double cosine = x / 4 / r, sine = y / 4 / r;
-    const double G = p->far[0] / 8 / r;
-    const complex_number inverse = {cosine, -sine};
-    const complex_number square = product(inverse, inverse);
-    return (rw_field){G * cosine, -G * sine, -G * sine * square.re, -G * sine * square.im};
+    const rw_ray ray = rw_ray_to(x, y);
+    const complex_number G = scaled(p->far[0], (complex_number){ray.R_re, ray.R_im});
+    const complex_number H = scaled(-ray.sine, product(G, (complex_number){ray.cosine, -ray.sine}));
+    return (rw_field){G.re, G.im, H.re, H.im};
 }
 
 /* A point of the right half, over the half-width, and the differences that count where they are small. */
@@ -247,13 +242,13 @@ static rw_field apex_field(const rw_potential *p, place at)
 
 static rw_field field_right(const rw_potential *p, place at)
 {
-    if (at.x > REMOTE || at.y > REMOTE)
+    if (rw_is_remote(at.x, at.y))
         return remote_field(p, at.x, at.y);
     if (is_at_apex(p, at))
         return apex_field(p, at);
     rw_elliptic e;
     if (!rw_elliptic_coordinates(at.x, at.y, at.beyond, &e))
-        return (rw_field){fmin(1, 1 / p->alpha), 0, 0, 0};
+        return (rw_field){p->alpha > 1 ? 1 / p->alpha : 1, 0, 0, 0};
     if (p->alpha >= 1)
         return hertz(p->alpha, &e);
     if (at.x * at.x + at.y * at.y > FAR_SQUARED)

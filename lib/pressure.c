@@ -34,7 +34,7 @@ static double rounded_wedge(double a, double c, double x)
     const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c));
     const double A = c0 * x, B = a * s;
     const double below_one = (c0 * ((c - x) / c) + s * ((c - a) / c)) / (c0 + s);
-    const double first = below_one < 0.5 ? log1p(-below_one) : log((A + B) / (c * (c0 + s)));
+    const double first = below_one < 0.5 ? log1p(-below_one) : log((A + B) / c) - log(c0 + s);
     const double alpha = a / c;
     double sum = 2 * (first - atan2(alpha, c0) / alpha * s);
     if (x != a)
@@ -70,7 +70,7 @@ double rwedge_peak_pressure(double alpha)
     if (alpha >= 1)
         return 1 / alpha;
     const double c0 = rw_cos_asin(alpha); /* tan(phi0/2) = alpha/(1 + c0) */
-    return 2 / RW_PI * (asin(alpha) / alpha - log(alpha / (1 + c0)));
+    return 2 / RW_PI * (asin(alpha) / alpha + log1p(c0) - log(alpha));
 }
 
 double rwedge_transition_pressure(double alpha)

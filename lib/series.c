@@ -69,12 +69,16 @@ static void fill_columns(int32_t samples, int32_t terms, const double x[], doubl
 
 static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples, const double x[], const double p[])
 {
-    double sum = 0;
+    double largest = 0, sum = 0; /* of the squares, over that of the largest: in any unit */
+    for (size_t i = 0; i < samples; i++)
+        largest = fmax(largest, fabs(rwedge_series_pressure(series, x[i]) - p[i]));
+    if (!(largest > 0 && isfinite(largest)))
+        return largest;
     for (size_t i = 0; i < samples; i++) {
-        const double misfit = rwedge_series_pressure(series, x[i]) - p[i];
+        const double misfit = (rwedge_series_pressure(series, x[i]) - p[i]) / largest;
         sum += misfit * misfit;
     }
-    return sqrt(sum / (double)samples);
+    return largest * sqrt(sum / (double)samples);
 }
 
 /* Solves for made->a. work holds the matrix and the right-hand side. */
@@ -178,15 +182,15 @@ double rwedge_series_pressure(const rwedge_series *series, double x)
 /* G and y G' = -y (weighted sum)/X at any point of the half-plane; the left half mirrors the right one in R and X. */
 static rw_field field_at(const rwedge_series *series, double x, double y)
 {
-    const double remote = 1e8, right = fabs(x), sign = x < 0 ? -1 : 1;
+    const double right = fabs(x), sign = x < 0 ? -1 : 1;
     double R_re, R_im, y_per_X_re, y_per_X_im;
     rw_elliptic e;
-    if (right > remote || y > remote) { /* R = 1/(2z), X = z; the quarter keeps the modulus finite */
-        const double r = hypot(right / 4, y / 4), cosine = right / 4 / r, sine = y / 4 / r;
-        R_re = cosine / 8 / r;
-        R_im = -sine / 8 / r;
-        y_per_X_re = sine * cosine;
-        y_per_X_im = -sine * sine;
+    if (rw_is_remote(right, y)) { /* X = z */
+        const rw_ray ray = rw_ray_to(right, y);
+        R_re = ray.R_re;
+        R_im = ray.R_im;
+        y_per_X_re = ray.sine * ray.cosine;
+        y_per_X_im = -ray.sine * ray.sine;
     } else {
         const bool apart = rw_elliptic_coordinates(right, y, right - 1, &e);
         const double shrink = rw_elliptic_shrink(&e);

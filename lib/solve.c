@@ -10,8 +10,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-/* Brent halves the bracket at least every other step: 2 * (52 + 11) steps bring any bracket to neighbouring doubles. */
-enum { MAX_STEPS = 128 };
+/* Brent takes ten steps or so; halving alone would take 60 to the last bits, or to 1e-18 of a bracket that begins at 0. */
+enum { MAX_STEPS = 200 };
 
 typedef struct {
     rw_function f;
@@ -24,7 +24,7 @@ static double evaluate(double x, void *params)
     return p->f(x, p->context);
 }
 
-double rw_root(rw_function f, const void *context, double lo, double hi)
+double rw_root(rw_function f, const void *context, double lo, double hi, double nearest)
 {
     const double at_lo = f(lo, context), at_hi = f(hi, context);
     if (!isfinite(at_lo) || !isfinite(at_hi) || (at_lo < 0 && at_hi < 0) || (at_lo > 0 && at_hi > 0))
@@ -44,8 +44,8 @@ double rw_root(rw_function f, const void *context, double lo, double hi)
     for (int step = 0; step < MAX_STEPS; step++) {
         if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS)
             return NAN;
-        if (gsl_root_test_interval(solver.x_lower, solver.x_upper, DBL_MIN, 2 * DBL_EPSILON) == GSL_SUCCESS)
-            break;
+        if (gsl_root_test_interval(solver.x_lower, solver.x_upper, nearest, 2 * DBL_EPSILON) == GSL_SUCCESS)
+            return solver.root;
     }
-    return solver.root;
+    return NAN;
 }

@@ -41,8 +41,8 @@ double rwedge_shear_ratio(double alpha, double c)
         return 1 - c;
     const double whole = rwedge_load(alpha);
     if (c >= alpha)
-        return load_lost_on_flank(alpha, c) / alpha / whole;
-    return (load_lost_on_flank(alpha, alpha) / alpha + RW_HALF_PI * (alpha - c) * (1 + c / alpha)) / whole;
+        return fmin(1, load_lost_on_flank(alpha, c) / alpha / whole);
+    return fmin(1, (load_lost_on_flank(alpha, alpha) / alpha + RW_HALF_PI * (alpha - c) * (1 + c / alpha)) / whole);
 }
 
 /* The stick zone is the contact area under the load fraction 1 - Q/(fP). */

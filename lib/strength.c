@@ -9,6 +9,12 @@
 #include "surface.h"
 #include "von_mises.h"
 
+/* A friction whose square would underflow is none. */
+static double friction(double f)
+{
+    return f < 1e-100 ? 0 : f;
+}
+
 /* For alpha >= 1 load and stresses fall alike with 1/alpha: whatever is divided by the load
  * is that of alpha = 1. */
 static double shape(double alpha)
@@ -54,11 +60,11 @@ static rw_maximum global_maximum(double alpha, double f, double nu)
 static void yield_point(double alpha, double f, double nu, double *limit, double *x, double *y)
 {
     if (alpha == 0) {
-        *limit = sharp_limit(f, nu);
+        *limit = sharp_limit(friction(f), nu);
         *x = *y = 0;
         return;
     }
-    const rw_maximum maximum = global_maximum(alpha, f, nu);
+    const rw_maximum maximum = global_maximum(alpha, friction(f), nu);
     *limit = limit_of(alpha, maximum);
     *x = maximum.x;
     *y = maximum.y;
@@ -104,7 +110,7 @@ int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
     rw_maximum below;
-    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), f, rw_plane_strain_weight(nu), &below))
+    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), friction(f), rw_plane_strain_weight(nu), &below))
         return RWEDGE_EABSENT;
     *limit = limit_of(alpha, below);
     *x = below.x;
@@ -118,9 +124,9 @@ int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, d
         return RWEDGE_ENULL;
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
-    if (f == 0 && nu == 0.5)
+    if (friction(f) == 0 && nu == 0.5)
         return RWEDGE_EABSENT;
-    const rw_maximum surface = alpha > 0 ? rw_surface_maximum(shape(alpha), f, rw_plane_strain_weight(nu))
+    const rw_maximum surface = alpha > 0 ? rw_surface_maximum(shape(alpha), friction(f), rw_plane_strain_weight(nu))
                                          : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
     *limit = limit_of(alpha, surface);
     *x = surface.x;
@@ -149,5 +155,5 @@ double rwedge_critical_friction(double alpha, double nu)
     const pair p = {shape(alpha), rw_plane_strain_weight(nu)};
     if (alpha == 0 || excess_below(0, &p) <= 0)
         return 0;
-    return rw_root(excess_below, &p, 0, LARGEST);
+    return rw_root(excess_below, &p, 0, LARGEST, 1e-18);
 }

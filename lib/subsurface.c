@@ -130,7 +130,9 @@ static bool follow(const rw_potential *potential, parameters start, parameters e
         const rw_von_mises *at = &point->at;
         const step tangent = solve_hessian(at, df * at->f_x + dkappa * at->kappa_x, df * at->f_y + dkappa * at->kappa_y);
         const double to_go = 1 - point->t;
-        stride = fmin(fmin(stride, to_go), LONGEST / length(tangent));
+        stride = fmin(stride, to_go);
+        if (length(tangent) * stride > LONGEST)
+            stride = LONGEST / length(tangent);
         if (!(stride >= SHORTEST))
             return false;
         path_point next = {.t = stride < to_go ? point->t + stride : 1,
@@ -148,7 +150,7 @@ static bool follow(const rw_potential *potential, parameters start, parameters e
 
 bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *maximum)
 {
-    static const double LAST = 0.6; /* the fold with the largest f, over all alpha and nu, is at 0.55 (strength_survey) */
+    static const double LAST = 0.6; /* the largest f of a fold, over all alpha and nu, is 0.556 (test_strength) */
     if (f > LAST)
         return false;
     rw_potential potential;
@@ -159,7 +161,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     const double pressure = -rw_potential_at(&potential, 0, exp(probe)).G_im;
     /* For the smallest tips there may be a maximum for f > 0 where kappa is too large for one on the axis. */
     on_axis.kappa = fmin(kappa, 0.9 * rise / pressure);
-    path_point point = {.t = 0, .x = 0, .y = exp(rw_root(steepness, &on_axis, probe, 0))};
+    path_point point = {.t = 0, .x = 0, .y = exp(rw_root(steepness, &on_axis, probe, 0, 1e-17))};
     point.at = rw_von_mises_at(&potential, 0, on_axis.kappa, 0, point.y);
     const parameters start = {0, on_axis.kappa}, corner = {f, on_axis.kappa}, end = {f, kappa};
     if (f > 0 && !follow(&potential, start, corner, &point))
@@ -167,6 +169,6 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     point.t = 0;
     if (kappa > on_axis.kappa && !follow(&potential, corner, end, &point))
         return false;
-    *maximum = (rw_maximum){.J2 = point.at.J2, .x = point.x, .y = point.y};
+    *maximum = (rw_maximum){.J2 = point.at.J2, .x = fmax(0, point.x), .y = point.y};
     return true;
 }

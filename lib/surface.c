@@ -60,7 +60,7 @@ static double angle_of_maximum(const surface *c)
         return 0;
     if (slope_of_J2(end, c) >= 0)
         return RW_HALF_PI; /* alpha so near 1 and f so large that the maximum is within 1e-18 of x = alpha */
-    return rw_root(slope_of_J2, c, start, end);
+    return rw_root(slope_of_J2, c, start, end, 1e-18);
 }
 
 rw_maximum rw_surface_maximum(double alpha, double f, double kappa)

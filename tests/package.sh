@@ -32,14 +32,12 @@ try "the shared library runs" "$work/found/with_rwedge"
 try "the static library runs" "$work/found/with_rwedge_static"
 
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
-# the installed file names the prefix that the build was configured with; this one is elsewhere
-flags="--define-variable=prefix=$prefix"
 # shellcheck disable=SC2046
-try "pkg-config, shared" cc "$consumer/main.c" -o "$work/shared" $(pkg-config "$flags" --cflags --libs rwedge) -lm
+try "pkg-config, shared" cc "$consumer/main.c" -o "$work/shared" $(pkg-config --cflags --libs rwedge) -lm
 try "runs" env LD_LIBRARY_PATH="$libdir" "$work/shared"
 # shellcheck disable=SC2046
-try "pkg-config, static" cc "$consumer/main.c" -o "$work/static" $(pkg-config "$flags" --cflags rwedge) \
-    "$libdir/librwedge.a" $(pkg-config "$flags" --libs --static rwedge | sed "s/ *-lrwedge//")
+try "pkg-config, static" cc "$consumer/main.c" -o "$work/static" $(pkg-config --cflags rwedge) \
+    "$libdir/librwedge.a" $(pkg-config --libs --static rwedge | sed "s/ *-lrwedge//")
 try "runs" "$work/static"
 try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -Wno-long-long -x c++ -fsyntax-only \
     -I"$prefix/include" "$consumer/main.c"

@@ -36,14 +36,16 @@ static bool read_pair(const char *text, size_t length, double *P, double *Q)
 
 int loads_apply_list(const char *lines, double f, rwedge_contact *contact)
 {
-    for (size_t length; *lines != '\0'; lines += length + (lines[length] != '\0' ? 1 : 0)) {
+    for (bool last = false; !last;) {
         double P, Q;
         char complaint[COMPLAINT_SIZE];
-        length = strcspn(lines, "\n");
+        const size_t length = strcspn(lines, "\n");
+        last = lines[length] == '\0';
         if (!read_pair(lines, length, &P, &Q))
             return usage_error("--load %.*s: must be two numbers P,Q", (int)(length < 60 ? length : 60), lines);
         if (!apply(P, Q, f, contact, complaint))
             return usage_error("--load %.*s: %s", (int)(length < 60 ? length : 60), lines, complaint);
+        lines += length + 1;
     }
     return STATUS_DONE;
 }

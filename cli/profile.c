@@ -56,7 +56,7 @@ static const char *zone_of(const contact_state *state, double x)
 {
     if (!(fabs(x) < rwedge_contact_half_width(state->contact)))
         return "free";
-    return fabs(x) <= rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
+    return fabs(x) < rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
 }
 
 static bool compute(const contact_state *state, double x, cell row[])
@@ -76,7 +76,7 @@ static bool compute(const contact_state *state, double x, cell row[])
         row[Q] = cell_number(q);
         row[SXX] = cell_number(sxx);
     }
-    if (status == RWEDGE_OK && fabs(at) <= rwedge_contact_half_width(state->contact)) {
+    if (status == RWEDGE_OK && state->b > 0 && fabs(at) <= rwedge_contact_half_width(state->contact)) {
         status = rwedge_contact_slip(state->contact, 1, &at, &slip);
         row[SLIP] = cell_number(slip / state->slip_unit);
     }

@@ -86,6 +86,26 @@ close_rows() {
     same "$1" close "$worst"
 }
 
+# close_to WHAT EXPECTED GOT RELATIVE: two numbers.
+close_to() {
+    echo "${2:--} ${3:--}" >"$scratch/both"
+    close_rows "$1" "$4" 0
+}
+
+# value NAME: of one contact's list of quantities in the file out.
+value() {
+    awk -F, -v name="$1" '$1 == name { print $2 }' "$scratch/out"
+}
+
+# cannot MESSAGE ARGUMENTS...: what cannot be done is one line, status 1.
+cannot() {
+    expected=$1
+    shift
+    run "$@"
+    status_is 1
+    message_is "$expected"
+}
+
 # column NAME FILE: the cells of a CSV file below that name; empty ones as "-".
 column() {
     awk -F, -v name="$1" '

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge solve --input: rows in, rows out; a bad row costs itself, a bad file is refused before any row.
+. "$(dirname "$0")/claims.sh"
+
+fixed="--E1 210000 --nu1 0.3 --theta 0.05"
+
+# A row is what the single contact is.
+awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
+    for (i = 0; i < 12; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
+        printf "n%d,%.4g,%.4g,%.5g,%.4g,%.3g,%.4g\n", i, 0.2 + 5 * rand(), 20 * rand(), P, f * P * (2 * rand() - 1) * 0.98, f,
+               100 + 900 * rand() } }' >cases.csv
+run solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
+status_is 0
+message_is ""
+cp out solved.csv
+same "rows" 13 "$(wc -l <solved.csv | tr -d ' ')"
+same "the rows come back as they were" "" "$(cut -d , -f 1-7 solved.csv | diff cases.csv -)"
+same "errors" "" "$(column error solved.csv | tr -d '\n-')"
+n=1
+tail -n +2 cases.csv >rows
+while IFS=, read -r name theta radius P Q f Y; do
+    n=$((n + 1))
+    run solve --E1 210000 --nu1 0.3 --theta-deg "$theta" --radius "$radius" --P "$P" --Q "$Q" --f "$f" \
+        --yield-stress "$Y" --yield-factor --layout row
+    # Every column of the single row, by its name, against that row of the batch; radius is an input there.
+    sed -n "1p;${n}p" solved.csv >row
+    same "single and batch, $name" "" "$(awk -F, 'NR == FNR { if (FNR == 1) split($0, h, ","); else for (i in h) batch[h[i]] = $i; next }
+        FNR == 1 { split($0, g, ","); next }
+        { for (i in g) if (g[i] != "radius" && batch[g[i]] != $i) print g[i], batch[g[i]], $i }' row out)"
+done <rows
+
+# What is not an input passes through, with its quotes, spaces and line breaks; blank lines are no rows; the mark in front
+# of UTF-8, CR LF and a missing last line end change nothing.
+printf 'note,P,a\n"one, ""1""",100,1\n two ,200, 1\n"three\nlines",1e2,1\n' >plain.csv
+run solve -i plain.csv $fixed
+cp out plain_solved
+printf '\357\273\277note,P,a\r\n"one, ""1""",100,1\r\n\r\n two ,200, 1\r\n\r\n"three\nlines",1e2,1' >marked.csv
+run solve -i marked.csv $fixed
+same "mark, CR LF, blank lines" "" "$(diff plain_solved out)"
+same "first note" '"one, ""1""",100,1,1' "$(sed -n 2p out | cut -d , -f 1-4,6 | sed 's/,[^,]*$/,1/')"
+same "spaces" ' two ,200, 1' "$(sed -n 3p out | cut -d , -f 1-3)"
+same "lines of the last row" '"three' "$(sed -n 4p out)"
+same "errors" 0 "$(grep -c 'must be\|quotes\|cells' out)"
+called="rwedge solve -i - in pieces"
+(head -c 2 marked.csv; sleep 0.1; tail -c +3 marked.csv | head -c 20; sleep 0.1; tail -c +23 marked.csv) |
+    "$rwedge" solve -i - $fixed >out 2>err
+same "from a pipe, in pieces" "" "$(diff plain_solved out)"
+message_is ""
+
+# The file may be the output; it is replaced at the end.
+cp plain.csv same.csv
+run solve -i same.csv $fixed -o same.csv
+same "in place" "" "$(diff plain_solved same.csv)"
+
+# The comma as decimal sign goes for what is read and what is written; options keep the point.
+printf 'note;P;a\nx;100,5;0,25\ny;100.5;0,25\n' >comma.csv
+run solve -i comma.csv $fixed --decimal-comma --digits 5
+message_is "rwedge solve: comma.csv: 1 of 2 rows could not be solved: see the column error"
+same "comma" 'x;100,5;0,25;1,7333e-05' "$(sed -n 2p out | cut -d ';' -f 1-4)"
+same "point where a comma is due" \
+    "P 100.5: the normal force must be a number above 0; the decimal sign is a comma" \
+    "$(sed -n 3p out | sed 's/.*"\(P 100.*\)"$/\1/')"
+run solve -i plain.csv $fixed --format json --digits 4
+same "in JSON, cells that pass through are texts" '{"note": "one, \"1\"", "P": "100", "a": "1", "A": 1.733e-05,' \
+    "$(sed -n 2p out | cut -d ' ' -f 1-9)"
+
+# Bad rows, each for its own reason; the others are as if alone.
+cat >bad.csv <<'ROWS'
+id,E1,nu1,theta,a,P,Q,f,k
+1,210000,0.3,0.05,1,100,10,0.2,300
+2,-1,0.3,0.05,1,100,10,0.2,300
+3,210000,0.6,0.05,1,100,10,0.2,300
+4,210000,0.3,2,1,100,10,0.2,300
+5,210000,0.3,0.05,-1,100,10,0.2,300
+6,210000,0.3,0.05,1,0,10,0.2,300
+7,210000,0.3,0.05,1,100,21,0.2,300
+8,210000,0.3,0.05,1,100,10,-0.2,300
+9,210000,0.3,0.05,1,100,10,0.2,0
+10,2e5 MPa,0.3,0.05,1,100,10,0.2,300
+11,,0.3,0.05,1,100,10,0.2,300
+12,210000,0.3,0.05,1,100,10
+13,210000,0.3,0.05,1,100,10,0.2,300,extra
+14,210000,"0.3"5,0.05,1,100,10,0.2,300
+15,210000,"0,3",0.05,1,100,10,0.2,300
+16,inf,0.3,0.05,1,100,10,0.2,300
+17,210000,nan,0.05,1,100,10,0.2,300
+18,1e300,0.3,0.05,1e-300,100,10,0.2,300
+19,210000,0.3,0.05,1,100,,,
+20,210000,0.3,0.05,1,100,10,0.2,300
+ROWS
+cat >expected <<'ERRORS'
+E1 -1: Young's modulus of body 1 must be a number above 0
+nu1 0.6: Poisson's ratio must be a number from 0 to 0.5
+theta 2: the angle must be a number above 0 and below pi/2, in radians
+a -1: the half-width of the rounding must be a number not below 0
+P 0: the normal force must be a number above 0
+Q 21: must not exceed f P = 20: there is no equilibrium
+f -0.2: the coefficient of friction must be a number from 0 to 1000000
+k 0: the yield stress must be a number above 0
+E1 2e5 MPa: Young's modulus of body 1 must be a number above 0
+E1: missing; needed: E1, as a column or an option
+7 cells in this row, 9 in the header
+10 cells in this row, 9 in the header
+misplaced quotes in the row of line 15
+nu1 0,3: Poisson's ratio must be a number from 0 to 0.5; the decimal sign is a point, or a comma with --decimal-comma
+E1 inf: Young's modulus of body 1 must be a number above 0; a rigid body is body 2, with --E2 inf
+nu1 nan: Poisson's ratio must be a number from 0 to 0.5
+ERRORS
+run solve -i bad.csv
+status_is 0
+message_is "rwedge solve: bad.csv: 16 of 20 rows could not be solved: see the column error"
+same "rows" 21 "$(wc -l <out | tr -d ' ')"
+awk -F, '{ gsub(/.*,,,,/, ""); gsub(/^,*"?|"$/, ""); print }' out | sed '1,2d' | head -n 16 >got
+same "errors" "" "$(diff expected got)"
+same "first and last, but for the number" "$(sed -n 2p out | cut -d , -f 2-)" "$(tail -n 1 out | cut -d , -f 2-)"
+same "results of a row without Q, f, k" "" "$(sed -n 20p out | sed 's/.*,//')"
+same "half-width of that row" yes "$(sed -n 20p out | awk -F, '{ if ($12 > 0) print "yes" }')"
+same "rows that were misread keep their number" "$(seq 20 | paste -s -d ' ' -)" \
+    "$(tail -n +2 out | cut -d , -f 1 | paste -s -d ' ' -)"
+
+# An open quote swallows what follows, to the end of the file: that is one row, and the ones before it stand.
+printf 'P,a\n100,1\n"100,1\n200,1\n' >open.csv
+run solve -i open.csv $fixed
+status_is 0
+same "rows" 3 "$(wc -l <out | tr -d ' ')"
+same "error" "misplaced quotes in the row of line 3" "$(sed -n 3p out | sed 's/.*,//')"
+
+# A header that cannot be right is an error before any row, and before the output is touched.
+echo old >kept.csv
+header() { # MESSAGE HEADER OPTIONS...
+    message=$1
+    printf '%b\n100,1\n' "$2" >header.csv
+    shift 2
+    cannot "rwedge solve: header.csv: $message" solve -i header.csv "$@" -o kept.csv
+    output_is ""
+    same "the old file" old "$(cat kept.csv)"
+}
+header "E1: missing; needed: E1, as a column or an option" "P,a"
+header "P: missing; needed: P, as a column or an option" "p,a" $fixed
+header "a: missing; needed: a or radius, as a column or an option" "P,A1" $fixed
+header "theta: missing; needed: theta or theta_deg, as a column or an option" "P,a" --E1 1 --nu1 0
+header "column P: there twice; allowed: once" "P,P" $fixed
+header "radius (a column): given together with a; allowed: one of the two" "P,a,radius" $fixed
+header "theta_deg (a column): given together with --theta; allowed: one of the two" "P,a,theta_deg" $fixed
+header "--nu2 0.3: needs E2; allowed: both, or neither for two bodies of one material" "P,a" $fixed --nu2 0.3
+header "column Yield stress: allowed: yield_stress" "P,a,Yield stress" $fixed
+header "column e1: allowed: E1" "P,a,e1" $fixed
+header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
+header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
+header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed
+header "a: missing; needed: a or radius, as a column or an option; the columns seem to be separated by ';': --decimal-comma reads that" \
+    "P;a" $fixed
+header "a: missing; needed: a or radius, as a column or an option; the columns seem to be separated by ',': leave --decimal-comma out" \
+    "P,a" $fixed --decimal-comma
+header "a: missing; needed: a or radius, as a column or an option; the columns seem to be separated by tabs; allowed: commas" \
+    "P\ta" $fixed
+refuses "rwedge solve: --P 5: plain.csv has a column for it; allowed: one of the two" solve -i plain.csv $fixed --P 5
+refuses "rwedge solve: --layout list: a file has a row for each contact; allowed with --input: row" \
+    solve -i plain.csv --layout list
+: >empty.csv
+cannot "rwedge solve: empty.csv: empty; needed: a header row with the names of the columns" solve -i empty.csv $fixed
+cannot "rwedge solve: nowhere.csv: No such file or directory" solve -i nowhere.csv $fixed
+cannot "rwedge solve: .: Is a directory" solve -i . $fixed
+prints "$(head -n 1 plain_solved)" solve -i - $fixed <<'ROWS'
+note,P,a
+ROWS
+
+# What is no CSV: binary, endless, too wide. The message names the line, the old file stays.
+hopeless() { # MESSAGE: what is in the file "input"
+    cannot "rwedge solve: standard input: $1" solve -i - $fixed -o kept.csv <input
+    same "the old file" old "$(cat kept.csv)"
+}
+nul="a NUL byte; allowed: CSV in UTF-8 or ASCII, neither binary files nor UTF-16"
+printf 'P,a\n100,1\n\000\001\002\n' >input
+hopeless "line 3: $nul"
+printf '\377\376P\000,\000a\000\n\000' >input
+hopeless "line 1: $nul"
+{ printf 'P,a\n100,1\n'; head -c 1100000 /dev/zero | tr '\0' 9; } >input
+hopeless "line 3: a row of more than 1 MiB; allowed: CSV whose quotes are closed"
+{ printf 'P,a\n100,1\n"'; head -c 600000 /dev/zero | tr '\0' '\n'; head -c 600000 /dev/zero | tr '\0' ' '; } >input
+hopeless "line 600003: a row of more than 1 MiB; allowed: CSV whose quotes are closed"
+{ printf 'P,a\n100,1\n'; head -c 2000 /dev/zero | tr '\0' ,; } >input
+hopeless "line 3: more than 1000 cells in a row, or out of memory"
+called="an endless line"
+if command -v timeout >/dev/null; then
+    status=0
+    { printf 'P,a\n100,1\n'; tr '\0' 9 </dev/zero; } 2>/dev/null |
+        timeout 60 "$rwedge" solve -i - $fixed >out 2>err || status=$?
+    status_is 1
+    message_is "rwedge solve: standard input: line 3: a row of more than 1 MiB; allowed: CSV whose quotes are closed"
+    same "on standard output, the rows before it" 2 "$(wc -l <out | tr -d ' ')"
+fi
+
+# 100,000 rows in little memory (an address sanitizer reserves more than any limit, and takes its time).
+limit=65536
+rows=100000
+(ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || { limit=unlimited; rows=3000; }
+awk -v rows=$rows 'BEGIN { srand(7); print "case,theta,a,P,Q,f,k"
+    for (i = 1; i <= rows; i++) printf "%d,%.4g,%.4g,%.5g,%.3g,%.3g,300\n", i, 0.005 + 0.09 * rand(), 2 * rand(),
+        10 + 300 * rand(), 0.5 * rand(), 0.05 + rand() / 2 }' >many.csv
+called="rwedge solve -i many.csv, $rows rows"
+started=$(date +%s)
+status=0
+(ulimit -v $limit; "$rwedge" solve -i many.csv --E1 210000 --nu1 0.3 -o many_solved.csv 2>err) || status=$?
+echo "$rows rows in $(($(date +%s) - started)) s"
+status_is 0
+message_is ""
+same "rows" "$((rows + 1))" "$(wc -l <many_solved.csv | tr -d ' ')"
+same "last case" "$rows" "$(tail -n 1 many_solved.csv | cut -d , -f 1)"
+same "rows without an error" "$rows" "$(grep -c ',$' many_solved.csv)"
+
+# Memory does not grow with the file: 150 MB of wide rows.
+called="rwedge solve -i -, 150 MB"
+filler=$(head -c 100000 /dev/zero | tr '\0' x)
+status=0
+(ulimit -v $limit
+awk -v filler="$filler" 'BEGIN { print "P,a,filler"; for (i = 0; i < 1500; i++) print "100,1," filler }' |
+    "$rwedge" solve -i - $fixed 2>err) >wide.csv || status=$?
+status_is 0
+same "rows" 1501 "$(wc -l <wide.csv | tr -d ' ')"
+
+finish

@@ -9,7 +9,7 @@
 
 const table_variable variables[VARIABLE_COUNT] = {
     [A_OVER_B] = {"a-over-b", "a_over_b", "a/b", 0, HUGE_VAL, "a number not below 0", "0.1:1:0.1"},
-    [FRICTION] = {"friction", "f", "the coefficient of friction", 0, HUGE_VAL, "a number not below 0", "0:0.8:0.0125"},
+    [FRICTION] = {"friction", "f", "the coefficient of friction", 0, 1e6, "a number from 0 to 1e6", "0:0.8:0.0125"},
     [NU] = {"nu", "nu", "Poisson's ratio", 0, 0.5, "a number from 0 to 0.5", "0.3"},
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
 };

@@ -177,7 +177,7 @@ RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, do
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
 
 /* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
- * (the smallest of such tips, a/b < 0.0016, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
+ * (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
  *   alpha  > 0 (the sharp wedge yields at its apex: 0)
  * NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);

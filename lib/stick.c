@@ -64,7 +64,8 @@ double rwedge_stick_width(double alpha, double Q_over_fP)
 /* alpha = 0: the difference of two arcosh, Eq. (14), finite at x = 0 too. */
 static double sharp_wedge_shear(double c, double x)
 {
-    return 2 / RW_PI * log((c + sqrt((c - x) * (c + x))) / (1 + rw_cos_asin(x)));
+    const double s = sqrt((c - x) / c * ((c + x) / c));
+    return 2 / RW_PI * (log(c) + log1p(s) - log1p(rw_cos_asin(x)));
 }
 
 double rwedge_shear(double alpha, double c, double x)

@@ -51,8 +51,8 @@ static void critical_friction_matches_reference(void **state)
     (void)state;
     reference table = reference_open("critical_friction.csv");
     while (reference_next(&table))
-        assert_close(rwedge_critical_friction(table.cell[0], table.cell[1]), table.cell[2], 1e-9); /* the table's accuracy */
-    assert_int_equal(table.row, 19);
+        assert_close(rwedge_critical_friction(table.cell[0], table.cell[1]), table.cell[2], 1e-13);
+    assert_int_equal(table.row, 24);
 }
 
 static void branches_cross_at_the_critical_friction(void **state)
@@ -101,6 +101,38 @@ static void small_tips_yield_at_the_surface_without_friction(void **state)
         assert_true(x == 0 && y == 0);
         assert_within(rwedge_critical_friction(alpha * 0.999, nu), 0, 0);
     }
+}
+
+/* The reversal of the smallest tips: at the surface without friction, below it with a little, at the surface with more. */
+static void tiny_tips_yield_below_with_a_little_friction(void **state)
+{
+    (void)state;
+    const double frictions[] = {0, 0.1, 0.3};
+    for (int i = 0; i < 3; i++) {
+        double limit, x, y;
+        assert_int_equal(rwedge_yield_point(1e-5, frictions[i], 0.36, &limit, &x, &y), RWEDGE_OK);
+        assert_int_equal(y > 0, i == 1);
+    }
+    for (double alpha = 0.0027; alpha < 1; alpha *= 1.3) /* larger tips have none */
+        for (double nu = 0.01; nu < 0.5; nu += 0.007) {
+            double limit, x, y;
+            assert_int_equal(rwedge_yield_point(alpha, 0, nu, &limit, &x, &y), RWEDGE_OK);
+            for (double f = 0.02; y == 0 && f < 0.3; f += 0.02) {
+                assert_int_equal(rwedge_yield_point(alpha, f, nu, &limit, &x, &y), RWEDGE_OK);
+                assert_true(y == 0);
+            }
+        }
+}
+
+/* The search below does not begin beyond f = 0.6. */
+static void no_fold_is_beyond_0_556(void **state)
+{
+    (void)state;
+    double limit, x, y;
+    assert_int_equal(rwedge_subsurface_yield(0.82, 0.5556, 0.47, &limit, &x, &y), RWEDGE_OK);
+    for (double alpha = 1e-6; alpha <= 1; alpha = alpha < 0.1 ? alpha * 3 : alpha + 0.005)
+        for (double nu = 0; nu <= 0.5; nu += 0.005)
+            assert_int_equal(rwedge_subsurface_yield(alpha, 0.557, nu, &limit, &x, &y), RWEDGE_EABSENT);
 }
 
 /* Past the fold the branch is gone; before it, it is there, up to the fold's last bits. */
@@ -261,6 +293,8 @@ int main(void)
         cmocka_unit_test(branches_cross_at_the_critical_friction),
         cmocka_unit_test(limit_is_the_smaller_branch),
         cmocka_unit_test(small_tips_yield_at_the_surface_without_friction),
+        cmocka_unit_test(tiny_tips_yield_below_with_a_little_friction),
+        cmocka_unit_test(no_fold_is_beyond_0_556),
         cmocka_unit_test(subsurface_branch_ends_at_a_fold),
         cmocka_unit_test(hertz_does_not_depend_on_alpha),
         cmocka_unit_test(sharp_wedge_yields_at_its_apex),

@@ -189,6 +189,20 @@ static void sharp_wedge_is_the_limit_of_small_tips(void **state)
     assert_within(relative_error(tip, sharp, 0.02, 0.01), 0, 1e-13);
 }
 
+/* Tips so small that products of their size underflow are sharp to the last bit, a little away from them. */
+static void vanishing_tips_are_sharp(void **state)
+{
+    (void)state;
+    const double x = 3.72187e-61, y = 1.78648e-60;
+    double sharp[3];
+    stress(0, 0.3, 0, x, y, sharp);
+    for (double k = 80; k < 320; k += 0.7) {
+        double tip[3];
+        stress(pow(10, -k), 0.3, 0, x, y, tip);
+        assert_within(relative_error(tip, sharp, x, y), 0, 1e-14);
+    }
+}
+
 /* Every double of the domain gives a finite tensor: tips and distances whose squares under- or overflow too. */
 static void extreme_arguments_give_finite_stresses(void **state)
 {
@@ -301,6 +315,7 @@ int main(void)
         cmocka_unit_test(full_stick_leaves_the_normal_load),
         cmocka_unit_test(hertz_depends_on_alpha_as_a_factor),
         cmocka_unit_test(sharp_wedge_is_the_limit_of_small_tips),
+        cmocka_unit_test(vanishing_tips_are_sharp),
         cmocka_unit_test(extreme_arguments_give_finite_stresses),
         cmocka_unit_test(singular_points_are_approached_continuously),
         cmocka_unit_test(tiny_tips_are_alike),

@@ -8,9 +8,10 @@ list=" (a comma separates the numbers of a list)"
 tables="elastic-limit, max-tension, contact-law, critical-friction, stick-zone"
 
 # Which command, which table.
-refuses "rwedge: a command must follow; allowed: table, --help, --version"
-refuses "rwedge: tables: unknown command; allowed: table" tables
-refuses "rwedge: --verbose: unknown option; allowed: --version, --help" --verbose
+commands=$("$rwedge" --help | sed -n '/^Commands/,/^$/s/^  \([a-z]*\) .*/\1/p' | paste -s -d , - | sed 's/,/, /g')
+refuses "rwedge: a command must follow; allowed: $commands, --help, --version"
+refuses "rwedge: tables: unknown command; allowed: $commands" tables
+refuses "rwedge: --verbose: unknown option; allowed: --version, --completion, --help" --verbose
 refuses "rwedge table: the name of a table must follow; allowed: $tables" table
 refuses "rwedge table: elastic: unknown table; allowed: $tables" table elastic
 refuses "rwedge table: contact-law: unexpected; allowed: one table, and options" $limit contact-law
@@ -31,8 +32,8 @@ refuses "rwedge table: --nu 0.7: Poisson's ratio must be a number from 0 to 0.5"
 refuses "rwedge table: --nu -0.1: Poisson's ratio must be a number from 0 to 0.5" $limit --nu -0.1
 refuses "rwedge table: --nu 0,3: Poisson's ratio must be a number from 0 to 0.5, not 3$list" $limit --nu 0,3
 refuses "rwedge table: --nu 0:0.6:0.1: Poisson's ratio must be a number from 0 to 0.5, not 0.6" $limit --nu 0:0.6:0.1
-refuses "rwedge table: --friction -1: the coefficient of friction must be a number not below 0" $limit --friction=-1
-refuses "rwedge table: --friction -0.1:1:0.1: the coefficient of friction must be a number not below 0, not -0.1" \
+refuses "rwedge table: --friction -1: the coefficient of friction must be a number from 0 to 1e6" $limit --friction=-1
+refuses "rwedge table: --friction -0.1:1:0.1: the coefficient of friction must be a number from 0 to 1e6, not -0.1" \
     $limit --friction -0.1:1:0.1
 refuses "rwedge table: --a-over-b -1e-300: a/b must be a number not below 0" $limit --a-over-b -1e-300
 refuses "rwedge table: --q-over-fp 1.1: Q/(fP) must be a number from 0 to 1" table stick-zone --q-over-fp 1.1
@@ -60,7 +61,7 @@ refuses "rwedge table: --a-over-b 0:1e308:1e-308: $many" $limit --a-over-b 0:1e3
 refuses "rwedge table: --a-over-b 0:9007199254740992:1: $many" $limit --a-over-b 0:9007199254740992:1
 all="must not give the table more than 1000000000 rows in all"
 refuses "rwedge table: --friction 0:1:1e-5: $all" $limit --friction 0:1:1e-5 --a-over-b 0.0001:1:1e-4
-refuses "rwedge table: --a-over-b 1:1000000000:1: $all" $limit --a-over-b 1:1000000000:1 --friction 1:1000000000:1 \
+refuses "rwedge table: --a-over-b 1:1000000000:1: $all" $limit --a-over-b 1:1000000000:1 --friction 0:1e6:1e-3 \
     --nu 0:0.5:1e-9
 
 # Options that do not belong to the table or the layout.
@@ -87,6 +88,93 @@ refuses "rwedge table: --decimal-comma: not in JSON, whose numbers have a point;
 for digits in 0 18 1.5 -1 "" seventeen 17x 99999999999999999999; do
     refuses "rwedge table: --digits $digits: must be a whole number from 1 to 17" $limit --digits "$digits"
 done
+
+# A contact: what is missing, given twice over, or not physical. Each line spoils one that is whole.
+contact="--E1 210000 --nu1 0.3 --theta 0.05 --a 1 --P 100"
+missing() { # OPTION NEEDED: without that option and its value
+    called="rwedge solve without $1"
+    words=$(echo "$contact" | sed "s/ *$1 [^ ]*//")
+    refuses "rwedge solve: $1: missing; needed: $2" solve $words
+}
+missing --E1 --E1
+missing --nu1 --nu1
+missing --theta "--theta or --theta-deg"
+missing --a "--a or --radius"
+missing --P --P
+refuses "rwedge solve: --E1: missing; needed: --E1" solve
+refuses "rwedge solve: --theta-deg 3: given together with --theta; allowed: one of the two" solve $contact --theta-deg 3
+refuses "rwedge solve: --radius 3: given together with --a; allowed: one of the two" solve $contact --radius 3
+refuses "rwedge solve: --yield-stress 3: given together with --k; allowed: one of the two" \
+    solve $contact --k 1 --yield-stress 3
+refuses "rwedge solve: --E2 7e4: needs --nu2; allowed: both, or neither for two bodies of one material" \
+    solve $contact --E2 7e4
+refuses "rwedge solve: --nu2 0.3: needs --E2; allowed: both, or neither for two bodies of one material" \
+    solve $contact --nu2 0.3
+refuses "rwedge solve: --P 100: given twice; allowed: once" solve $contact --P 100
+refuses "rwedge solve: contact: unexpected; allowed: options only" solve $contact contact
+refuses "rwedge solve: --layout wide: unknown layout; allowed: list, row" solve $contact --layout wide
+refuses "rwedge solve: --yield-factor: needs --k or --yield-stress" solve $contact --yield-factor
+refuses "rwedge solve: --format vtk: unknown format; allowed: csv, tsv, json" solve $contact --format vtk
+
+unphysical() { # OPTION VALUE MESSAGE: which follows the option and its value
+    words=$(echo "$contact" | sed "s/ *$1 [^ ]*//")
+    refuses "rwedge solve: $1 $2: $3" solve $words $1 "$2"
+}
+for text in 0 -1 "" nan x 1e999 0x1 " "; do
+    case $text in *[!\ ]*) ;; *) continue ;; esac # empty ones are missing
+    unphysical --E1 "$text" "Young's modulus of body 1 must be a number above 0"
+    unphysical --P "$text" "the normal force must be a number above 0"
+done
+unphysical --E1 inf "Young's modulus of body 1 must be a number above 0; a rigid body is body 2, with --E2 inf"
+unphysical --E1 210,5 "Young's modulus of body 1 must be a number above 0; the decimal sign is a point"
+unphysical --nu1 0,3 "Poisson's ratio must be a number from 0 to 0.5; the decimal sign is a point"
+unphysical --nu1 0.51 "Poisson's ratio must be a number from 0 to 0.5"
+unphysical --nu1 -0.1 "Poisson's ratio must be a number from 0 to 0.5"
+unphysical --theta 0 "the angle must be a number above 0 and below pi/2, in radians"
+unphysical --theta 1.5707963267948966 "the angle must be a number above 0 and below pi/2, in radians"
+unphysical --theta 3 "the angle must be a number above 0 and below pi/2, in radians"
+unphysical --theta inf "the angle must be a number above 0 and below pi/2, in radians"
+unphysical --a -1e-9 "the half-width of the rounding must be a number not below 0"
+unphysical --f -0.1 "the coefficient of friction must be a number from 0 to 1000000"
+unphysical --k 0 "the yield stress must be a number above 0"
+unphysical --Q ten "the tangential force must be a number"
+refuses "rwedge solve: --theta-deg 90: the angle must be a number above 0 and below 90, in degrees" \
+    solve --E1 1 --nu1 0 --theta-deg 90 --a 1 --P 1
+refuses "rwedge solve: --E1: missing; needed: --E1" solve --E1 "" --nu1 0 --theta 0.1 --a 1 --P 1
+refuses "rwedge solve: --E2 0: Young's modulus must be a number above 0, or inf" solve $contact --E2 0 --nu2 0.3
+refuses "rwedge solve: --nu2 1: Poisson's ratio must be a number from 0 to 0.5" solve $contact --E2 1 --nu2 1
+refuses "rwedge solve: --Q 21: must not exceed f P = 20: there is no equilibrium" solve $contact --f 0.2 --Q 21
+refuses "rwedge solve: --Q -20.0001: must not exceed f P = 20: there is no equilibrium" solve $contact --f 0.2 --Q -20.0001
+refuses "rwedge solve: --Q 1: must not exceed f P = 0: there is no equilibrium; f is missing" solve $contact --Q 1
+refuses "rwedge solve: the moduli and the rounding are so large or small that numbers overflow" \
+    solve --E1 1e-308 --nu1 0 --theta 1e-300 --a 1 --P 1
+
+# Natural units and dimensional ones do not mix, nor do two histories.
+natural="given together with --a-over-b"
+refuses "rwedge profile: --P 1: $natural; allowed: --f, --nu1, --q-over-fp, --c-over-b" profile --a-over-b 1 --P 1
+refuses "rwedge field: --E1 1: $natural; allowed: --f, --nu1, --q-over-fp, --c-over-b" field --a-over-b 1 --E1 1
+refuses "rwedge profile: --load: $natural; allowed: --q-over-fp or --c-over-b" profile --a-over-b 1 --load 1,0
+refuses "rwedge profile: --history: $natural; allowed: --q-over-fp or --c-over-b" profile --a-over-b 1 --history x
+refuses "rwedge profile: --c-over-b 0.5: given together with --q-over-fp; allowed: one of the two" \
+    profile --a-over-b 1 --f 0.1 --q-over-fp 0.5 --c-over-b 0.5
+refuses "rwedge profile: --q-over-fp 0.5: needs --a-over-b; allowed with bodies and loads: --Q" profile $contact --q-over-fp 0.5
+refuses "rwedge profile: --a-over-b 0.1,0.2: must be one number" profile --a-over-b 0.1,0.2
+refuses "rwedge profile: --a-over-b -1: a/b must be a number not below 0" profile --a-over-b -1
+refuses "rwedge profile: --q-over-fp 1.5: Q/(fP) must be a number from 0 to 1" profile --a-over-b 1 --q-over-fp 1.5
+refuses "rwedge profile: --c-over-b 2: c/b must be a number from 0 to 1" profile --a-over-b 1 --c-over-b 2
+refuses "rwedge profile: --f x: the coefficient of friction must be a number from 0 to 1000000" profile --a-over-b 1 --f x
+refuses "rwedge profile: --P 100: given together with --load, which has the loads; allowed: one of the two" \
+    profile $contact --load 1,0
+refuses "rwedge profile: --history h.csv: given together with --load; allowed: one of the two" \
+    profile --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0 --history h.csv
+refuses "rwedge profile: --P: missing; needed: --P" profile --E1 1 --nu1 0 --theta 0.1 --a 1
+refuses "rwedge profile: --points 5: given together with --x; allowed: one of the two" profile --a-over-b 1 --x 0 --points 5
+for points in 1 0 -5 x 2.5 "" 99999999999; do
+    refuses "rwedge profile: --points $points: must be a whole number from 2 to 1000000000" \
+        profile --a-over-b 1 --points "$points"
+done
+refuses "rwedge profile: --x 1::2: $range" profile --a-over-b 1 --x 1::2
+refuses "rwedge field: --y 1;2: $range" field --a-over-b 1 --y "1;2"
 
 # The output is not touched by a mistake.
 echo old >kept.csv

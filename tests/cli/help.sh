@@ -28,6 +28,17 @@ says 'Usage: rwedge table TABLE' 'a-over-b' 'friction' '--nu' 'q-over-fp' 'layou
 cp out help
 same "lines over 80 columns" 0 "$(awk 'length > 80' help | wc -l | tr -d ' ')"
 
+run solve --help
+says 'Usage: rwedge solve' '--E1' '--yield-stress' '--input' 'P_yield' 'consistent units'
+run profile --help
+says 'Usage: rwedge profile' '--history' '--load' '--c-over-b' 'zone'
+run field --help
+says 'Usage: rwedge field' 'csv|tsv|json|vtk' 'von_mises' 'depth'
+for command in solve profile field; do
+    called="rwedge $command --help"
+    same "lines over 81 columns" 0 "$("$rwedge" $command --help | awk 'length > 81' | wc -l | tr -d ' ')"
+done
+
 # Help wins wherever it stands, and nothing is computed.
 run table elastic-limit --help
 same "help" "" "$(diff help out)"
@@ -58,6 +69,16 @@ for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
     $(sed -n '/^Tables/,$ { s/^    columns: //p; s/^             //p; }' help) \
     elastic-limit max-tension contact-law critical-friction stick-zone; do
     same "README has $word" 1 "$(grep -c -m 1 -e "$word" "$readme")"
+done
+
+for command in solve profile field; do
+    called="rwedge $command --help"
+    "$rwedge" $command --help >out
+    for word in $(grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' out | sort -u) \
+        $(sed -n '/^Results:/,/^$/s/^  \([A-Za-z_0-9]*\) .*/\1/p; /^Columns/,/^$/s/^  \([a-z_0-9, ]*\)  .*/\1/p' out |
+            tr -d ,); do
+        same "README has $word" 1 "$(grep -c -m 1 -e "\`$word[ \`]" -e "^$word," "$readme")"
+    done
 done
 
 finish

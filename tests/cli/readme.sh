@@ -2,8 +2,11 @@
 # What the README shows is what the program prints.
 . "$(dirname "$0")/claims.sh"
 
-# Each example into files of its own: N.command, N.expected.
+# Each example into files of its own: N.command, N.expected; and the files that examples read.
 awk '
+    /^```csv [a-z.]*$/ { file = $2; next }
+    /^```$/ { file = "" }
+    file { print > file; next }
     /^```console$/ { inside = 1; next }
     /^```$/ { inside = 0; next }
     !inside { next }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
 {
@@ -26,6 +27,13 @@ label *drawing_label(drawing *on, double x, double y, const char *format, ...)
     if (on->label_count < DRAWING_LABELS_MAX - 1)
         on->label_count++;
     return next;
+}
+
+void drawing_free(drawing *on)
+{
+    if (on != NULL)
+        dataset_free(&on->outlines);
+    free(on);
 }
 
 void drawing_number(double value, char text[NUMBER_SIZE])

@@ -6,7 +6,7 @@
 
 #include "dataset.h"
 
-enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 120 };
+enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
 
@@ -50,8 +50,10 @@ typedef struct {
     bool equal_scale;
     double height;           /* of the picture over its width */
     const char *legend_at;   /* "top right" ...; NULL where there is none */
+    char caption[DRAWING_TEXT]; /* below the x axis */
     curve curve[DRAWING_CURVES_MAX];
     int curve_count;
+    dataset outlines; /* points of what is drawn that are no data: contours, zones */
     label label[DRAWING_LABELS_MAX];
     int label_count;
 } drawing;
@@ -65,6 +67,9 @@ curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
 __attribute__((format(printf, 4, 5)))
 #endif
 label *drawing_label(drawing *on, double x, double y, const char *format, ...);
+
+/* NULL is allowed. */
+void drawing_free(drawing *on);
 
 /* A number for a label: few digits, and 1/6 for a sixth. */
 void drawing_number(double value, char text[NUMBER_SIZE]);

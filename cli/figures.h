@@ -12,7 +12,7 @@ enum { C_OVER_B = VARIABLE_COUNT, FIGURE_VARIABLES };
 /* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where it may be left out. */
 typedef struct {
     const char *usual;
-    int most; /* how many values it takes; 0 stands for 1 */
+    int most; /* how many values it takes */
 } figure_use;
 
 enum { FIGURE_CURVES_MAX = 12 };

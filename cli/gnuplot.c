@@ -204,6 +204,22 @@ static void remove_date(bytes *picture)
             memcpy(picture->data + i + length, usual, digits);
 }
 
+/* In an SVG, viewers drop a space where the font changes, unless told to keep it. */
+static void keep_spaces(bytes *picture)
+{
+    static const char start[] = "<svg", told[] = " xml:space=\"preserve\"";
+    bytes whole = {0};
+    for (size_t i = 0; i + sizeof start <= picture->length && whole.length == 0; i++)
+        if (memcmp(picture->data + i, start, sizeof start - 1) == 0) {
+            const size_t before = i + sizeof start - 1;
+            bytes_add(&whole, picture->data, before);
+            bytes_text(&whole, told);
+            bytes_add(&whole, picture->data + before, picture->length - before);
+        }
+    bytes_free(picture);
+    *picture = whole;
+}
+
 static bool judge(child *gnuplot, int status, const picture_format *format, bytes *picture)
 {
     if (picture->failed || gnuplot->complaints.failed) {
@@ -217,6 +233,8 @@ static bool judge(child *gnuplot, int status, const picture_format *format, byte
     if (!is_whole(picture, format))
         return refuse(gnuplot, "gave no whole picture, but bytes:", (int)(picture->length % 1000000000));
     remove_date(picture);
+    if (format->needs_spaces)
+        keep_spaces(picture);
     return true;
 }
 

@@ -13,6 +13,7 @@ typedef struct {
     double width, height; /* per unit of width and of height over width, in the terminal's unit */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
     size_t begins_length, ends_length;
+    bool needs_spaces; /* its viewers have to be told to keep them */
 } picture_format;
 
 enum { PICTURE_FORMATS = 3 };

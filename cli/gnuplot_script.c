@@ -9,11 +9,11 @@
  * the screen shows it; text and lines are in the same proportion to the width in all three. */
 const picture_format picture_formats[PICTURE_FORMATS] = {
     {"svg", "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt", 480, 480,
-     "<?xml", "</svg>", 5, 6},
-    {"png", "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.9 linewidth 3.3 background '#ffffff' butt",
-     1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8},
-    {"pdf", "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.95 linewidth 1.6 background '#ffffff' butt",
-     8.5, 8.5, "%PDF-", "%%EOF", 5, 5},
+     "<?xml", "</svg>", 5, 6, true},
+    {"png", "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale 3.5 dashlength 1.6 background '#ffffff' butt",
+     1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
+    {"pdf", "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 pointscale 0.9 background '#ffffff' butt",
+     8.5, 8.5, "%PDF-", "%%EOF", 5, 5, false},
 };
 
 static const char *const colours[PALETTE_SIZE] = {[BLACK] = "#000000",  [BLUE] = "#0072b2",   [VERMILLION] = "#d55e00",
@@ -23,10 +23,9 @@ static const char *const colours[PALETTE_SIZE] = {[BLACK] = "#000000",  [BLUE] =
 static const char *const dashes[DASHES] = {"solid", "(9,4)", "(3,3)", "(9,3,2,3)", "(15,4)"};
 
 /* *a* -> {/:Italic a}; an underscore means the same in both. */
-static void put_text(bytes *script, const char *text)
+static void put_words(bytes *script, const char *text)
 {
     bool italic = false;
-    bytes_text(script, "\"");
     for (const char *c = text; *c != '\0'; c++)
         if (*c == '*') {
             bytes_text(script, italic ? "}" : "{/:Italic ");
@@ -36,6 +35,12 @@ static void put_text(bytes *script, const char *text)
                 bytes_text(script, "\\");
             bytes_add(script, c, 1);
         }
+}
+
+static void put_text(bytes *script, const char *text)
+{
+    bytes_text(script, "\"");
+    put_words(script, text);
     bytes_text(script, "\"");
 }
 
@@ -43,33 +48,54 @@ static void put_axis(bytes *script, const char *name, const axis *which)
 {
     bytes_format(script, "set %slabel ", name);
     put_text(script, which->text);
-    bytes_format(script, "\nset %srange [%.9g:%.9g]\n", name, which->from, which->to);
+    bytes_format(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from, which->to,
+                 name);
     if (which->tic_end != 0)
         bytes_format(script, "set %stics 0,%.9g,%.9g\n", name, which->tic, which->tic_end);
     else
         bytes_format(script, "set %stics %.9g\n", name, which->tic);
 }
 
+static void put_caption(bytes *script, const drawing *what)
+{
+    if (what->caption[0] == '\0')
+        return;
+    bytes_text(script, "set xlabel \"");
+    put_words(script, what->x.text);
+    bytes_text(script, "\\n");
+    put_words(script, what->caption);
+    bytes_text(script, "\"\n");
+}
+
+static void put_legend(bytes *script, const drawing *what)
+{
+    if (what->legend_at == NULL) {
+        bytes_text(script, "unset key\n");
+        return;
+    }
+    bytes_format(script, "set key %s reverse Left samplen 2.5 spacing 1.1 noautotitle\n", what->legend_at);
+}
+
 static void put_frame(bytes *script, const drawing *what)
 {
     put_axis(script, "x", &what->x);
     put_axis(script, "y", &what->y);
+    put_caption(script, what);
     bytes_text(script, "set xtics nomirror\nset ytics nomirror\n");
     if (what->second.text[0] != '\0') {
         put_axis(script, "y2", &what->second);
         bytes_text(script, "set border 11\n");
     } else
         bytes_text(script, "set border 3\n");
-    bytes_text(script, "set xlabel offset 0,0.4\nset ylabel offset 0.8,0\nset y2label offset -0.8,0\n"
-                       "set title offset 0,-0.4\nset tics scale 0.6\n");
+    bytes_text(script, "set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
+                       "set title offset 0,-0.5\nset tics scale 0.6\n");
     if (what->equal_scale)
         bytes_text(script, "set size ratio -1\n");
-    bytes_text(script, "set title ");
+    bytes_format(script, "set tmargin %s\nset rmargin %s\nset title ", what->title[0] != '\0' ? "2" : "0.7",
+                 what->second.text[0] != '\0' ? "7.5" : "2");
     put_text(script, what->title);
-    if (what->legend_at != NULL)
-        bytes_format(script, "\nset key %s reverse Left samplen 2.5 spacing 1.1 font ',' noautotitle\n", what->legend_at);
-    else
-        bytes_text(script, "\nunset key\n");
+    bytes_text(script, "\n");
+    put_legend(script, what);
 }
 
 static void put_label(bytes *script, const label *one)
@@ -107,7 +133,7 @@ static void put_style(bytes *script, const curve *one)
         bytes_format(script, "points pointtype 2 pointsize 0.35 linewidth 0.7 linecolor rgb '%s'", colour);
         break;
     case STYLE_CIRCLES:
-        bytes_format(script, "points pointtype 6 pointsize 0.6 linewidth 0.9 linecolor rgb '%s'", colour);
+        bytes_format(script, "points pointtype 6 pointsize 0.7 linewidth 1.2 linecolor rgb '%s'", colour);
         break;
     case STYLE_AREA:
         bytes_format(script, "filledcurves closed fillstyle solid 1 noborder linecolor rgb '#%02x%02x%02x'", level, level,

@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "completion.h"
 #include "field.h"
+#include "figure.h"
 #include "message.h"
 #include "profile.h"
 #include "signals.h"
@@ -16,7 +17,8 @@
 
 #include <rwedge.h>
 
-static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command};
+static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command,
+                                         &figure_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };

@@ -106,6 +106,24 @@ static int read_variables(const arguments *given, plan *what)
     return STATUS_DONE;
 }
 
+/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A range ascends or descends:
+ * its smallest value above 0 is one of the two at either end. */
+static int check_tips(const arguments *given, plan *what)
+{
+    const range *tips = &what->axis[A_OVER_B];
+    if (!table_depends_on(what->table, NU))
+        return STATUS_DONE;
+    for (int64_t i = 0; i < tips->count; i++) {
+        if (tips->items == NULL && i == 2 && tips->count > 4)
+            i = tips->count - 2;
+        const double tip = range_value(tips, i);
+        if (tip > 0 && tip < 1e-14)
+            return usage_error("--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+                               given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+    }
+    return STATUS_DONE;
+}
+
 /* The variable with the most values is the one to name. */
 static int check_size(const arguments *given, const plan *what)
 {
@@ -160,7 +178,8 @@ static int read_quantity(const arguments *given, plan *what)
 
 static int read_plan(const arguments *given, plan *what)
 {
-    static int (*const steps[])(const arguments *, plan *) = {choose_table, read_variables, read_layout, read_quantity};
+    static int (*const steps[])(const arguments *, plan *) = {choose_table, read_variables, check_tips,
+                                                                           read_layout, read_quantity};
     int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++)
         status = steps[i](given, what);

@@ -35,6 +35,10 @@ refuses "rwedge table: --nu 0:0.6:0.1: Poisson's ratio must be a number from 0 t
 refuses "rwedge table: --friction -1: the coefficient of friction must be a number from 0 to 1e6" $limit --friction=-1
 refuses "rwedge table: --friction -0.1:1:0.1: the coefficient of friction must be a number from 0 to 1e6, not -0.1" \
     $limit --friction -0.1:1:0.1
+refuses "rwedge table: --a-over-b 1e-20: elastic-limit has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on" \
+    $limit --a-over-b 1e-20
+refuses "rwedge table: --a-over-b 0:1e-13:1e-15: elastic-limit has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on" \
+    $limit --a-over-b 0:1e-13:1e-15 --friction 0
 refuses "rwedge table: --a-over-b -1e-300: a/b must be a number not below 0" $limit --a-over-b -1e-300
 refuses "rwedge table: --q-over-fp 1.1: Q/(fP) must be a number from 0 to 1" table stick-zone --q-over-fp 1.1
 
@@ -61,7 +65,7 @@ refuses "rwedge table: --a-over-b 0:1e308:1e-308: $many" $limit --a-over-b 0:1e3
 refuses "rwedge table: --a-over-b 0:9007199254740992:1: $many" $limit --a-over-b 0:9007199254740992:1
 all="must not give the table more than 1000000000 rows in all"
 refuses "rwedge table: --friction 0:1:1e-5: $all" $limit --friction 0:1:1e-5 --a-over-b 0.0001:1:1e-4
-refuses "rwedge table: --a-over-b 1:1000000000:1: $all" $limit --a-over-b 1:1000000000:1 --friction 0:1e6:1e-3 \
+refuses "rwedge table: --a-over-b 1:1000000000:1: $all" $limit --a-over-b 1:1000000000:1 --friction 0:1e6:2e-3 \
     --nu 0:0.5:1e-9
 
 # Options that do not belong to the table or the layout.

@@ -71,8 +71,7 @@ static bool read_row(const header *names, const csv_input *row, char decimal_sig
 }
 
 /* A row that cannot be applied ends it: what comes after would belong to another history. */
-static bool apply_row(const header *names, csv_input *in, bool malformed, char decimal_sign, double f,
-                      rwedge_contact *contact)
+static bool apply_row(const header *names, csv_input *in, bool malformed, char decimal_sign, double f, rwedge_contact *contact)
 {
     double P, Q;
     char complaint[COMPLAINT_SIZE] = "misplaced quotes";
@@ -89,8 +88,8 @@ static int find_columns(csv_input *in, header *names)
         return STATUS_FAILED;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (wanted[i] && names->column[i] == names->count)
-            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in),
-                           i == INPUT_P ? "P" : "Q", header_separator_hint(names));
+            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in), i == INPUT_P ? "P" : "Q",
+                           header_separator_hint(names));
     return STATUS_DONE;
 }
 
@@ -104,8 +103,7 @@ int loads_apply_file(const char *path, char decimal_sign, double f, rwedge_conta
     int64_t loads = 0;
     int status = find_columns(in, &names);
     while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END) {
-        const bool applied =
-            event != CSV_FAILED && apply_row(&names, in, event == CSV_MALFORMED, decimal_sign, f, contact);
+        const bool applied = event != CSV_FAILED && apply_row(&names, in, event == CSV_MALFORMED, decimal_sign, f, contact);
         status = applied ? STATUS_DONE : STATUS_FAILED;
         loads++;
     }

@@ -59,31 +59,49 @@ static const char *zone_of(const contact_state *state, double x)
     return fabs(x) < rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
 }
 
+/* At the apex of the sharp wedge the stresses are infinite, outside the contact there is no slip: NAN, an empty cell. */
+static int32_t look(const contact_state *state, double at, double value[])
+{
+    const double surface = 0;
+    double syy, txy;
+    int32_t status = RWEDGE_OK;
+    value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
+    if (!state_is_apex(state, at, 0)) {
+        status = rwedge_contact_tractions(state->contact, 1, &at, &value[P], &value[Q]);
+        if (status == RWEDGE_OK)
+            status = rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+    }
+    if (status == RWEDGE_OK && state->b > 0 && fabs(at) <= rwedge_contact_half_width(state->contact))
+        status = rwedge_contact_slip(state->contact, 1, &at, &value[SLIP]);
+    return status;
+}
+
 static bool compute(const contact_state *state, double x, cell row[])
 {
-    const double at = x * state->length_unit, surface = 0;
-    double p, q, sxx, syy, txy, slip;
+    const double at = x * state->length_unit;
+    double value[COLUMN_COUNT];
+    const int32_t status = look(state, at, value);
+    if (status != RWEDGE_OK) {
+        failure("x = %.17g: %s", x, rwedge_strerror(status));
+        return false;
+    }
+    value[X] = x;
+    value[SLIP] /= state->slip_unit;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        row[i] = cell_empty();
-    row[X] = cell_number(x);
-    row[ZONE] = cell_text(zone_of(state, at));
-    int32_t status = RWEDGE_OK;
-    if (!state_is_apex(state, at, 0)) {
-        status = rwedge_contact_tractions(state->contact, 1, &at, &p, &q);
-        if (status == RWEDGE_OK)
-            status = rwedge_contact_stresses(state->contact, 1, &at, &surface, &sxx, &syy, &txy);
-        row[P] = cell_number(p);
-        row[Q] = cell_number(q);
-        row[SXX] = cell_number(sxx);
-    }
-    if (status == RWEDGE_OK && state->b > 0 && fabs(at) <= rwedge_contact_half_width(state->contact)) {
-        status = rwedge_contact_slip(state->contact, 1, &at, &slip);
-        row[SLIP] = cell_number(slip / state->slip_unit);
-    }
-    if (status == RWEDGE_OK)
-        return true;
-    failure("x = %.17g: %s", x, rwedge_strerror(status));
-    return false;
+        row[i] = i == ZONE ? cell_text(zone_of(state, at)) : cell_number(value[i]);
+    return true;
+}
+
+static bool write_row(const plan *what, records *rows, double x)
+{
+    cell row[COLUMN_COUNT];
+    if (!compute(&what->state, x, row))
+        return false;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        rows->format->value(rows, columns[i], row[i]);
+    rows->format->end_row(rows);
+    progress_step();
+    return true;
 }
 
 static bool write_profile(void *of_plan, records *rows, bool show_progress)
@@ -96,15 +114,8 @@ static bool write_profile(void *of_plan, records *rows, bool show_progress)
     for (int i = 0; i < COLUMN_COUNT; i++)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
-    for (int64_t i = 0; i < count && computed && records_go_on(rows); i++) {
-        cell row[COLUMN_COUNT];
-        computed = compute(&what->state, x_of(what, i), row);
-        for (int j = 0; j < COLUMN_COUNT && computed; j++)
-            rows->format->value(rows, columns[j], row[j]);
-        if (computed)
-            rows->format->end_row(rows);
-        progress_step();
-    }
+    for (int64_t i = 0; i < count && computed && records_go_on(rows); i++)
+        computed = write_row(what, rows, x_of(what, i));
     rows->format->end(rows);
     progress_erase();
     return computed && records_are_sound(rows);
@@ -153,5 +164,5 @@ static int profile(const arguments *given)
 
 static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
 
-const command profile_command = {
-    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar, NULL, profile};
+const command profile_command = {"profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar,
+                                 NULL,      profile};

@@ -28,10 +28,12 @@ static bool takes_words(const struct poptOption *option)
     return option->argDescrip != NULL && strchr(option->argDescrip, '|') != NULL;
 }
 
+/* "svg|png, csv" is three words. */
 static void print_words(const struct poptOption *option)
 {
     for (const char *c = option->argDescrip; *c != '\0'; c++)
-        putchar(*c == '|' ? ' ' : *c);
+        if (*c != ',')
+            putchar(*c == '|' ? ' ' : *c);
 }
 
 /* Within single quotes of any of the shells, with a backslash before the characters that are special there. */

@@ -4,11 +4,13 @@
 #include "completion.h"
 #include "field.h"
 #include "figure.h"
+#include "invocation.h"
 #include "message.h"
 #include "profile.h"
 #include "signals.h"
 #include "solve.h"
 #include "table.h"
+#include "workbook.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -18,7 +20,7 @@
 #include <rwedge.h>
 
 static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command,
-                                         &figure_command};
+                                         &figure_command, &workbook_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
@@ -94,6 +96,7 @@ int main(int argc, char **argv)
     if (!fill_standard_streams())
         return STATUS_FAILED;
     signals_install();
+    invocation_keep(argc, words);
     for (int i = 0; argc > 1 && i < COMMAND_COUNT; i++)
         if (strcmp(words[1], commands[i]->name) == 0) {
             words[1] = commands[i]->whole_name;

@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "xlsx.h"
+
+#include "message.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <rwedge.h>
+#include <xlsxwriter.h>
+
+enum { SHEETS_MAX = 8, NAME_MAX_LENGTH = 40 };
+
+struct xlsx {
+    lxw_workbook *workbook;
+    lxw_worksheet *sheet[SHEETS_MAX], *current;
+    char sheet_name[SHEETS_MAX][NAME_MAX_LENGTH];
+    int sheet_count, current_index;
+    lxw_format *style[XLSX_STYLE_COUNT];
+    FILE *spool; /* the library writes to a name, and back and forth: a file without a name in the folder, first */
+    lxw_error error;
+};
+
+bool xlsx_available(void)
+{
+    return true;
+}
+
+static void keep(xlsx *book, lxw_error error)
+{
+    if (book->error == LXW_NO_ERROR)
+        book->error = error;
+}
+
+static lxw_row_t row_of(int row)
+{
+    return (lxw_row_t)row;
+}
+
+static lxw_col_t column_of(int column)
+{
+    return (lxw_col_t)column;
+}
+
+/* ---- Styles ------------------------------------------------------------------------------------------------------- */
+
+static void frame(lxw_format *style, lxw_color_t background)
+{
+    format_set_border(style, LXW_BORDER_THIN);
+    format_set_border_color(style, 0x808080);
+    format_set_bg_color(style, background);
+}
+
+static void style_texts(lxw_format *const style[])
+{
+    format_set_bold(style[XLSX_TITLE]);
+    format_set_font_size(style[XLSX_TITLE], 16);
+    format_set_bold(style[XLSX_HEADING]);
+    format_set_font_size(style[XLSX_HEADING], 12);
+    format_set_bold(style[XLSX_HEADER]);
+    format_set_bottom(style[XLSX_HEADER], LXW_BORDER_THIN);
+    format_set_text_wrap(style[XLSX_HEADER]);
+    format_set_align(style[XLSX_HEADER], LXW_ALIGN_RIGHT);
+    format_set_align(style[XLSX_HEADER], LXW_ALIGN_VERTICAL_BOTTOM);
+    format_set_font_size(style[XLSX_NOTE], 9);
+    format_set_font_color(style[XLSX_NOTE], 0x505050);
+    format_set_text_wrap(style[XLSX_WRAPPED]);
+    format_set_align(style[XLSX_WRAPPED], LXW_ALIGN_VERTICAL_TOP);
+    format_set_font_color(style[XLSX_CHECK], 0xB00000);
+}
+
+static void style_cells(lxw_format *const style[])
+{
+    frame(style[XLSX_INPUT], 0xFFF8D0);
+    format_set_unlocked(style[XLSX_INPUT]);
+    format_set_align(style[XLSX_INPUT], LXW_ALIGN_RIGHT);
+    frame(style[XLSX_RESULT], 0xE8F0F8);
+    format_set_num_format(style[XLSX_RESULT], "[>=99999.5]0.00000E+00;[<0.001]0.00000E+00;0.00000");
+    format_set_bold(style[XLSX_STATUS]);
+    format_set_num_format(style[XLSX_FIXED_4], "0.0000");
+    format_set_num_format(style[XLSX_FIXED_6], "0.000000");
+    format_set_num_format(style[XLSX_LIMIT], "[>=1E+90]\"infinite\";0.0000");
+    format_set_align(style[XLSX_LIMIT], LXW_ALIGN_RIGHT);
+    format_set_num_format(style[XLSX_POWER], "0.00000E+00");
+}
+
+static bool make_styles(xlsx *book)
+{
+    for (int i = 1; i < XLSX_STYLE_COUNT; i++) {
+        book->style[i] = workbook_add_format(book->workbook);
+        if (book->style[i] == NULL)
+            return false;
+    }
+    style_texts(book->style);
+    style_cells(book->style);
+    return true;
+}
+
+/* ---- The file ----------------------------------------------------------------------------------------------------- */
+
+/* The same file again for the same command: a date that SOURCE_DATE_EPOCH sets, as it does for other tools, or a fixed
+ * one, never the clock's. */
+static time_t creation_date(void)
+{
+    static const time_t fixed = 1767225600; /* 2026-01-01 */
+    const char *text = getenv("SOURCE_DATE_EPOCH");
+    char *end = NULL;
+    const long long seconds = text != NULL ? strtoll(text, &end, 10) : 0;
+    return text != NULL && end != text && *end == '\0' && seconds > 0 ? (time_t)seconds : fixed;
+}
+
+static void set_properties(xlsx *book, const char *title)
+{
+    char heading[120], version[] = "rwedge " RWEDGE_VERSION;
+    snprintf(heading, sizeof heading, "%s", title);
+    lxw_doc_properties properties = {.title = heading, .author = version, .created = creation_date()};
+    keep(book, workbook_set_properties(book->workbook, &properties));
+}
+
+static bool open_workbook(xlsx *book, bool in_order)
+{
+    char name[40];
+    book->spool = tmpfile();
+    if (book->spool == NULL)
+        return false;
+    snprintf(name, sizeof name, "/dev/fd/%d", fileno(book->spool));
+    lxw_workbook_options options = {.constant_memory = in_order};
+    book->workbook = workbook_new_opt(name, &options);
+    return book->workbook != NULL && make_styles(book);
+}
+
+static void release(xlsx *book)
+{
+    if (book->spool != NULL)
+        fclose(book->spool);
+    free(book);
+}
+
+xlsx *xlsx_begin(const char *title, bool in_order)
+{
+    xlsx *book = calloc(1, sizeof *book);
+    errno = 0;
+    if (book != NULL && open_workbook(book, in_order)) {
+        set_properties(book, title);
+        return book;
+    }
+    failure("a temporary file: %s", strerror(errno != 0 ? errno : ENOMEM));
+    if (book != NULL)
+        release(book);
+    return NULL;
+}
+
+void xlsx_sheet(xlsx *book, const char *name)
+{
+    lxw_worksheet *sheet =
+        book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
+    if (sheet == NULL) {
+        keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
+        return;
+    }
+    snprintf(book->sheet_name[book->sheet_count], NAME_MAX_LENGTH, "%s", name);
+    book->sheet[book->sheet_count] = sheet;
+    xlsx_turn_to(book, book->sheet_count++);
+    worksheet_set_paper(sheet, 9); /* A4 */
+}
+
+void xlsx_turn_to(xlsx *book, int sheet)
+{
+    book->current = book->sheet[sheet];
+    book->current_index = sheet;
+}
+
+static bool copy(FILE *from, output *out)
+{
+    char buffer[1 << 14];
+    rewind(from);
+    for (size_t count; (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
+        output_write(out, buffer, count);
+    return !ferror(from);
+}
+
+bool xlsx_finish(xlsx *book, output *out)
+{
+    keep(book, workbook_close(book->workbook));
+    bool done = book->error == LXW_NO_ERROR;
+    if (!done)
+        failure("%s: cannot make a spreadsheet file: %s", out->name, lxw_strerror(book->error));
+    else if (!copy(book->spool, out)) {
+        failure("%s: a temporary file: %s", out->name, strerror(errno));
+        done = false;
+    }
+    release(book);
+    return done;
+}
+
+/* ---- Cells -------------------------------------------------------------------------------------------------------- */
+
+void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
+{
+    if (isfinite(value))
+        keep(book, worksheet_write_number(book->current, row_of(row), column_of(column), value, book->style[style]));
+    else
+        keep(book, worksheet_write_blank(book->current, row_of(row), column_of(column), book->style[style]));
+}
+
+void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
+{
+    keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text, book->style[style]));
+}
+
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
+{
+    keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column), formula, book->style[style],
+                                           value));
+}
+
+void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value, xlsx_style style)
+{
+    keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column), formula, book->style[style],
+                                           value));
+}
+
+void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns)
+{
+    char place[NAME_MAX_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 4], cells[LXW_MAX_CELL_RANGE_LENGTH];
+    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1),
+                            column_of(column + columns - 1));
+    snprintf(place, sizeof place, "='%s'!%s", book->sheet_name[book->current_index], cells);
+    keep(book, workbook_define_name(book->workbook, name, place));
+}
+
+void xlsx_name(xlsx *book, const char *name, int row, int column)
+{
+    xlsx_name_range(book, name, row, column, 1, 1);
+}
+
+/* ---- Sheets ------------------------------------------------------------------------------------------------------- */
+
+void xlsx_width(xlsx *book, int first_column, int last_column, double characters)
+{
+    keep(book, worksheet_set_column(book->current, column_of(first_column), column_of(last_column), characters, NULL));
+}
+
+void xlsx_freeze(xlsx *book, int rows, int columns)
+{
+    worksheet_freeze_panes(book->current, row_of(rows), column_of(columns));
+}
+
+void xlsx_print(xlsx *book, xlsx_page page)
+{
+    keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row), column_of(page.last_column)));
+    worksheet_fit_to_pages(book->current, 1, (uint16_t)(page.header_row < 0));
+    if (page.header_row >= 0)
+        keep(book, worksheet_repeat_rows(book->current, 0, row_of(page.header_row)));
+    if (page.landscape)
+        worksheet_set_landscape(book->current);
+    worksheet_set_margins(book->current, 0.5, 0.5, 0.6, 0.6);
+    keep(book, worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
+}
+
+/* ---- Charts ------------------------------------------------------------------------------------------------------- */
+
+/* Curves of a family differ in dashes as well as in shade: they stay apart in print and for every eye. */
+static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
+{
+    static const lxw_color_t shades[] = {0x000000, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
+    static const uint8_t dashes[] = {LXW_CHART_LINE_DASH_SOLID, LXW_CHART_LINE_DASH_DASH};
+    lxw_chart_line line = {.color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
+    if (drawing == XLSX_THICK_LINE)
+        line = (lxw_chart_line){.color = 0xE69F00, .width = 3, .dash_type = LXW_CHART_LINE_DASH_SOLID};
+    else if (drawing == XLSX_DASHED_LINE)
+        line = (lxw_chart_line){.color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
+    else if (drawing == XLSX_MARK)
+        line = (lxw_chart_line){.none = LXW_TRUE};
+    chart_series_set_line(series, &line);
+}
+
+static void draw_mark(lxw_chart_series *series, xlsx_drawing drawing)
+{
+    if (drawing != XLSX_MARK) {
+        chart_series_set_marker_type(series, LXW_CHART_MARKER_NONE);
+        return;
+    }
+    lxw_chart_fill fill = {.color = 0xD00000};
+    chart_series_set_marker_type(series, LXW_CHART_MARKER_DIAMOND);
+    chart_series_set_marker_size(series, 11);
+    chart_series_set_marker_fill(series, &fill);
+}
+
+static void draw_series(lxw_chart *drawn, const xlsx_series *what, int index)
+{
+    lxw_chart_series *series = chart_add_series(drawn, what->x, what->y);
+    if (what->name != NULL)
+        chart_series_set_name(series, what->name);
+    draw_line(series, index, what->drawing);
+    draw_mark(series, what->drawing);
+}
+
+static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
+{
+    lxw_chart_font font = {.size = 10, .bold = LXW_FALSE};
+    lxw_chart_line grid = {.color = 0xE0E0E0, .width = 0.5F};
+    chart_axis_set_name(drawn->x_axis, chart->x_title);
+    chart_axis_set_name(drawn->y_axis, chart->y_title);
+    chart_axis_set_name_font(drawn->x_axis, &font);
+    chart_axis_set_name_font(drawn->y_axis, &font);
+    chart_axis_set_min(drawn->x_axis, chart->x_min);
+    chart_axis_set_max(drawn->x_axis, chart->x_max);
+    chart_axis_set_major_unit(drawn->x_axis, chart->x_step);
+    chart_axis_set_min(drawn->y_axis, chart->y_min);
+    chart_axis_set_max(drawn->y_axis, chart->y_max);
+    chart_axis_set_num_format(drawn->x_axis, "0.0");
+    chart_axis_set_num_format(drawn->y_axis, "General");
+    chart_axis_major_gridlines_set_visible(drawn->x_axis, LXW_TRUE);
+    chart_axis_major_gridlines_set_line(drawn->x_axis, &grid);
+    chart_axis_major_gridlines_set_line(drawn->y_axis, &grid);
+}
+
+void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart)
+{
+    lxw_chart *drawn = workbook_add_chart(book->workbook, LXW_CHART_SCATTER_STRAIGHT);
+    if (drawn == NULL) {
+        keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
+        return;
+    }
+    lxw_chart_font font = {.size = 11, .bold = LXW_TRUE}, small = {.size = 8};
+    for (int i = 0; i < chart->series_count; i++)
+        draw_series(drawn, &chart->series[i], i);
+    draw_axes(drawn, chart);
+    chart_title_set_name(drawn, chart->title);
+    chart_title_set_name_font(drawn, &font);
+    chart_legend_set_position(drawn, LXW_CHART_LEGEND_RIGHT);
+    chart_legend_set_font(drawn, &small);
+    lxw_chart_options place = {.x_scale = chart->width / 480.0, .y_scale = chart->height / 288.0};
+    keep(book, worksheet_insert_chart_opt(book->current, row_of(row), column_of(column), drawn, &place));
+}

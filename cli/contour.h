@@ -9,8 +9,8 @@
 
 typedef struct {
     int columns, rows;
-    const double *x, *y;  /* of the columns and the rows, ascending */
-    const double *value;  /* row by row, finite */
+    const double *x, *y; /* of the columns and the rows, ascending */
+    const double *value; /* row by row, finite */
 } contour_grid;
 
 typedef struct {

@@ -9,9 +9,9 @@
 enum { DATA_COLUMNS_MAX = 8 };
 
 typedef struct {
-    int curve;                        /* which group it belongs to */
-    const char *text;                 /* of the text column, where there is one; not copied */
-    double number[DATA_COLUMNS_MAX];  /* of the others, in their order; what is not finite is empty */
+    int curve;                       /* which group it belongs to */
+    const char *text;                /* of the text column, where there is one; not copied */
+    double number[DATA_COLUMNS_MAX]; /* of the others, in their order; what is not finite is empty */
 } data_row;
 
 /* All zero is empty. Once memory runs out, no more rows are added and failed stays true. */

@@ -21,8 +21,8 @@ typedef struct {
     int x, y; /* columns; a row whose number is not finite breaks the line */
     curve_style style;
     int colour, dash;
-    double width;      /* of the line, in points */
-    double grey;       /* of an area: 0 is black, 1 is white */
+    double width; /* of the line, in points */
+    double grey;  /* of an area: 0 is black, 1 is white */
     bool second_axis;
     char legend[DRAWING_TEXT]; /* empty where labels say it */
 } curve;
@@ -33,23 +33,23 @@ typedef struct {
     double x, y;
     alignment align;
     int colour;
-    bool boxed;       /* on white, so that it can stand on a line */
+    bool boxed; /* on white, so that it can stand on a line */
     bool second_axis;
     char text[DRAWING_TEXT];
 } label;
 
 typedef struct {
     char text[DRAWING_TEXT];
-    double from, to; /* from > to turns the axis round */
+    double from, to;     /* from > to turns the axis round */
     double tic, tic_end; /* tics from 0 on up to there; tic_end 0 for the whole axis */
 } axis;
 
 typedef struct {
     char title[DRAWING_TEXT];
-    axis x, y, second;       /* the second is there where its text is */
+    axis x, y, second; /* the second is there where its text is */
     bool equal_scale;
-    double height;           /* of the picture over its width */
-    const char *legend_at;   /* "top right" ...; NULL where there is none */
+    double height;              /* of the picture over its width */
+    const char *legend_at;      /* "top right" ...; NULL where there is none */
     char caption[DRAWING_TEXT]; /* below the x axis */
     curve curve[DRAWING_CURVES_MAX];
     int curve_count;
@@ -66,7 +66,8 @@ curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
 #ifdef __GNUC__
 __attribute__((format(printf, 4, 5)))
 #endif
-label *drawing_label(drawing *on, double x, double y, const char *format, ...);
+label *
+drawing_label(drawing *on, double x, double y, const char *format, ...);
 
 /* NULL is allowed. */
 void drawing_free(drawing *on);

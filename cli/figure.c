@@ -20,21 +20,20 @@ static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + A_OVER_B,
      "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact", "RANGE"},
     {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + FRICTION, "Coefficient of friction f", "NUMBER"},
-    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU, "Poisson's ratio of the half-plane, 0 to 0.5",
-     "NUMBER"},
+    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU, "Poisson's ratio of the half-plane, 0 to 0.5", "NUMBER"},
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + Q_OVER_FP,
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
     {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + C_OVER_B,
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
     {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA, "Write the numbers behind the figure instead of a picture", NULL},
     {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture", NULL},
-    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT,
-     "How it is written (default: as FILE ends, or svg; with --data csv)", "svg|png|pdf, csv|tsv|json"},
+    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How it is written (default: as FILE ends, or svg; with --data csv)",
+     "svg|png|pdf, csv|tsv|json"},
     {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS, "Significant digits of --data, 1 to 17 (default 17)", "N"},
     {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
      "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
-    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
-     "Write to FILE, whole or not at all (default: standard output)", "FILE"},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT, "Write to FILE, whole or not at all (default: standard output)",
+     "FILE"},
     OPTION_HELP_ENTRY,
     POPT_TABLEEND,
 };
@@ -246,5 +245,5 @@ static const char *figure_name(int i)
 
 static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, 0};
 
-const command figure_command = {"figure",      "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
+const command figure_command = {"figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
                                 &grammar, figure_name,     write_command};

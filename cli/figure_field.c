@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include <rwedge.h>
 
@@ -54,12 +53,12 @@ static int32_t compute_field(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* A round step that gives 6 to 14 levels up to the top. */
+/* A round step that gives 8 to 20 levels up to the top. */
 static double step_of_levels(double top)
 {
-    const double decade = pow(10, floor(log10(top / 6)));
-    const double times = top / 6 / decade;
-    return (times >= 5 ? 5 : times >= 2 ? 2 : 1) * decade;
+    const double decade = pow(10, floor(log10(top / 8)));
+    const double times = top / 8 / decade;
+    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
 }
 
 /* ---- Contours ---- */
@@ -252,12 +251,23 @@ static void draw_surface(drawing *on)
 
 static void write_title(const figure_case *of, double c, drawing *on)
 {
-    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE];
+    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], stick[NUMBER_SIZE];
     drawing_number(case_value(of, A_OVER_B), alpha);
     drawing_number(case_value(of, FRICTION), f);
     drawing_number(case_value(of, NU), nu);
-    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A* for *a*/*b* = %s, *f* = %s, ν = %s", alpha, f, nu);
-    snprintf(on->caption, sizeof on->caption, "bar: contact%s", c > 0 ? ", black: stick" : ", sliding");
+    drawing_number(c, stick);
+    const bool normal = case_value(of, FRICTION) == 0;
+    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s", alpha, f,
+             normal ? "" : ", *c*/*b* = ", normal ? "" : stick, nu);
+}
+
+static void write_caption(const figure_case *of, double c, bool found, double top, drawing *on)
+{
+    char value[NUMBER_SIZE];
+    const char *zones = c > 0 ? ", black: stick" : case_value(of, FRICTION) > 0 ? ", sliding" : "";
+    number_write(top, 4, '.', value);
+    snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones, found ? "; circle: first yield, " : "",
+             found ? value : "");
 }
 
 static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
@@ -266,6 +276,7 @@ static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
     double x = 0, y = 0, top = 0;
     const bool found = find_yield(of, &x, &y, &top);
     write_title(of, c, on);
+    write_caption(of, c, found, top, on);
     on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
     on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
     on->equal_scale = true;
@@ -277,21 +288,15 @@ static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
     label_levels(of, x, step, levels, on);
     if (found)
         mark_yield(x, y, on);
-    const size_t used = strlen(on->caption);
-    if (found)
-        snprintf(on->caption + used, sizeof on->caption - used, "; circle: first yield, %.4f", top);
 }
 
-static const char *const field_columns[] = {"x_over_b", "y_over_b", "A_sxx_over_theta", "A_syy_over_theta",
-                                            "A_txy_over_theta", "A_sqrt_J2_over_theta", NULL};
+static const char *const field_columns[] = {
+    "x_over_b", "y_over_b", "A_sxx_over_theta", "A_syy_over_theta", "A_txy_over_theta", "A_sqrt_J2_over_theta", NULL};
 
-const figure figure_field = {.name = "field",
-                             .summary = "contours of von Mises stress below the contact",
-                             .use = {[A_OVER_B] = {"0.5", 1},
-                                     [FRICTION] = {"0.3", 1},
-                                     [NU] = {"0.3", 1},
-                                     [Q_OVER_FP] = {"", 1},
-                                     [C_OVER_B] = {"", 1}},
-                             .column = field_columns,
-                             .compute = compute_field,
-                             .draw = draw_field};
+const figure figure_field = {
+    .name = "field",
+    .summary = "contours of von Mises stress below the contact",
+    .use = {[A_OVER_B] = {"0.5", 1}, [FRICTION] = {"0.3", 1}, [NU] = {"0.3", 1}, [Q_OVER_FP] = {"", 1}, [C_OVER_B] = {"", 1}},
+    .column = field_columns,
+    .compute = compute_field,
+    .draw = draw_field};

@@ -63,11 +63,11 @@ static int32_t add_part(const cycle *of, double from, double to, double start, c
         const double part = sin(0.5 * PI * i / LOOP_STEPS), Q = from + (to - from) * part;
         const double moved = start + factor * displacement(of->alpha, (to - from) / factor * part);
         status = rwedge_contact_load(of->contact, load, Q * load);
-        dataset_add(of->rows, (data_row){.curve = of->number,
-                                         .text = what,
-                                         .number = {of->alpha, of->amplitude, Q, moved,
-                                                    rwedge_contact_stick_half_width(of->contact),
-                                                    rwedge_contact_dissipated_energy(of->contact)}});
+        dataset_add(of->rows,
+                    (data_row){.curve = of->number,
+                               .text = what,
+                               .number = {of->alpha, of->amplitude, Q, moved, rwedge_contact_stick_half_width(of->contact),
+                                          rwedge_contact_dissipated_energy(of->contact)}});
     }
     return status;
 }
@@ -125,7 +125,7 @@ static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
     }
 }
 
-static const char *const loop_columns[] = {"a_over_b", "amplitude_over_fP", "Q_over_fP", "displacement_over_f_theta_b",
+static const char *const loop_columns[] = {"a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
                                            "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
 
 const figure figure_loop = {.name = "loop",

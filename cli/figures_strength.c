@@ -13,7 +13,7 @@ static const char surface[] = "surface", subsurface[] = "subsurface";
 
 /* Equal steps, and below the first a decade in eight: the limit falls to 0 like the inverse of a logarithm. */
 enum { NORMAL_STEPS = 200, NORMAL_DECADES = 8, NORMAL_PER_DECADE = 8 };
-static const double NORMAL_FINE_BELOW = 0.005;
+static const double NORMAL_FINE_BELOW = 1.0 / NORMAL_STEPS;
 
 static double normal_alpha(int i)
 {
@@ -21,7 +21,7 @@ static double normal_alpha(int i)
     if (i == 0)
         return 0;
     return i < fine ? NORMAL_FINE_BELOW * pow(10, (double)(i - fine) / NORMAL_PER_DECADE)
-                    : NORMAL_FINE_BELOW * (i - fine + 1);
+                    : (double)(i - fine + 1) / NORMAL_STEPS;
 }
 
 static bool yields_at_surface(double alpha, double nu)
@@ -48,9 +48,8 @@ static double jump_of_yield_point(double nu)
 
 static void add_normal(double alpha, double nu, double limit, double y, bool below, dataset *rows)
 {
-    dataset_add(rows, (data_row){.curve = below ? 1 : 0,
-                                 .text = below ? subsurface : surface,
-                                 .number = {alpha, nu, limit, y}});
+    dataset_add(rows,
+                (data_row){.curve = below ? 1 : 0, .text = below ? subsurface : surface, .number = {alpha, nu, limit, y}});
 }
 
 /* Both branches at the jump: the curves end there, and the limit has no gap. */
@@ -108,7 +107,7 @@ static void draw_jump(const dataset *rows, drawing *on)
     jump->colour = VERMILLION;
     jump->dash = 2;
     const bool left = alpha < 0.5;
-    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.06, "jump to *y* = 0 at *a*/*b* = %.4f", alpha);
+    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.07, "jump at *a*/*b* = %.4f", alpha);
     one->second_axis = true;
     one->colour = VERMILLION;
     one->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
@@ -167,12 +166,9 @@ static int32_t add_sliding(double alpha, double f, double nu, bool below, int n,
     if (alpha == 0)
         status = rwedge_yield_point(alpha, f, nu, &limit, &x, &y);
     else
-        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y)
-                       : rwedge_surface_yield(alpha, f, nu, &limit, &x);
+        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y) : rwedge_surface_yield(alpha, f, nu, &limit, &x);
     if (status == RWEDGE_OK)
-        dataset_add(rows, (data_row){.curve = n,
-                                     .text = below ? subsurface : surface,
-                                     .number = {alpha, f, nu, limit}});
+        dataset_add(rows, (data_row){.curve = n, .text = below ? subsurface : surface, .number = {alpha, f, nu, limit}});
     return status;
 }
 
@@ -324,17 +320,17 @@ static void explain_marks(drawing *on)
 static void draw_yield_point(const figure_case *of, const dataset *rows, drawing *on)
 {
     char nu[NUMBER_SIZE];
-    double right = 0.2, down = 0.1;
+    double right = 0, down = 0.5;
     drawing_number(case_value(of, NU), nu);
     snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", nu);
     for (size_t i = 0; i < rows->count; i++) {
         right = fmax(right, rows->row[i].number[3]);
         down = fmax(down, rows->row[i].number[4]);
     }
-    on->x = (axis){"*x*/*b*", -0.2, ceil(10 * right + 0.5) / 10, 0.2, 0};
     on->y = (axis){"*y*/*b*", ceil(10 * down + 0.2) / 10, 0, 0.1, 0};
+    on->x = (axis){"*x*/*b*", -0.2, fmax(on->y.from, ceil(10 * right + 0.5) / 10), 0.2, 0};
     on->equal_scale = true;
-    on->height = fmin(1.5, 0.2 + 0.85 * on->y.from / (on->x.to - on->x.from));
+    on->height = 0.2 + 0.85 * on->y.from / (on->x.to - on->x.from);
     for (int n = 0; n < of->value[A_OVER_B].count; n++)
         draw_path(rows, n, on);
     explain_marks(on);

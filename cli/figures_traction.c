@@ -30,32 +30,43 @@ static int32_t compute_pressure(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* Where the curves lie farthest apart, next to the axis; left and right in turn, as they are closer than a text is high. */
-static void label_pressures(const figure_case *of, drawing *on)
+/* Where the curves lie farthest apart, next to the axis; left and right in turn, as they are closer than a text is high.
+ * A steep peak has its label beside it. */
+static void label_pressure(double alpha, int n, drawing *on)
 {
+    char text[NUMBER_SIZE];
+    const bool beside = alpha < 0.15;
+    const double x = n % 2 == 0 ? 0.13 : -0.13, y = -PI * rwedge_pressure(alpha, beside && alpha > 0 ? 0 : x);
+    drawing_number(alpha, text);
+    label *one = drawing_label(on, !beside ? x : alpha == 0 ? 0.06 : -0.07, alpha == 0 ? 0.96 * on->y.to : y, "%s", text);
+    one->align = !beside ? ALIGN_CENTRE : alpha == 0 ? ALIGN_LEFT : ALIGN_RIGHT;
+    one->boxed = !beside;
+    one->colour = on->curve[n].colour;
+}
+
+/* Of the finite peaks; the sharp wedge's is cut. */
+static double top_of_pressures(const figure_case *of)
+{
+    enum { SHARP = 10 };
+    double top = 0;
     for (int n = 0; n < of->value[A_OVER_B].count; n++) {
-        char text[NUMBER_SIZE];
-        const double alpha = range_value(&of->value[A_OVER_B], n), x = n % 2 == 0 ? 0.13 : -0.13;
-        const bool beside = alpha < 0.15; /* too steep to stand on */
-        drawing_number(alpha, text);
-        const double y = -PI * rwedge_pressure(alpha, x);
-        label *one = beside ? drawing_label(on, alpha == 0 ? 0.06 : -0.07, alpha == 0 ? 9.6 : 8, "%s", text)
-                            : drawing_label(on, x, y, "%s", text);
-        one->align = !beside ? ALIGN_CENTRE : alpha == 0 ? ALIGN_LEFT : ALIGN_RIGHT;
-        one->boxed = !beside;
-        one->colour = on->curve[n].colour;
+        const double alpha = range_value(&of->value[A_OVER_B], n);
+        top = fmax(top, alpha == 0 ? SHARP : ceil(PI * rwedge_peak_pressure(alpha)));
     }
+    return top;
 }
 
 static void draw_pressure(const figure_case *of, const dataset *rows, drawing *on)
 {
+    const double top = top_of_pressures(of);
     snprintf(on->title, sizeof on->title, "Contact pressure, by *a*/*b*");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = (axis){"−*pA*π/θ", 0, 10, 2, 0};
+    on->y = (axis){"−*pA*π/θ", 0, top, top > 5 ? 2 : top > 2 ? 1 : 0.5, 0};
     on->height = 0.9;
-    for (int n = 0; n < dataset_curves(rows); n++)
+    for (int n = 0; n < dataset_curves(rows); n++) {
         style_of_family(drawing_curve(on, rows, n, 1, 2), n);
-    label_pressures(of, on);
+        label_pressure(range_value(&of->value[A_OVER_B], n), n, on);
+    }
 }
 
 static const char *const pressure_columns[] = {"a_over_b", "x_over_b", "minus_pi_A_p_over_theta", NULL};
@@ -124,18 +135,20 @@ static int32_t compute_shear(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* Each on its curve, at the axis. */
-static void label_shear(const figure_case *of, int n, drawing *on)
+/* Each below its curve, at the axis; above where there is no room, aside where the last one is. */
+static void label_shear(const figure_case *of, int n, const label *last, drawing *on)
 {
     char text[NUMBER_SIZE];
-    const double c = range_value(&of->value[C_OVER_B], n), alpha = case_value(of, A_OVER_B);
-    const double lift = 0.045 * on->y.to, q = alpha == 0 ? NAN : -PI * rwedge_shear(alpha, c, 0);
+    const double c = range_value(&of->value[C_OVER_B], n), q = -PI * rwedge_shear(case_value(of, A_OVER_B), c, 0);
+    const double lift = 0.045 * on->y.to, y = c > 0 && q > 2 * lift ? q - lift : q + lift;
     drawing_number(c, text);
-    label *one = drawing_label(on, 0, c > 0 ? q - lift : isfinite(q) ? q + lift : 0.95 * on->y.to,
+    label *one = drawing_label(on, 0, isfinite(y) ? y : 0.95 * on->y.to,
                                c > 0 ? "*c*/*b* = %s" : "*c*/*b* = %s, and the pressure −*pA*π/θ", text);
     one->align = ALIGN_CENTRE;
     one->boxed = c > 0;
     one->colour = on->curve[n].colour;
+    if (last != NULL && fabs(one->y - last->y) < 1.5 * lift)
+        one->x = last->x < 0 ? 0 : -0.45;
 }
 
 static double top_of(const dataset *rows, int column)
@@ -161,7 +174,7 @@ static void draw_shear(const figure_case *of, const dataset *rows, drawing *on)
         curve *one = drawing_curve(on, rows, n, 1, 2);
         style_of_family(one, n);
         one->width = 1.4;
-        label_shear(of, n, on);
+        label_shear(of, n, n > 0 ? &on->label[n - 1] : NULL, on);
     }
 }
 

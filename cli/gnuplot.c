@@ -49,21 +49,31 @@ static bool open_pipes(child *gnuplot)
     return true;
 }
 
-/* The user's environment, save for what would change the picture: the locale, and the date in a PDF. Free it. */
+/* What would change the picture: the locale, and the date in a PDF. */
+static char *const our_environment[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0", "TZ=UTC0"};
+enum { OUR_ENVIRONMENT = sizeof our_environment / sizeof our_environment[0] };
+
+static bool is_ours(const char *variable)
+{
+    for (int i = 0; i < OUR_ENVIRONMENT; i++)
+        if (strncmp(variable, our_environment[i], strcspn(our_environment[i], "=") + 1) == 0)
+            return true;
+    return false;
+}
+
+/* The user's environment but for that. Free it. */
 static char **environment(void)
 {
-    static char *const ours[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0"};
     size_t count = 0, kept = 0;
     while (environ[count] != NULL)
         count++;
-    char **variables = malloc((count + 4) * sizeof *variables);
+    char **variables = malloc((OUR_ENVIRONMENT + count + 1) * sizeof *variables);
     if (variables == NULL)
         return NULL;
-    for (; kept < 3; kept++)
-        variables[kept] = ours[kept];
+    for (; kept < OUR_ENVIRONMENT; kept++)
+        variables[kept] = our_environment[kept];
     for (size_t i = 0; i < count; i++)
-        if (strncmp(environ[i], "LC_ALL=", 7) != 0 && strncmp(environ[i], "GNUTERM=", 8) != 0 &&
-            strncmp(environ[i], "SOURCE_DATE_EPOCH=", 18) != 0)
+        if (!is_ours(environ[i]))
             variables[kept++] = environ[i];
     variables[kept] = NULL;
     return variables;
@@ -84,8 +94,7 @@ static int spawn(child *gnuplot, posix_spawn_file_actions_t *actions, posix_spaw
         error = posix_spawn_file_actions_adddup2(actions, gnuplot->pipe[i][FAR], i);
     char **variables = environment();
     if (error == 0)
-        error = variables != NULL ? posix_spawnp(&gnuplot->process, words[0], actions, attributes, words, variables)
-                                  : ENOMEM;
+        error = variables != NULL ? posix_spawnp(&gnuplot->process, words[0], actions, attributes, words, variables) : ENOMEM;
     free(variables);
     return error;
 }
@@ -175,8 +184,8 @@ static const char *last_complaint(bytes *complaints)
 static bool refuse(child *gnuplot, const char *what, int number)
 {
     const char *said = last_complaint(&gnuplot->complaints);
-    failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo (package gnuplot-nox)",
-            what, number, said[0] != '\0' ? ": " : "", said);
+    failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo (package gnuplot-nox)", what,
+            number, said[0] != '\0' ? ": " : "", said);
     return false;
 }
 
@@ -199,8 +208,7 @@ static void remove_date(bytes *picture)
     static const char key[] = "/CreationDate (D:", usual[] = "20000101000000";
     const size_t length = sizeof key - 1, digits = sizeof usual - 1;
     for (size_t i = 0; i + length + digits <= picture->length; i++)
-        if (memcmp(picture->data + i, key, length) == 0 &&
-            strspn(picture->data + i + length, "0123456789") == digits)
+        if (memcmp(picture->data + i, key, length) == 0 && strspn(picture->data + i + length, "0123456789") == digits)
             memcpy(picture->data + i + length, usual, digits);
 }
 
@@ -208,14 +216,16 @@ static void remove_date(bytes *picture)
 static void keep_spaces(bytes *picture)
 {
     static const char start[] = "<svg", told[] = " xml:space=\"preserve\"";
+    const size_t length = sizeof start - 1;
     bytes whole = {0};
-    for (size_t i = 0; i + sizeof start <= picture->length && whole.length == 0; i++)
-        if (memcmp(picture->data + i, start, sizeof start - 1) == 0) {
-            const size_t before = i + sizeof start - 1;
-            bytes_add(&whole, picture->data, before);
-            bytes_text(&whole, told);
-            bytes_add(&whole, picture->data + before, picture->length - before);
-        }
+    size_t at = 0;
+    while (at + length < picture->length && memcmp(picture->data + at, start, length) != 0)
+        at++;
+    if (at + length >= picture->length)
+        return;
+    bytes_add(&whole, picture->data, at + length);
+    bytes_text(&whole, told);
+    bytes_add(&whole, picture->data + at + length, picture->length - at - length);
     bytes_free(picture);
     *picture = whole;
 }
@@ -235,7 +245,9 @@ static bool judge(child *gnuplot, int status, const picture_format *format, byte
     remove_date(picture);
     if (format->needs_spaces)
         keep_spaces(picture);
-    return true;
+    if (picture->failed)
+        failure("out of memory");
+    return !picture->failed;
 }
 
 static bool run(child *gnuplot, const picture_format *format, const bytes *script, bytes *picture)

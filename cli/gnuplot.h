@@ -8,9 +8,9 @@
 #include "drawing.h"
 
 typedef struct {
-    const char *name; /* of the format, and of the file's extension */
-    const char *terminal; /* what gnuplot is told, with the picture's height over its width as %g */
-    double width, height; /* per unit of width and of height over width, in the terminal's unit */
+    const char *name;          /* of the format, and of the file's extension */
+    const char *terminal;      /* what gnuplot is told, with the picture's height over its width as %g */
+    double width, height;      /* per unit of width and of height over width, in the terminal's unit */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
     size_t begins_length, ends_length;
     bool needs_spaces; /* its viewers have to be told to keep them */

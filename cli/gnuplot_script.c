@@ -8,17 +8,21 @@
 /* 85 mm, the width of a journal's column: 241 pt, 1004 dots at 300 to the inch. The SVG is 480 pixels wide, as a page on
  * the screen shows it; text and lines are in the same proportion to the width in all three. */
 const picture_format picture_formats[PICTURE_FORMATS] = {
-    {"svg", "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt", 480, 480,
-     "<?xml", "</svg>", 5, 6, true},
-    {"png", "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale 3.5 dashlength 1.6 background '#ffffff' butt",
+    {"svg", "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt", 480, 480, "<?xml",
+     "</svg>", 5, 6, true},
+    {"png",
+     "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale 3.5 dashlength 1.6 "
+     "background '#ffffff' butt",
      1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
-    {"pdf", "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 pointscale 0.9 background '#ffffff' butt",
+    {"pdf",
+     "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 pointscale 0.9 background '#ffffff' "
+     "butt",
      8.5, 8.5, "%PDF-", "%%EOF", 5, 5, false},
 };
 
-static const char *const colours[PALETTE_SIZE] = {[BLACK] = "#000000",  [BLUE] = "#0072b2",   [VERMILLION] = "#d55e00",
-                                                  [GREEN] = "#009e73",  [PURPLE] = "#cc79a7", [ORANGE] = "#e69f00",
-                                                  [SKY] = "#56b4e9"};
+static const char *const colours[PALETTE_SIZE] = {
+    [BLACK] = "#000000",  [BLUE] = "#0072b2",   [VERMILLION] = "#d55e00", [GREEN] = "#009e73",
+    [PURPLE] = "#cc79a7", [ORANGE] = "#e69f00", [SKY] = "#56b4e9"};
 
 static const char *const dashes[DASHES] = {"solid", "(9,4)", "(3,3)", "(9,3,2,3)", "(15,4)"};
 
@@ -48,8 +52,7 @@ static void put_axis(bytes *script, const char *name, const axis *which)
 {
     bytes_format(script, "set %slabel ", name);
     put_text(script, which->text);
-    bytes_format(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from, which->to,
-                 name);
+    bytes_format(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from, which->to, name);
     if (which->tic_end != 0)
         bytes_format(script, "set %stics 0,%.9g,%.9g\n", name, which->tic, which->tic_end);
     else
@@ -103,8 +106,8 @@ static void put_label(bytes *script, const label *one)
     static const char *const sides[] = {[ALIGN_LEFT] = "left", [ALIGN_CENTRE] = "center", [ALIGN_RIGHT] = "right"};
     bytes_text(script, "set label ");
     put_text(script, one->text);
-    bytes_format(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n", one->second_axis ? "second" : "first",
-                 one->x, one->y, sides[one->align], colours[one->colour], one->boxed ? " boxed" : "");
+    bytes_format(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n", one->second_axis ? "second" : "first", one->x,
+                 one->y, sides[one->align], colours[one->colour], one->boxed ? " boxed" : "");
 }
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries does not show. */

@@ -84,7 +84,7 @@ static void fill(const double value[INPUT_COUNT], contact_case *what)
     what->E1 = value[INPUT_E1];
     what->nu1 = value[INPUT_NU1];
     what->E2 = either(value[INPUT_E2], what->E1);
-    what->nu2 = isinf(what->E2) ? 0 : either(value[INPUT_NU2], what->nu1);
+    what->nu2 = either(value[INPUT_NU2], what->nu1); /* of no effect where body 2 is rigid */
     what->theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
     what->a = either(value[INPUT_A], rwedge_rounding(what->theta, value[INPUT_RADIUS]));
     what->P = either(value[INPUT_P], 0);

@@ -153,9 +153,11 @@ static size_t line_length(const csv_input *in)
     return i - in->begin + (i < in->end ? 1 : 0);
 }
 
-static void count_line(csv_input *in, unsigned char last)
+static void count_line(csv_input *in, const unsigned char *bytes, size_t length)
 {
-    if (last == '\r' || (last == '\n' && !in->after_return))
+    const unsigned char last = bytes[length - 1];
+    const bool same_end = in->after_return && length == 1; /* the feed that follows a return */
+    if (last == '\r' || (last == '\n' && !same_end))
         in->line++;
     in->after_return = last == '\r';
 }
@@ -189,7 +191,7 @@ static csv_event push(csv_input *in)
     in->begin += length;
     const bool ends = bytes[length - 1] == '\n' || bytes[length - 1] == '\r';
     const bool malformed = !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
-    count_line(in, bytes[length - 1]);
+    count_line(in, bytes, length);
     if (malformed || in->skipping) {
         in->skipping = !ends;
         if (ends)

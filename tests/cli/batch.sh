@@ -118,6 +118,20 @@ same "half-width of that row" yes "$(sed -n 20p out | awk -F, '{ if ($12 > 0) pr
 same "rows that were misread keep their number" "$(seq 20 | paste -s -d ' ' -)" \
     "$(tail -n +2 out | cut -d , -f 1 | paste -s -d ' ' -)"
 
+# Lines are counted whatever ends them, and a bad row may be longer than what is read at once.
+for end in '\r' '\n' '\r\n'; do
+    printf "P,a,note${end}100,1,\"two\nlines\"$end\"1\"2,1,x${end}100,1,x$end" >ends.csv
+    run solve -i ends.csv $fixed
+    same "lines with ends $end" 5 "$(wc -l <out | tr -d ' ')"
+    same "line with ends $end" "misplaced quotes in the row of line 4" "$(sed -n 4p out | sed 's/.*,//')"
+    same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
+done
+{ printf 'P,a\n"1"2'; head -c 200000 /dev/zero | tr '\0' ,; printf '\n100,1\n'; } >long.csv
+run solve -i long.csv $fixed
+same "rows" 3 "$(wc -l <out | tr -d ' ')"
+same "error" "misplaced quotes in the row of line 2" "$(sed -n 2p out | sed 's/.*,//')"
+same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
+
 # An open quote swallows what follows, to the end of the file: that is one row, and the ones before it stand.
 printf 'P,a\n100,1\n"100,1\n200,1\n' >open.csv
 run solve -i open.csv $fixed

@@ -41,6 +41,7 @@ BASH
     completes "csv" rwedge solve --format c
     completes "csv tsv json vtk" rwedge field --format ""
     completes "csv tsv json" rwedge profile --format =
+    completes "pdf png" rwedge figure --format p
     completes "grid" rwedge table --layout = g
     completes "list row" rwedge solve --layout ""
     called="bash completion of a name with a space"

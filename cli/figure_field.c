@@ -265,7 +265,7 @@ static void write_caption(const figure_case *of, double c, bool found, double to
 {
     char value[NUMBER_SIZE];
     const char *zones = c > 0 ? ", black: stick" : case_value(of, FRICTION) > 0 ? ", sliding" : "";
-    number_write(top, 4, '.', value);
+    number_write(top, 3, '.', value);
     snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones, found ? "; circle: first yield, " : "",
              found ? value : "");
 }

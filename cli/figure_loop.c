@@ -111,7 +111,8 @@ static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
     for (size_t i = 0; i < rows->count; i++)
         reach = fmax(reach, rows->row[i].number[3]);
     reach = reach > 0 ? reach : 1;
-    const double decade = pow(10, floor(log10(reach))), tic = (reach > 5 * decade ? 2 : reach > 2 * decade ? 1 : 0.5) * decade;
+    const double decade = pow(10, floor(log10(reach))), times = reach / decade;
+    const double tic = (times > 7 ? 5 : times > 3 ? 2 : times > 1.5 ? 1 : 0.5) * decade;
     on->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach, tic, 0};
     on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
     on->height = 0.9;

@@ -99,7 +99,7 @@ static void draw_tension(const figure_case *of, const dataset *rows, drawing *on
     on->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
     on->height = 0.75;
     drawing_curve(on, rows, 0, 0, 1)->width = 1.5;
-    drawing_label(on, 0.03, 1.037, "1, sharp wedge");
+    drawing_label(on, 0.03, 1.046, "1, sharp wedge");
     drawing_label(on, 0.965, 4 / PI, "4/π, Hertz")->align = ALIGN_RIGHT;
 }
 

@@ -16,7 +16,9 @@ same "columns" "a_over_b,f,nu,P_over_bk,branch" "$(head -n 1 out)"
 cp out fig4
 exact 'function key(v) { return sprintf("%.9g", v) }
     NR == FNR { if (FNR > 1) { limit[key($1), key($2)] = $3; branch[key($1), key($2)] = $6 } next }
-    FNR > 1 && (key($1), key($2)) in limit { if (branch[key($1), key($2)] != $5) $4 = "-"; print limit[key($1), key($2)], $4 }' \
+    FNR > 1 && (key($1), key($2)) in limit {
+        if (branch[key($1), key($2)] != $5) $4 = "-"
+        print limit[key($1), key($2)], $4 }' \
     "$data/paper_grid.csv" fig4 >both
 close_rows "Fig. 4: limit, and the right branch" 1e-12 0
 same "rows of the paper's grid" 170 "$(wc -l <both | tr -d ' ')"
@@ -97,7 +99,8 @@ exact 'FNR > 1 && $1 == 0 { p[$2] = $3 }
     $1 > 0 && $1 < 0.25 && ($2 in p) && $2 ^ 2 < $1 ^ 2 {
         print 4 * 3.14159265358979324 * sqrt(($1 - $2) * ($1 + $2)), p[$2] - $3 }' fig7 >both
 close_rows "Fig. 7: c = 1/6" 1e-9 1e-9
-same "Fig. 7: rows at the edges of the stick zones" 4 "$(exact 'FNR > 1 && $1 > 0 && $2 * $2 == $1 * $1' fig7 | wc -l | tr -d ' ')"
+same "Fig. 7: rows at the edges of the stick zones" 4 \
+    "$(exact 'FNR > 1 && $1 > 0 && $2 * $2 == $1 * $1' fig7 | wc -l | tr -d ' ')"
 run table stick-zone --a-over-b 0.25 --q-over-fp 0.5
 width=$(tail -n 1 out | cut -d , -f 3)
 run figure 7 --data --c-over-b "$width"

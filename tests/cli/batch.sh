@@ -132,6 +132,16 @@ same "rows" 3 "$(wc -l <out | tr -d ' ')"
 same "error" "misplaced quotes in the row of line 2" "$(sed -n 2p out | sed 's/.*,//')"
 same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
 
+{ printf 'P,a\n'; head -c 1200000 /dev/zero | tr '\0' '\n'; printf '100,1\n\n\n"1"2,1\n'; } >blank.csv
+run solve -i blank.csv $fixed
+same "rows among blank lines" 3 "$(wc -l <out | tr -d ' ')"
+same "line after blank lines" "misplaced quotes in the row of line 1200005" "$(sed -n 3p out | sed 's/.*,//')"
+
+# A rigid body in a column needs no Poisson's ratio; an elastic one does, in its row.
+printf 'P,a,E2\n100,1,inf\n100,1,7e4\n' >rigid.csv
+run solve -i rigid.csv $fixed
+same "errors" ",7e4: needs nu2" "$(sed -n 2p out | sed 's/.*,/,/')$(sed -n 3p out | sed 's/.*E2 \(7e4: needs [-a-z0-9]*\).*/\1/')"
+
 # An open quote swallows what follows, to the end of the file: that is one row, and the ones before it stand.
 printf 'P,a\n100,1\n"100,1\n200,1\n' >open.csv
 run solve -i open.csv $fixed

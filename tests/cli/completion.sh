@@ -98,6 +98,7 @@ ZSH
     inserts "profile" "rwedge pro"
     inserts "table elastic-limit" "rwedge table ela"
     inserts "field --format vtk" "rwedge field --format v"
+    inserts "profile --load 1,0 --load" "rwedge profile --load 1,0 --lo"
     inserts "solve --yield-stress" "rwedge solve --yield-s"
 fi
 
@@ -117,7 +118,7 @@ for command in $(cat commands) elastic-limit max-tension contact-law critical-fr
     same "has $command" yes "$(grep -q -e "$command" plain && echo yes)"
 done
 if command -v mandoc >/dev/null 2>&1; then
-    same "mandoc -Tlint" "" "$(mandoc -Tlint "$page")"
+    same "mandoc -Tlint -Wwarning" "" "$(mandoc -Tlint -Wwarning "$page")"
 fi
 if man --version 2>/dev/null | grep -q '^man 2'; then
     same "man --warnings" "" "$(LC_ALL=C.UTF-8 man -l --warnings "$page" 2>&1 >/dev/null)"

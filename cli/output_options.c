@@ -3,18 +3,29 @@
 
 #include "message.h"
 #include "progress.h"
+#include "xlsx.h"
 
 #include <string.h>
+#include <unistd.h>
 
-struct poptOption output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json")};
+struct poptOption output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json|xlsx")};
 
 /* The formats of rows. */
 static const struct {
     const char *name;
     const record_format *format;
     char separator;
-} formats[] = {{"csv", &delimited_format, ','}, {"tsv", &delimited_format, '\t'}, {"json", &json_format, ','}};
+} formats[] = {{"csv", &delimited_format, ','}, {"tsv", &delimited_format, '\t'}, {"json", &json_format, ','}, {"xlsx", &xlsx_format, ','}};
 enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
+
+static int check_spreadsheet(const output_options *how)
+{
+    if (!xlsx_available())
+        return usage_error("--format xlsx: " XLSX_MISSING);
+    if ((how->path == NULL || strcmp(how->path, "-") == 0) && isatty(STDOUT_FILENO))
+        return usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
+    return STATUS_DONE;
+}
 
 static int read_format(const char *text, const char *other, output_options *how)
 {
@@ -22,14 +33,13 @@ static int read_format(const char *text, const char *other, output_options *how)
         if (strcmp(text, formats[i].name) == 0) {
             how->format = formats[i].format;
             how->separator = formats[i].separator;
-            return STATUS_DONE;
+            return formats[i].format == &xlsx_format ? check_spreadsheet(how) : STATUS_DONE;
         }
     how->format = NULL;
     how->separator = ',';
     if (other != NULL && strcmp(text, other) == 0)
         return STATUS_DONE;
-    const char *why = strcmp(text, "xlsx") == 0 ? "this build cannot write it" : "unknown format";
-    return usage_error("--format %s: %s; allowed: csv, tsv, json%s%s", text, why, other != NULL ? ", " : "",
+    return usage_error("--format %s: unknown format; allowed: csv, tsv, json, xlsx%s%s", text, other != NULL ? ", " : "",
                        other != NULL ? other : "");
 }
 
@@ -47,7 +57,9 @@ static int read_decimal_comma(bool given, output_options *how)
     how->decimal_sign = given ? ',' : '.';
     if (given && how->format != &delimited_format)
         return usage_error("--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
-                           how->format == &json_format ? "JSON" : "VTK");
+                           how->format == &json_format   ? "JSON"
+                           : how->format == &xlsx_format ? "XLSX"
+                                                         : "VTK");
     if (given && how->separator == ',')
         how->separator = ';';
     return STATUS_DONE;
@@ -90,6 +102,7 @@ int output_options_write(const output_options *how, rows_writer *write_rows, voi
     records rows = records_for(how, &out);
     const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
     if (!write_rows(context, &rows, show_progress)) {
+        xlsx_discard(rows.book);
         output_discard(&out);
         return STATUS_FAILED;
     }

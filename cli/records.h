@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take memory. The formats are
- * in delimited.c (CSV, TSV) and json.c. */
+ * in delimited.c (CSV, TSV), json.c and spreadsheet.c (XLSX). */
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 
@@ -47,9 +47,11 @@ struct records {
     char decimal_sign, separator;
     bool row_begun, any_row;
     const char *problem; /* what a format could not write */
+    struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */
+    int row, column, last_column;
 };
 
-extern const record_format delimited_format, json_format;
+extern const record_format delimited_format, json_format, xlsx_format;
 
 /* Whether to write on: an output that fails is given up at the next row. */
 bool records_go_on(const records *rows);

@@ -46,12 +46,15 @@ static bool fill(xlsx *book, const limit_table *table)
 static bool write_workbook(const limit_table *table, output *out)
 {
     xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false);
-    if (book == NULL)
+    if (book == NULL || !fill(book, table)) {
+        failure("%s: %s", out->name, book == NULL ? XLSX_NOT_BEGUN : "a value of the tables could not be computed");
+        xlsx_discard(book);
         return false;
-    const bool filled = fill(book, table), written = xlsx_finish(book, out);
-    if (!filled)
-        failure("the tables: a value could not be computed");
-    return filled && written;
+    }
+    const char *problem = xlsx_finish(book, out);
+    if (problem != NULL)
+        failure("%s: %s", out->name, problem);
+    return problem == NULL;
 }
 
 static int write_file(const char *path)

@@ -70,7 +70,7 @@ static void input_rows(xlsx *book)
         xlsx_text(book, INPUT_ROW + i, LABEL, inputs[i].label, XLSX_PLAIN);
         xlsx_text(book, INPUT_ROW + i, NAME, inputs[i].name, XLSX_NOTE);
         xlsx_number(book, INPUT_ROW + i, VALUE, value[i], XLSX_INPUT);
-        xlsx_text(book, INPUT_ROW + i, UNIT, inputs[i].unit, XLSX_PLAIN);
+        xlsx_text(book, INPUT_ROW + i, UNIT, inputs[i].unit, XLSX_UNIT);
         xlsx_text(book, INPUT_ROW + i, REMARK, inputs[i].hint, XLSX_NOTE);
         xlsx_name(book, inputs[i].name, INPUT_ROW + i, VALUE);
         check_cell(book, i);
@@ -170,7 +170,7 @@ static void result_rows(xlsx *book, const workbook_results *out)
         xlsx_text(book, RESULT_ROW + i, LABEL, results[i].label, XLSX_PLAIN);
         xlsx_text(book, RESULT_ROW + i, NAME, results[i].name, XLSX_NOTE);
         xlsx_formula(book, RESULT_ROW + i, VALUE, results[i].formula, value, XLSX_RESULT);
-        xlsx_text(book, RESULT_ROW + i, UNIT, results[i].unit, XLSX_PLAIN);
+        xlsx_text(book, RESULT_ROW + i, UNIT, results[i].unit, XLSX_UNIT);
         xlsx_text(book, RESULT_ROW + i, REMARK, results[i].hint, XLSX_NOTE);
         xlsx_name(book, results[i].name, RESULT_ROW + i, VALUE);
     }
@@ -181,7 +181,7 @@ static void notes(xlsx *book)
     static const char *const lines[] = {
         "Accuracy: a/b, b, p0 and the tension as exact as the spreadsheet computes; elastic limit within",
         "0.05 %; load at yield within 0.15 % (0.4 % where its a/b is below 0.02); critical friction within",
-        "0.003. For 0.01 <= a/b (all above 1 is Hertz), 0 <= f <= 0.8, 0 <= nu1 <= 0.5. See \"About\".",
+        "0.006. For 0.01 <= a/b (all above 1 is Hertz), 0 <= f <= 0.8, 0 <= nu1 <= 0.5. See \"About\".",
         "The charts show the curve of your case in orange and the case as a red diamond.",
     };
     for (int i = 0; i < 4; i++)
@@ -206,5 +206,5 @@ void sheet_calculator(xlsx *book, const limit_table *table)
     xlsx_width(book, REMARK, REMARK, 36);
     sheet_charts(book, 3, CHART_COLUMN);
     xlsx_freeze(book, 3, 0);
-    xlsx_print(book, (xlsx_page){46, WORKING_COLUMN - 2, -1, true});
+    xlsx_print(book, (xlsx_page){3 + 3 * CHART_ROWS, WORKING_COLUMN - 2, -1, true});
 }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CHART_WIDTH = 600, CHART_HEIGHT = 300, CHART_ROWS = 15, FAMILY = 10 };
+enum { CHART_WIDTH = 620, CHART_HEIGHT = 20 * CHART_ROWS - 10, FAMILY = 10 };
 
 /* Ranges of the calculator's cells by row and column, "='Calculator'!$A$1:$A$9". */
 static const char *range_of(char text[], const char *sheet, int column, int first_row, int rows)

@@ -29,6 +29,9 @@ void sheet_about(xlsx *book);
 /* Where the calculator's working cells begin, right of what is printed, and what its charts draw of them. */
 enum { WORKING_STEPS = 38, WORKING_COLUMN = 18, WORKING_ROW = 5, TIPS_COLUMN = WORKING_COLUMN + 10, FRICTIONS_COLUMN = TIPS_COLUMN + 11 };
 
+/* A chart's height. */
+enum { CHART_ROWS = 17 };
+
 /* A formula or a text put together. */
 #ifdef __GNUC__
 __attribute__((format(printf, 2, 3)))

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "xlsx.h"
 
-#include "message.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -79,8 +77,10 @@ static void style_cells(lxw_format *const style[])
     format_set_unlocked(style[XLSX_INPUT]);
     format_set_align(style[XLSX_INPUT], LXW_ALIGN_RIGHT);
     frame(style[XLSX_RESULT], 0xE8F0F8);
-    format_set_num_format(style[XLSX_RESULT], "[>=99999.5]0.00000E+00;[<0.001]0.00000E+00;0.00000");
+    format_set_num_format(style[XLSX_RESULT], "[>=100]0.00;[<0.001]0.0000E+00;0.00000");
     format_set_bold(style[XLSX_STATUS]);
+    format_set_indent(style[XLSX_UNIT], 1);
+    format_set_num_format(style[XLSX_NUMBER], "0.0#####");
     format_set_num_format(style[XLSX_FIXED_4], "0.0000");
     format_set_num_format(style[XLSX_FIXED_6], "0.000000");
     format_set_num_format(style[XLSX_LIMIT], "[>=1E+90]\"infinite\";0.0000");
@@ -143,12 +143,10 @@ static void release(xlsx *book)
 xlsx *xlsx_begin(const char *title, bool in_order)
 {
     xlsx *book = calloc(1, sizeof *book);
-    errno = 0;
     if (book != NULL && open_workbook(book, in_order)) {
         set_properties(book, title);
         return book;
     }
-    failure("a temporary file: %s", strerror(errno != 0 ? errno : ENOMEM));
     if (book != NULL)
         release(book);
     return NULL;
@@ -183,18 +181,22 @@ static bool copy(FILE *from, output *out)
     return !ferror(from);
 }
 
-bool xlsx_finish(xlsx *book, output *out)
+const char *xlsx_finish(xlsx *book, output *out)
 {
     keep(book, workbook_close(book->workbook));
-    bool done = book->error == LXW_NO_ERROR;
-    if (!done)
-        failure("%s: cannot make a spreadsheet file: %s", out->name, lxw_strerror(book->error));
-    else if (!copy(book->spool, out)) {
-        failure("%s: a temporary file: %s", out->name, strerror(errno));
-        done = false;
-    }
+    const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
+    if (problem == NULL && !copy(book->spool, out))
+        problem = strerror(errno);
     release(book);
-    return done;
+    return problem;
+}
+
+void xlsx_discard(xlsx *book)
+{
+    if (book == NULL)
+        return;
+    lxw_workbook_free(book->workbook);
+    release(book);
 }
 
 /* ---- Cells -------------------------------------------------------------------------------------------------------- */
@@ -245,6 +247,11 @@ void xlsx_width(xlsx *book, int first_column, int last_column, double characters
     keep(book, worksheet_set_column(book->current, column_of(first_column), column_of(last_column), characters, NULL));
 }
 
+void xlsx_lines(xlsx *book, int row, int lines)
+{
+    keep(book, worksheet_set_row(book->current, row_of(row), lines * LXW_DEF_ROW_HEIGHT, NULL));
+}
+
 void xlsx_freeze(xlsx *book, int rows, int columns)
 {
     worksheet_freeze_panes(book->current, row_of(rows), column_of(columns));
@@ -267,7 +274,7 @@ void xlsx_print(xlsx *book, xlsx_page page)
 /* Curves of a family differ in dashes as well as in shade: they stay apart in print and for every eye. */
 static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
 {
-    static const lxw_color_t shades[] = {0x000000, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
+    static const lxw_color_t shades[] = {LXW_COLOR_BLACK, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
     static const uint8_t dashes[] = {LXW_CHART_LINE_DASH_SOLID, LXW_CHART_LINE_DASH_DASH};
     lxw_chart_line line = {.color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
     if (drawing == XLSX_THICK_LINE)

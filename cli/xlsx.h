@@ -18,9 +18,11 @@ typedef enum {
     XLSX_NOTE,     /* small print */
     XLSX_WRAPPED,  /* a paragraph */
     XLSX_INPUT,    /* a cell to type into */
-    XLSX_RESULT,   /* six significant digits */
-    XLSX_STATUS,   /* a text that matters: green where it is OK */
+    XLSX_RESULT,   /* about six significant digits */
+    XLSX_STATUS,   /* a text that matters */
+    XLSX_UNIT,     /* a text after a number */
     XLSX_CHECK,    /* a text that appears where something is wrong */
+    XLSX_NUMBER,   /* up to six decimals */
     XLSX_FIXED_4,  /* four decimals */
     XLSX_FIXED_6,
     XLSX_LIMIT,    /* four decimals, and a word for XLSX_INFINITE */
@@ -35,9 +37,12 @@ enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 
 
 /* Whether this build can write such files; what it lacks. */
 bool xlsx_available(void);
-#define XLSX_MISSING "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the package libxlsxwriter-dev)"
+#define XLSX_MISSING                                                                                                   \
+    "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the package "               \
+    "libxlsxwriter-dev)"
+#define XLSX_NOT_BEGUN "a temporary file for the spreadsheet cannot be made"
 
-/* With in_order, cells come row by row from the left, and take no memory. NULL with a message. */
+/* With in_order, cells come row by row from the left, and take no memory. NULL where it cannot be begun. */
 xlsx *xlsx_begin(const char *title, bool in_order);
 
 /* Adds a sheet; what follows goes there, until the next or xlsx_turn_to(). */
@@ -57,6 +62,7 @@ void xlsx_name(xlsx *book, const char *name, int row, int column);
 void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns);
 
 void xlsx_width(xlsx *book, int first_column, int last_column, double characters);
+void xlsx_lines(xlsx *book, int row, int lines); /* the height of a row; programs do not all find it themselves */
 void xlsx_freeze(xlsx *book, int rows, int columns);
 
 /* What is printed: the cells up to this one, one page wide; one page high, or as many as it takes, with the header on
@@ -84,8 +90,10 @@ typedef struct {
 } xlsx_chart;
 void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart);
 
-/* Ends it, into the output; false, with the reason said, where it could not be made. What the output itself could not
- * take, output_finish() says. */
-bool xlsx_finish(xlsx *book, output *out);
+/* Ends it, into the output. NULL, or why it could not be made; what the output could not take, output_finish() says. */
+const char *xlsx_finish(xlsx *book, output *out);
+
+/* Ends it without a trace. NULL is allowed. */
+void xlsx_discard(xlsx *book);
 
 #endif

@@ -85,8 +85,7 @@ refuses "rwedge table: --quantity f: not a quantity of elastic-limit; allowed: $
     $limit --layout grid --quantity f
 
 # Formats.
-refuses "rwedge table: --format xml: unknown format; allowed: csv, tsv, json" $limit --format xml
-refuses "rwedge table: --format xlsx: this build cannot write it; allowed: csv, tsv, json" $limit --format xlsx
+refuses "rwedge table: --format xml: unknown format; allowed: csv, tsv, json, xlsx" $limit --format xml
 refuses "rwedge table: --decimal-comma: not in JSON, whose numbers have a point; allowed with: csv, tsv" \
     $limit --format json --decimal-comma
 for digits in 0 18 1.5 -1 "" seventeen 17x 99999999999999999999; do
@@ -118,7 +117,7 @@ refuses "rwedge solve: --P 100: given twice; allowed: once" solve $contact --P 1
 refuses "rwedge solve: contact: unexpected; allowed: options only" solve $contact contact
 refuses "rwedge solve: --layout wide: unknown layout; allowed: list, row" solve $contact --layout wide
 refuses "rwedge solve: --yield-factor: needs --k or --yield-stress" solve $contact --yield-factor
-refuses "rwedge solve: --format vtk: unknown format; allowed: csv, tsv, json" solve $contact --format vtk
+refuses "rwedge solve: --format vtk: unknown format; allowed: csv, tsv, json, xlsx" solve $contact --format vtk
 
 unphysical() { # OPTION VALUE MESSAGE: which follows the option and its value
     words=$(echo "$contact" | sed "s/ *$1 [^ ]*//")

@@ -67,7 +67,7 @@ if command -v fish >/dev/null 2>&1; then
     }
     offers "$(sort commands | paste -s -d ' ' -)" "rwedge "
     offers "elastic-limit" "rwedge table ela"
-    offers "csv json tsv vtk" "rwedge field --format "
+    offers "csv json tsv vtk xlsx" "rwedge field --format "
     offers "--layout" "rwedge table --la"
     for command in $(cat commands); do
         offers "$(every_option "$command" | paste -s -d ' ' -)" "rwedge $command --"

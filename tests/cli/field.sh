@@ -100,7 +100,7 @@ refuses "rwedge field: --y 1:0:-0.1: must ascend; so the format vtk wants it" fi
 refuses "rwedge field: --x 0,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 0,0 --format vtk
 refuses "rwedge field: --decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma
-refuses "rwedge field: --format xml: unknown format; allowed: csv, tsv, json, vtk" field --a-over-b 1 --format xml
+refuses "rwedge field: --format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml
 refuses "rwedge field: --y -1:1:1: depths must not be below 0" field --a-over-b 1 --y -1:1:1
 refuses "rwedge field: --x 0:1:1e-8: must not give the grid more than 1000000000 points in all" \
     field --a-over-b 1 --x 0:1:1e-8 --y 0:1:1e-3

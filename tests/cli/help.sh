@@ -33,7 +33,7 @@ says 'Usage: rwedge solve' '--E1' '--yield-stress' '--input' 'P_yield' 'consiste
 run profile --help
 says 'Usage: rwedge profile' '--history' '--load' '--c-over-b' 'zone'
 run field --help
-says 'Usage: rwedge field' 'csv|tsv|json|vtk' 'von_mises' 'depth'
+says 'Usage: rwedge field' 'csv|tsv|json|xlsx|vtk' 'von_mises' 'depth'
 for command in solve profile field; do
     called="rwedge $command --help"
     same "lines over 81 columns" 0 "$("$rwedge" $command --help | awk 'length > 81' | wc -l | tr -d ' ')"

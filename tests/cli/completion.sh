@@ -39,8 +39,8 @@ BASH
     completes "elastic-limit" rwedge table el
     completes "--yield-stress --yield-factor" rwedge solve --yi
     completes "csv" rwedge solve --format c
-    completes "csv tsv json vtk" rwedge field --format ""
-    completes "csv tsv json" rwedge profile --format =
+    completes "csv tsv json xlsx vtk" rwedge field --format ""
+    completes "csv tsv json xlsx" rwedge profile --format =
     completes "pdf png" rwedge figure --format p
     completes "grid" rwedge table --layout = g
     completes "list row" rwedge solve --layout ""

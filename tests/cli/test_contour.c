@@ -56,9 +56,10 @@ static double two_hills(double x, double y)
     return fmax(hill(2 * x - 1, 2 * y - 1), hill(2 * x + 1, 2 * y + 1));
 }
 
+/* Its saddle point is in the middle of a cell. */
 static double saddle(double x, double y)
 {
-    return x * y;
+    return (x - 1.0 / (SIDE - 1)) * (y - 1.0 / (SIDE - 1));
 }
 
 static void contour_of_a_hill_is_a_circle(void **state)

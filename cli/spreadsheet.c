@@ -102,8 +102,7 @@ static void put_value(records *rows, const char *name, cell value)
     else if (value.text != NULL && value.text[0] != '\0')
         xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
     else if (value.text == NULL && isfinite(value.number))
-        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits),
-                    style_for(value.number));
+        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits), style_for(value.number));
     rows->column++;
 }
 

@@ -8,8 +8,7 @@
 #include <unistd.h>
 
 static const struct poptOption options[] = {
-    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT, "Write to FILE, whole or not at all; - is standard output",
-     "FILE"},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT, "Write to FILE, whole or not at all; - is standard output", "FILE"},
     OPTION_HELP_ENTRY,
     POPT_TABLEEND,
 };
@@ -24,7 +23,7 @@ static void describe(FILE *stream)
 
 static bool fill(xlsx *book, const limit_table *table)
 {
-    static const char *const names[] = {"Calculator",   "Elastic limit",     "Maximum tension",
+    static const char *const names[] = {"Calculator",  "Elastic limit",     "Maximum tension",
                                         "Contact law", "Critical friction", "About"};
     for (int i = 0; i <= SHEET_ABOUT; i++)
         xlsx_sheet(book, names[i]);

@@ -23,16 +23,16 @@ typedef struct {
 #define POISSON "OR(%s<=-1,%s>0.5)", "must be above -1 and not above 0.5"
 
 static const input_cell inputs[INPUTS] = {
-    [THETA] = {"Angle between flank and surface", "rw_theta", "rad", "small: up to about 0.1",
-               "OR(%s<1E-30,%s>=PI()/2)", "must be above 0 and below pi/2 rad"},
+    [THETA] = {"Angle between flank and surface", "rw_theta", "rad", "small: up to about 0.1", "OR(%s<1E-30,%s>=PI()/2)",
+               "must be above 0 and below pi/2 rad"},
     [ROUNDING] = {"Half-width of the rounding, a = R theta", "rw_a", "mm", "R is the radius of the apex", ABOVE_0},
     [E1] = {"Young's modulus, half-plane", "rw_E1", "MPa", "", ABOVE_0},
     [NU1] = {"Poisson's ratio, half-plane", "rw_nu1", "-", "0 to 0.5; the body whose yield is looked at", POISSON},
     [E2] = {"Young's modulus, wedge", "rw_E2", "MPa", "1E+30 where it is rigid", ABOVE_0},
     [NU2] = {"Poisson's ratio, wedge", "rw_nu2", "-", "", POISSON},
     [LOAD] = {"Normal load per unit length", "rw_P", "N/mm", "", ABOVE_0},
-    [FRICTION_F] = {"Coefficient of friction", "rw_f", "-", "0 to 0.8; full sliding, 0: normal load",
-                    "OR(%s<0,%s>1E+6)", "must not be below 0"},
+    [FRICTION_F] = {"Coefficient of friction", "rw_f", "-", "0 to 0.8; full sliding, 0: normal load", "OR(%s<0,%s>1E+6)",
+                    "must not be below 0"},
     [STRENGTH_K] = {"Yield stress in pure shear, half-plane", "rw_k", "MPa", "tensile yield stress / sqrt(3)", ABOVE_0},
 };
 
@@ -53,8 +53,8 @@ static void check_cell(xlsx *book, int i)
     char formula[FORMULA_SIZE], wrong[200];
     const input_cell *cell = &inputs[i];
     snprintf(wrong, sizeof wrong, cell->wrong, cell->name, cell->name);
-    compose(formula, "=IF(NOT(ISNUMBER(%s)),\"%s is missing or not a number\",IF(%s,\"%s %s\",\"\"))", cell->name,
-            cell->name, wrong, cell->name, cell->must);
+    compose(formula, "=IF(NOT(ISNUMBER(%s)),\"%s is missing or not a number\",IF(%s,\"%s %s\",\"\"))", cell->name, cell->name,
+            wrong, cell->name, cell->must);
     xlsx_text(book, CHECK_ROW + i, CHECK_COLUMN, cell->name, XLSX_NOTE);
     xlsx_text_formula(book, CHECK_ROW + i, CHECK_COLUMN + 1, formula, "", XLSX_PLAIN);
     compose(formula, "rwt_check%d", i + 1);
@@ -63,7 +63,7 @@ static void check_cell(xlsx *book, int i)
 
 static void input_rows(xlsx *book)
 {
-    const double value[INPUTS] = {example.theta, example.a,  example.E1, example.nu1, example.E2,
+    const double value[INPUTS] = {example.theta, example.a, example.E1, example.nu1, example.E2,
                                   example.nu2,   example.P, example.f,  example.k};
     xlsx_text(book, INPUT_ROW - 1, LABEL, "Inputs", XLSX_HEADING);
     for (int i = 0; i < INPUTS; i++) {
@@ -82,7 +82,7 @@ static void input_rows(xlsx *book)
 static void flag(xlsx *book, int i, const char *name, const char *formula)
 {
     xlsx_text(book, CHECK_ROW + INPUTS + i, CHECK_COLUMN, name, XLSX_NOTE);
-    xlsx_formula(book, CHECK_ROW + INPUTS + i, CHECK_COLUMN + 1, formula, 1, XLSX_PLAIN);
+    formula_cell(book, CHECK_ROW + INPUTS + i, CHECK_COLUMN + 1, formula, 1, XLSX_PLAIN);
     xlsx_name(book, name, CHECK_ROW + INPUTS + i, CHECK_COLUMN + 1);
 }
 
@@ -146,8 +146,8 @@ static const result_cell results[] = {
      RESULT(p0)},
     {"Maximum tension", "rw_max_tension", "MPa", "at the trailing edge, full sliding",
      "=IF(AND(rwt_ok=1,rwt_check8=\"\"),rw_f*rw_P/rw_b*rwt_ratio,\"\")", RESULT(tension)},
-    {"Load P/(bk)", "rw_load_over_bk", "-", "of the load given",
-     "=IF(AND(rwt_ok=1,rwt_check9=\"\"),rw_P/(rw_b*rw_k),\"\")", RESULT(load_over_bk)},
+    {"Load P/(bk)", "rw_load_over_bk", "-", "of the load given", "=IF(AND(rwt_ok=1,rwt_check9=\"\"),rw_P/(rw_b*rw_k),\"\")",
+     RESULT(load_over_bk)},
     {"Elastic limit P/(bk)", "rw_P_over_bk", "-", "at this a/b and f: it yields above",
      "=IF(AND(rwt_ok_f=1,rwt_ok_tip=1),MIN(rwt_limit_s,rwt_limit_b),\"\")", RESULT(limit)},
     {"Load at first yield", "rw_P_yield", "N/mm", "the contact grows on the way",
@@ -169,7 +169,7 @@ static void result_rows(xlsx *book, const workbook_results *out)
         memcpy(&value, (const char *)out + results[i].value, sizeof value);
         xlsx_text(book, RESULT_ROW + i, LABEL, results[i].label, XLSX_PLAIN);
         xlsx_text(book, RESULT_ROW + i, NAME, results[i].name, XLSX_NOTE);
-        xlsx_formula(book, RESULT_ROW + i, VALUE, results[i].formula, value, XLSX_RESULT);
+        formula_cell(book, RESULT_ROW + i, VALUE, results[i].formula, value, XLSX_RESULT);
         xlsx_text(book, RESULT_ROW + i, UNIT, results[i].unit, XLSX_UNIT);
         xlsx_text(book, RESULT_ROW + i, REMARK, results[i].hint, XLSX_NOTE);
         xlsx_name(book, results[i].name, RESULT_ROW + i, VALUE);

@@ -47,14 +47,22 @@ static void draw_normal_load(xlsx *book, int row, int column)
 {
     ranges kept = {.used = 0};
     const char *tips = "='Elastic limit'!$M$5:$M$65";
-    xlsx_chart chart = {"Fig. 3: elastic limit against a/b", "a/b", "P/(bk); y/b", 0, 1, 0.2, 0, 7,
-                        CHART_WIDTH, CHART_HEIGHT,
-                        {{"P/(bk), f = 0, nu = 0.3", tips, "='Elastic limit'!$N$5:$N$65", XLSX_LINE},
-                         {"its depth y/b", tips, "='Elastic limit'!$O$5:$O$65", XLSX_DASHED_LINE},
-                         {"P/(bk), your f and nu1", working(&kept, TIPS_COLUMN, TIPS),
-                          working(&kept, TIPS_COLUMN + 9, TIPS), XLSX_THICK_LINE},
-                         {"your case", mark(&kept, 0), mark(&kept, 2), XLSX_MARK}},
-                        4};
+    const xlsx_chart chart = {
+        .title = "Fig. 3: elastic limit against a/b",
+        .x_title = "a/b",
+        .y_title = "P/(bk); y/b",
+        .x_max = 1,
+        .x_step = 0.2,
+        .y_max = 7,
+        .width = CHART_WIDTH,
+        .height = CHART_HEIGHT,
+        .series = {{"P/(bk), f = 0, nu = 0.3", tips, "='Elastic limit'!$N$5:$N$65", XLSX_LINE},
+                   {"its depth y/b", tips, "='Elastic limit'!$O$5:$O$65", XLSX_DASHED_LINE},
+                   {"P/(bk), your f and nu1", working(&kept, TIPS_COLUMN, TIPS), working(&kept, TIPS_COLUMN + 9, TIPS),
+                    XLSX_THICK_LINE},
+                   {"your case", mark(&kept, 0), mark(&kept, 2), XLSX_MARK}},
+        .series_count = 4,
+    };
     xlsx_draw(book, row, column, &chart);
 }
 
@@ -62,8 +70,17 @@ static void draw_friction(xlsx *book, int row, int column)
 {
     static const char *const names[FAMILY] = {"a/b = 1.0", "0.9", "0.8", "0.7", "0.6", "0.5", "0.4", "0.3", "0.2", "0.1"};
     ranges kept = {.used = 0};
-    xlsx_chart chart = {"Fig. 4: elastic limit against friction (nu = 0.3)", "f", "P/(bk)", 0, 0.8, 0.1, 0, 6,
-                        CHART_WIDTH, CHART_HEIGHT, {{0}}, FAMILY + 2};
+    xlsx_chart chart = {
+        .title = "Fig. 4: elastic limit against friction (nu = 0.3)",
+        .x_title = "f",
+        .y_title = "P/(bk)",
+        .x_max = 0.8,
+        .x_step = 0.1,
+        .y_max = 6,
+        .width = CHART_WIDTH,
+        .height = CHART_HEIGHT,
+        .series_count = FAMILY + 2,
+    };
     const char *f = store(&kept, "Elastic limit", 0, 4, 65);
     for (int i = 0; i < FAMILY; i++)
         chart.series[i] = (xlsx_series){names[i], f, store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
@@ -76,11 +93,20 @@ static void draw_friction(xlsx *book, int row, int column)
 static void draw_tension(xlsx *book, int row, int column)
 {
     ranges kept = {.used = 0};
-    xlsx_chart chart = {"Fig. 6: maximum tension at the trailing edge", "a/b", "b sigma/(fP)", 0, 1, 0.2, 0.95, 1.3,
-                        CHART_WIDTH, CHART_HEIGHT,
-                        {{"b sigma/(fP)", TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
-                         {"your case", mark(&kept, 0), mark(&kept, 3), XLSX_MARK}},
-                        2};
+    const xlsx_chart chart = {
+        .title = "Fig. 6: maximum tension at the trailing edge",
+        .x_title = "a/b",
+        .y_title = "b sigma/(fP)",
+        .x_max = 1,
+        .x_step = 0.2,
+        .y_min = 0.95,
+        .y_max = 1.3,
+        .width = CHART_WIDTH,
+        .height = CHART_HEIGHT,
+        .series = {{"b sigma/(fP)", TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
+                   {"your case", mark(&kept, 0), mark(&kept, 3), XLSX_MARK}},
+        .series_count = 2,
+    };
     xlsx_draw(book, row, column, &chart);
 }
 

@@ -26,10 +26,9 @@ double workbook_rounded(double value)
 /* Closer where the branch below the surface begins to be decisive, from nu = 0.18 on: it ends near there too, and a patch
  * that lacks one of its nine values leaves the case to the surface. f = 0.385 is above all critical frictions (0.378), and
  * the branch still lives there for Hertz. */
-static const double nus[NUS] = {0,   0.1,   0.175, 0.2,   0.225, 0.25, 0.275, 0.3,
-                                0.325, 0.35, 0.375, 0.4,   0.425, 0.45, 0.475, 0.5};
-static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0.125, 0.15,  0.175, 0.2, 0.225, 0.25,
-                                            0.275, 0.3,   0.325, 0.35,  0.375, 0.385, 0.5,   0.6,   0.7, 0.8};
+static const double nus[NUS] = {0, 0.1, 0.175, 0.2, 0.225, 0.25, 0.275, 0.3, 0.325, 0.35, 0.375, 0.4, 0.425, 0.45, 0.475, 0.5};
+static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0.125, 0.15, 0.175, 0.2, 0.225, 0.25,
+                                            0.275, 0.3,   0.325, 0.35,  0.375, 0.385, 0.5,  0.6,   0.7, 0.8};
 
 /* t equally spaced from a/b = 0.01 to 1, a/b to four digits. */
 static void fill_tips(limit_table *table)
@@ -220,8 +219,8 @@ static double crossing(const limit_table *table, const double stress[], int i, d
 {
     if (stress[i] < strength || stress[i + 1] <= 0)
         return NAN;
-    return table->log_load[i] + log(strength / stress[i]) / log(stress[i + 1] / stress[i]) *
-                                    (table->log_load[i + 1] - table->log_load[i]);
+    return table->log_load[i] +
+           log(strength / stress[i]) / log(stress[i + 1] / stress[i]) * (table->log_load[i + 1] - table->log_load[i]);
 }
 
 /* The load that makes a tip grows as the tip shrinks, and so does the stress: the first tip that is strong enough is

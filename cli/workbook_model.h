@@ -33,13 +33,13 @@ typedef struct {
     /* The patch of the table: first node of nu and of f, counted from 0, and the weights of three of each. */
     int nu_node, f_node;
     double m, weight_nu[3], weight_f[3];
-    double surface[TIPS], below[TIPS];                     /* limits at these f and nu; NAN: none */
+    double surface[TIPS], below[TIPS];                             /* limits at these f and nu; NAN: none */
     double stress_surface[TIPS], stress_below[TIPS], stress[TIPS]; /* A sqrt(J2)/theta, the larger last */
-    double t, share; /* the case among the tips: between node and node + 1 */
+    double t, share;                                               /* the case among the tips: between node and node + 1 */
     int node;
     double limit_surface, limit_below, limit;
-    double strength; /* k A/theta */
-    int reached;     /* so many tips yield before the load makes them */
+    double strength;                                        /* k A/theta */
+    int reached;                                            /* so many tips yield before the load makes them */
     double yield_surface, yield_below, yield_either, yield; /* ln(AP/(theta a)) at yield by branch; AP/(theta a) */
     double P_yield, safety, load_over_bk;
     double low_surface[FRICTIONS], high_surface[FRICTIONS], low_below[FRICTIONS], high_below[FRICTIONS];

@@ -27,7 +27,13 @@ bool sheet_critical_friction(xlsx *book);
 void sheet_about(xlsx *book);
 
 /* Where the calculator's working cells begin, right of what is printed, and what its charts draw of them. */
-enum { WORKING_STEPS = 38, WORKING_COLUMN = 18, WORKING_ROW = 5, TIPS_COLUMN = WORKING_COLUMN + 10, FRICTIONS_COLUMN = TIPS_COLUMN + 11 };
+enum {
+    WORKING_STEPS = 38,
+    WORKING_COLUMN = 18,
+    WORKING_ROW = 5,
+    TIPS_COLUMN = WORKING_COLUMN + 10,
+    FRICTIONS_COLUMN = TIPS_COLUMN + 11
+};
 
 /* A chart's height. */
 enum { CHART_ROWS = 17 };
@@ -36,7 +42,11 @@ enum { CHART_ROWS = 17 };
 #ifdef __GNUC__
 __attribute__((format(printf, 2, 3)))
 #endif
-const char *compose(char text[], const char *format, ...);
+const char *
+compose(char text[], const char *format, ...);
 enum { FORMULA_SIZE = 1200 };
+
+/* A formula and its value, to ten digits; an empty text where there is no such number. */
+void formula_cell(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style);
 
 #endif

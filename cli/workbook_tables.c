@@ -71,8 +71,7 @@ static void write_branch_headers(xlsx *book, const limit_table *limits)
 {
     xlsx_text(book, HEADER_ROW - 1, TABLE_COLUMN, "The calculator's table", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW - 1, SURFACE_COLUMN + 3, "P/(bk) at the surface, f across", XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW - 1, BELOW_COLUMN, "P/(bk) below the surface, f across; empty: no maximum there",
-              XLSX_HEADING);
+    xlsx_text(book, HEADER_ROW - 1, BELOW_COLUMN, "P/(bk) below the surface, f across; empty: no maximum there", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW, TABLE_COLUMN, "a/b", XLSX_HEADER);
     xlsx_text(book, HEADER_ROW, TABLE_COLUMN + 1, "nu", XLSX_HEADER);
     for (int f = 0; f < FRICTIONS; f++) {
@@ -141,8 +140,7 @@ void sheet_contact_law(xlsx *book)
 {
     static const char *const names[] = {"a/b", "AP/(theta b)", "AP/(theta a)", "A p0/theta", "A p(a)/theta"};
     const table *law = table_named("contact-law");
-    head(book, "Contact law",
-         "Load, pressure at x = 0 and where the rounding ends, x = a (0 where the contact ends before).");
+    head(book, "Contact law", "Load, pressure at x = 0 and where the rounding ends, x = a (0 where the contact ends before).");
     for (int j = 0; j < 5; j++)
         xlsx_text(book, HEADER_ROW, j, names[j], XLSX_HEADER);
     for (int i = 0; i < 200; i++) {

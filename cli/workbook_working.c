@@ -16,11 +16,10 @@ const char *compose(char text[], const char *format, ...)
     return text;
 }
 
-/* An empty text where there is no such number. */
-static void number_or_none(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
+void formula_cell(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
 {
     if (isfinite(value))
-        xlsx_formula(book, row, column, formula, value, style);
+        xlsx_formula(book, row, column, formula, workbook_rounded(value), style);
     else
         xlsx_text_formula(book, row, column, formula, "", style);
 }
@@ -36,7 +35,7 @@ static void step(listing *list, const char *name, const char *formula, double va
 {
     xlsx_text(list->book, list->row, WORKING_COLUMN, what, XLSX_NOTE);
     xlsx_text(list->book, list->row, WORKING_COLUMN + 1, name, XLSX_NOTE);
-    number_or_none(list->book, list->row, WORKING_COLUMN + 2, formula, value, XLSX_PLAIN);
+    formula_cell(list->book, list->row, WORKING_COLUMN + 2, formula, value, XLSX_PLAIN);
     xlsx_name(list->book, name, list->row, WORKING_COLUMN + 2);
     list->row++;
 }
@@ -174,8 +173,7 @@ static void nu_nodes(xlsx *book, const limit_table *table)
     columns(book, column, name, 2, NUS);
     for (int i = 0; i < NUS; i++) {
         xlsx_number(book, WORKING_ROW + i, column, table->nu[i], XLSX_PLAIN);
-        xlsx_number(book, WORKING_ROW + i, column + 1,
-                    (1 - 2 * table->nu[i]) * (1 - 2 * table->nu[i]) / 3, XLSX_PLAIN);
+        xlsx_number(book, WORKING_ROW + i, column + 1, (1 - 2 * table->nu[i]) * (1 - 2 * table->nu[i]) / 3, XLSX_PLAIN);
     }
 }
 
@@ -188,7 +186,7 @@ static void weight_square(xlsx *book, const workbook_results *out)
     xlsx_name_range(book, "rwt_w", WORKING_ROW, column, 3, 3);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            xlsx_formula(book, WORKING_ROW + i, column + j, compose(formula, "=rwt_wm%d*rwt_wf%d", i + 1, j + 1),
+            formula_cell(book, WORKING_ROW + i, column + j, compose(formula, "=rwt_wm%d*rwt_wf%d", i + 1, j + 1),
                          out->weight_nu[i] * out->weight_f[j], XLSX_PLAIN);
 }
 
@@ -196,38 +194,38 @@ static void tip_limits(xlsx *book, const workbook_results *out, int i)
 {
     char patch[300], formula[FORMULA_SIZE];
     const int row = WORKING_ROW + i, first = i * NUS;
-    snprintf(patch, sizeof patch, "INDEX(" NAME_SURFACE ",%d+rwt_kn,rwt_fn):INDEX(" NAME_SURFACE ",%d+rwt_kn,rwt_fn+2)",
-             first, first + 2);
-    xlsx_formula(book, row, TIPS_COLUMN + 4, compose(formula, "=1/SQRT(MAX(1E-6,SUMPRODUCT(rwt_w/(%s)^2)))", patch),
+    snprintf(patch, sizeof patch, "INDEX(" NAME_SURFACE ",%d+rwt_kn,rwt_fn):INDEX(" NAME_SURFACE ",%d+rwt_kn,rwt_fn+2)", first,
+             first + 2);
+    formula_cell(book, row, TIPS_COLUMN + 4, compose(formula, "=1/SQRT(MAX(1E-6,SUMPRODUCT(rwt_w/(%s)^2)))", patch),
                  out->surface[i], XLSX_PLAIN);
-    snprintf(patch, sizeof patch, "INDEX(" NAME_BELOW ",%d+rwt_kn,rwt_fn):INDEX(" NAME_BELOW ",%d+rwt_kn,rwt_fn+2)",
-             first, first + 2);
-    number_or_none(book, row, TIPS_COLUMN + 5,
-                   compose(formula,
-                           "=IF(rwt_fn<=15,IF(COUNT(%s)=9,1/SQRT(MAX(1E-6,SUMPRODUCT(rwt_w/(%s)^2))),\"\"),\"\")", patch,
-                           patch),
-                   out->below[i], XLSX_PLAIN);
+    snprintf(patch, sizeof patch, "INDEX(" NAME_BELOW ",%d+rwt_kn,rwt_fn):INDEX(" NAME_BELOW ",%d+rwt_kn,rwt_fn+2)", first,
+             first + 2);
+    formula_cell(
+        book, row, TIPS_COLUMN + 5,
+        compose(formula, "=IF(rwt_fn<=15,IF(COUNT(%s)=9,1/SQRT(MAX(1E-6,SUMPRODUCT(rwt_w/(%s)^2))),\"\"),\"\")", patch, patch),
+        out->below[i], XLSX_PLAIN);
 }
 
 static void tip_stresses(xlsx *book, const workbook_results *out, int i)
 {
     char formula[FORMULA_SIZE];
     const int row = WORKING_ROW + i, at = i + 1;
-    xlsx_formula(book, row, TIPS_COLUMN + 6, compose(formula, "=INDEX(rwt_load,%d)/INDEX(rwt_ls,%d)", at, at),
+    formula_cell(book, row, TIPS_COLUMN + 6, compose(formula, "=INDEX(rwt_load,%d)/INDEX(rwt_ls,%d)", at, at),
                  out->stress_surface[i], XLSX_PLAIN);
-    xlsx_formula(book, row, TIPS_COLUMN + 7,
+    formula_cell(book, row, TIPS_COLUMN + 7,
                  compose(formula, "=IF(ISNUMBER(INDEX(rwt_lb,%d)),INDEX(rwt_load,%d)/INDEX(rwt_lb,%d),0)", at, at, at),
                  out->stress_below[i], XLSX_PLAIN);
-    xlsx_formula(book, row, TIPS_COLUMN + 8, compose(formula, "=MAX(INDEX(rwt_ss,%d),INDEX(rwt_sb,%d))", at, at),
+    formula_cell(book, row, TIPS_COLUMN + 8, compose(formula, "=MAX(INDEX(rwt_ss,%d),INDEX(rwt_sb,%d))", at, at),
                  out->stress[i], XLSX_PLAIN);
-    xlsx_formula(book, row, TIPS_COLUMN + 9, compose(formula, "=MIN(INDEX(rwt_ls,%d),INDEX(rwt_lb,%d))", at, at),
+    formula_cell(book, row, TIPS_COLUMN + 9, compose(formula, "=MIN(INDEX(rwt_ls,%d),INDEX(rwt_lb,%d))", at, at),
                  fmin(out->surface[i], out->below[i]), XLSX_PLAIN);
 }
 
 static void tip_nodes(xlsx *book, const limit_table *table, const workbook_results *out)
 {
-    static const char *const header[] = {"a/b", "t", "AP/(theta b)", "ln(AP/(theta a))", "limit surface", "limit below",
-                                         "stress surface", "stress below", "stress", "limit"};
+    static const char *const header[] = {"a/b",           "t",           "AP/(theta b)",   "ln(AP/(theta a))",
+                                         "limit surface", "limit below", "stress surface", "stress below",
+                                         "stress",        "limit"};
     static const char *const name[] = {"rwt_tips", "rwt_ts", "rwt_load", "rwt_lf", "rwt_ls",
                                        "rwt_lb",   "rwt_ss", "rwt_sb",   "rwt_se", "rwt_le"};
     headers(book, TIPS_COLUMN, header, 10);
@@ -249,39 +247,43 @@ static void friction_limit(xlsx *book, int f, int column, const char *table, int
         xlsx_text_formula(book, WORKING_ROW + f, FRICTIONS_COLUMN + column, "=\"\"", "", XLSX_PLAIN);
         return;
     }
-    snprintf(patch, sizeof patch,
-             "INDEX(%s,(rwt_node-1)*16+%d+rwt_kn,%d):INDEX(%s,(rwt_node-1)*16+%d+rwt_kn,%d)", table, offset, at, table,
-             offset + 2, at);
+    snprintf(patch, sizeof patch, "INDEX(%s,(rwt_node-1)*16+%d+rwt_kn,%d):INDEX(%s,(rwt_node-1)*16+%d+rwt_kn,%d)", table,
+             offset, at, table, offset + 2, at);
     compose(formula, "=IF(COUNT(%s)=3,1/SQRT(MAX(1E-6,SUMPRODUCT(rwt_wm/(%s)^2))),\"\")", patch, patch);
-    number_or_none(book, WORKING_ROW + f, FRICTIONS_COLUMN + column, formula, value, XLSX_PLAIN);
+    formula_cell(book, WORKING_ROW + f, FRICTIONS_COLUMN + column, formula, value, XLSX_PLAIN);
 }
 
 static void friction_curves(xlsx *book, const workbook_results *out, int f)
 {
     char formula[FORMULA_SIZE];
     const int row = WORKING_ROW + f, at = f + 1;
-    xlsx_formula(book, row, FRICTIONS_COLUMN + 5,
+    formula_cell(book, row, FRICTIONS_COLUMN + 5,
                  compose(formula, "=(1-rwt_u)*INDEX(rwt_f1,%d)+rwt_u*INDEX(rwt_f2,%d)", at, at), out->curve_surface[f],
                  XLSX_PLAIN);
-    number_or_none(book, row, FRICTIONS_COLUMN + 6,
-                   compose(formula,
-                           "=IF(AND(ISNUMBER(INDEX(rwt_f3,%d)),ISNUMBER(INDEX(rwt_f4,%d))),"
-                           "(1-rwt_u)*INDEX(rwt_f3,%d)+rwt_u*INDEX(rwt_f4,%d),\"\")",
-                           at, at, at, at),
-                   out->curve_below[f], XLSX_PLAIN);
-    xlsx_formula(book, row, FRICTIONS_COLUMN + 7,
-                 compose(formula, "=MIN(INDEX(rwt_cs,%d),INDEX(rwt_cb,%d))", at, at), out->curve[f], XLSX_PLAIN);
-    xlsx_formula(book, row, FRICTIONS_COLUMN + 8,
-                 compose(formula, "=IF(ISNUMBER(INDEX(rwt_cb,%d)),1/INDEX(rwt_cs,%d)^2-1/INDEX(rwt_cb,%d)^2,1)", at, at,
-                         at),
+    formula_cell(book, row, FRICTIONS_COLUMN + 6,
+                 compose(formula,
+                         "=IF(AND(ISNUMBER(INDEX(rwt_f3,%d)),ISNUMBER(INDEX(rwt_f4,%d))),"
+                         "(1-rwt_u)*INDEX(rwt_f3,%d)+rwt_u*INDEX(rwt_f4,%d),\"\")",
+                         at, at, at, at),
+                 out->curve_below[f], XLSX_PLAIN);
+    formula_cell(book, row, FRICTIONS_COLUMN + 7, compose(formula, "=MIN(INDEX(rwt_cs,%d),INDEX(rwt_cb,%d))", at, at),
+                 out->curve[f], XLSX_PLAIN);
+    formula_cell(book, row, FRICTIONS_COLUMN + 8,
+                 compose(formula, "=IF(ISNUMBER(INDEX(rwt_cb,%d)),1/INDEX(rwt_cs,%d)^2-1/INDEX(rwt_cb,%d)^2,1)", at, at, at),
                  out->gap[f], XLSX_PLAIN);
 }
 
 static void friction_nodes(xlsx *book, const limit_table *table, const workbook_results *out)
 {
-    static const char *const header[] = {"f",           "surface, tip below", "surface, tip above",
-                                         "below, tip below", "below, tip above", "limit surface",
-                                         "limit below", "limit",              "difference"};
+    static const char *const header[] = {"f",
+                                         "surface, tip below",
+                                         "surface, tip above",
+                                         "below, tip below",
+                                         "below, tip above",
+                                         "limit surface",
+                                         "limit below",
+                                         "limit",
+                                         "difference"};
     static const char *const name[] = {"rwt_f",  "rwt_f1", "rwt_f2", "rwt_f3", "rwt_f4",
                                        "rwt_cs", "rwt_cb", "rwt_ce", "rwt_gap"};
     headers(book, FRICTIONS_COLUMN, header, 9);
@@ -298,13 +300,12 @@ static void friction_nodes(xlsx *book, const limit_table *table, const workbook_
 
 void sheet_working(xlsx *book, const limit_table *table, const workbook_inputs *in, const workbook_results *out)
 {
-    static void (*const groups[])(listing *, const workbook_results *) = {
-        contact_steps, patch_steps, limit_steps, yield_steps, critical_steps};
+    static void (*const groups[])(listing *, const workbook_results *) = {contact_steps, patch_steps, limit_steps, yield_steps,
+                                                                          critical_steps};
     listing list = {book, WORKING_ROW};
     xlsx_text(book, WORKING_ROW - 3, WORKING_COLUMN, "Working cells: please do not edit", XLSX_HEADING);
     xlsx_text(book, WORKING_ROW - 2, WORKING_COLUMN,
-              "They interpolate the tables of the sheet \"Elastic limit\"; what they do is on the sheet \"About\".",
-              XLSX_NOTE);
+              "They interpolate the tables of the sheet \"Elastic limit\"; what they do is on the sheet \"About\".", XLSX_NOTE);
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
         groups[i](&list, out);
     mark_steps(&list, in, out);

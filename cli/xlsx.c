@@ -83,7 +83,7 @@ static void style_cells(lxw_format *const style[])
     format_set_num_format(style[XLSX_NUMBER], "0.0#####");
     format_set_num_format(style[XLSX_FIXED_4], "0.0000");
     format_set_num_format(style[XLSX_FIXED_6], "0.000000");
-    format_set_num_format(style[XLSX_LIMIT], "[>=1E+90]\"infinite\";0.0000");
+    format_set_num_format(style[XLSX_LIMIT], "[>=1000000]\"infinite\";0.0000");
     format_set_align(style[XLSX_LIMIT], LXW_ALIGN_RIGHT);
     format_set_num_format(style[XLSX_POWER], "0.00000E+00");
 }
@@ -154,8 +154,7 @@ xlsx *xlsx_begin(const char *title, bool in_order)
 
 void xlsx_sheet(xlsx *book, const char *name)
 {
-    lxw_worksheet *sheet =
-        book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
+    lxw_worksheet *sheet = book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
     if (sheet == NULL) {
         keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
@@ -216,21 +215,18 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
 
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
 {
-    keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column), formula, book->style[style],
-                                           value));
+    keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column), formula, book->style[style], value));
 }
 
 void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value, xlsx_style style)
 {
-    keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column), formula, book->style[style],
-                                           value));
+    keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column), formula, book->style[style], value));
 }
 
 void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns)
 {
     char place[NAME_MAX_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 4], cells[LXW_MAX_CELL_RANGE_LENGTH];
-    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1),
-                            column_of(column + columns - 1));
+    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1), column_of(column + columns - 1));
     snprintf(place, sizeof place, "='%s'!%s", book->sheet_name[book->current_index], cells);
     keep(book, workbook_define_name(book->workbook, name, place));
 }

@@ -11,34 +11,35 @@
 typedef struct xlsx xlsx;
 
 typedef enum {
-    XLSX_PLAIN,    /* text, or a number as the program likes it */
+    XLSX_PLAIN, /* text, or a number as the program likes it */
     XLSX_TITLE,
     XLSX_HEADING,
-    XLSX_HEADER,   /* of a table's column: bold, a line below, wrapped */
-    XLSX_NOTE,     /* small print */
-    XLSX_WRAPPED,  /* a paragraph */
-    XLSX_INPUT,    /* a cell to type into */
-    XLSX_RESULT,   /* about six significant digits */
-    XLSX_STATUS,   /* a text that matters */
-    XLSX_UNIT,     /* a text after a number */
-    XLSX_CHECK,    /* a text that appears where something is wrong */
-    XLSX_NUMBER,   /* up to six decimals */
-    XLSX_FIXED_4,  /* four decimals */
+    XLSX_HEADER,  /* of a table's column: bold, a line below, wrapped */
+    XLSX_NOTE,    /* small print */
+    XLSX_WRAPPED, /* a paragraph */
+    XLSX_INPUT,   /* a cell to type into */
+    XLSX_RESULT,  /* about six significant digits */
+    XLSX_STATUS,  /* a text that matters */
+    XLSX_UNIT,    /* a text after a number */
+    XLSX_CHECK,   /* a text that appears where something is wrong */
+    XLSX_NUMBER,  /* up to six decimals */
+    XLSX_FIXED_4, /* four decimals */
     XLSX_FIXED_6,
-    XLSX_LIMIT,    /* four decimals, and a word for XLSX_INFINITE */
-    XLSX_POWER,    /* six digits and an exponent */
+    XLSX_LIMIT, /* four decimals, and a word for XLSX_INFINITE */
+    XLSX_POWER, /* six digits and an exponent */
     XLSX_STYLE_COUNT
 } xlsx_style;
 
-/* What stands for infinity in a cell of XLSX_LIMIT: spreadsheets have none. */
+/* What stands for infinity in a cell of XLSX_LIMIT, which shows numbers above a million like that: spreadsheets have
+ * none. */
 #define XLSX_INFINITE 1e99
 
 enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 };
 
 /* Whether this build can write such files; what it lacks. */
 bool xlsx_available(void);
-#define XLSX_MISSING                                                                                                   \
-    "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the package "               \
+#define XLSX_MISSING                                                                                                           \
+    "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the package "                       \
     "libxlsxwriter-dev)"
 #define XLSX_NOT_BEGUN "a temporary file for the spreadsheet cannot be made"
 
@@ -77,7 +78,7 @@ void xlsx_print(xlsx *book, xlsx_page page);
 enum { XLSX_SERIES_MAX = 13 };
 typedef enum { XLSX_LINE, XLSX_THICK_LINE, XLSX_DASHED_LINE, XLSX_MARK } xlsx_drawing;
 typedef struct {
-    const char *name; /* in the legend; NULL for none */
+    const char *name;  /* in the legend; NULL for none */
     const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
     xlsx_drawing drawing;
 } xlsx_series;

@@ -101,6 +101,25 @@ def check_stored(sheet):
     print("%d values of formulas are as stored" % len(cells))
 
 
+def check_file(path):
+    """What spreadsheet programs would repair, or do not know."""
+    archive = zipfile.ZipFile(path)
+    names = [name.get("name").lower() for name in ET.fromstring(archive.read("xl/workbook.xml")).iter(MAIN + "definedName")
+             if name.get("localSheetId") is None]
+    same("names that differ in more than capitals", len(names) == len(set(names)) > 60, len(names))
+    same("names that are no cells", not [name for name in names if re.fullmatch(r"[a-z]{1,3}[0-9]+", name)], names)
+    text = archive.read("xl/worksheets/sheet1.xml").decode()
+    known = {"ABS", "AND", "ASIN", "COUNT", "EXP", "IF", "INDEX", "ISNUMBER", "LN", "MATCH", "MAX", "MIN", "N", "NOT", "OR",
+             "PI", "SQRT", "SUMPRODUCT"}
+    used = set(re.findall(r"([A-Z][A-Z.]*)\(", re.sub(r"&quot;.*?&quot;|\".*?\"", "", " ".join(
+        re.findall("<f>(.*?)</f>", text)))))
+    same("functions that every spreadsheet has", used <= known, used - known)
+    sheets = [sheet.get("name") for sheet in ET.fromstring(archive.read("xl/workbook.xml")).iter(MAIN + "sheet")]
+    same("sheets", sheets == ["Calculator", "Elastic limit", "Maximum tension", "Contact law", "Critical friction", "About"],
+         sheets)
+    same("charts", sum(name.startswith("xl/charts/chart") for name in archive.namelist()) == 3, archive.namelist())
+
+
 def contact_load(tip):
     """AP/(theta a)"""
     if tip >= 1:
@@ -234,8 +253,11 @@ try:
     hidden = PropertyValue("Hidden", 0, True, 0)
     document = desktop.loadComponentFromURL("file://" + os.path.abspath(WORKBOOK), "_blank", 0, (hidden,))
     document.calculateAll()
+    check_file(WORKBOOK)
     check_stored(document.Sheets.getByIndex(0))
     calculator = Calculator(document)
+    shown = calculator.cells["rw_a"].String
+    same("the locale's decimal sign", shown == ("0,05" if LOCALE == "de-DE" else "0.05"), shown)
     calculator_tension = calculator.result("rw_max_tension")
     check_cases(calculator)
     check_refusals(calculator)

@@ -36,3 +36,19 @@ done
 table max-tension max-tension --a-over-b 0:1:0.01 --friction 0.1:0.8:0.1
 table contact-law contact-law --a-over-b 0.01:2:0.01
 table critical-friction critical-friction --a-over-b "$fine" --nu 0.2:0.5:0.025
+
+# The README's pictures, where gnuplot is there. Another gnuplot than drew them writes other bytes, and leaves them alone.
+picture()
+{
+    file=$target/$1.svg
+    shift
+    drawn_by=$(sed -n 's|.*GNUPLOT \([^<]*[^ <]\) *</desc>.*|gnuplot \1|p' "$file" 2>/dev/null || true)
+    if command -v gnuplot >/dev/null 2>&1 && { [ -z "$drawn_by" ] || [ "$drawn_by" = "$(gnuplot --version)" ]; }; then
+        "$tool" figure "$@" --output "$file"
+        echo "${file##*/}: drawn"
+    else
+        echo "${file##*/}: left as it is; gnuplot is missing, or another version drew it"
+    fi
+}
+picture elastic-limit 4
+picture von-mises field --a-over-b 0.25 --friction 0.6 --c-over-b 0.4

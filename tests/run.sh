@@ -27,7 +27,8 @@ for option; do
 done
 
 require_build_tools
-require library:cmocka=libcmocka-dev command:c++=g++ command:strace=strace command:script=bsdutils
+require library:cmocka=libcmocka-dev command:c++=g++ command:strace=strace command:script=bsdutils \
+    command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils command:zsh=zsh command:fish=fish command:mandoc=mandoc
 [ $compilers = no ] || require command:gcc=gcc command:clang=clang
 
 passed=0 failed=0 skipped=0

@@ -24,6 +24,8 @@ static const char *const lines[] = {
     "from small letters: A is rw_compliance.",
     "rw_P_over_bk is the elastic limit at the case's a/b and f, as in the tables; rw_load_over_bk is that of the load. As the "
     "contact grows with the load, P_yield is not P times their ratio: rw_P_yield is the load at which the two meet.",
+    "Remarks: above P_yield the contact yields. Above theta = 0.1 the wedge is hardly a half-plane. Dissimilar bodies, "
+    "Dundurs' beta not 0, couple pressure and friction: that is neglected where f is above 0.",
     "#How the calculator computes",
     "a/b: from Hertz' closed form, or five Newton steps on the contact law from a parabola that is exact at both ends.",
     "Elastic limit: the limits at and below the surface are interpolated apart, and the smaller is taken, so that the cusp "

@@ -107,11 +107,10 @@ static const char status_formula[] =
     "IF(rwt_ok_tip=0,\"a/b is below 0.01, outside the tables: no elastic limit\","
     "IF(rwt_reached=0,\"rw_P_yield has a/b below 0.01, outside the tables\",\"OK\")))))))))))))";
 
-/* The same thresholds as the command "solve" has. */
-static const char remark_formula[] =
-    "=IF(rwt_ok=0,\"\",IF(rw_theta>0.1,\"rw_theta above 0.1: hardly a half-plane. \",\"\")"
-    "&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies with friction: approximate. \",\"\")"
-    "&IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. \",\"\"))";
+/* The same thresholds as the command "solve" has. Short: all three fit beside the chart. */
+static const char remark_formula[] = "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. \",\"\")"
+                                     "&IF(rw_theta>0.1,\"theta is large. \",\"\")"
+                                     "&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
 
 static void status_rows(xlsx *book)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The calculator's working cells: the steps of workbook_model.c as formulas, with their names. Names of the form rw_ are
- * the user's, rwt_ these. A step may fail for inputs that the results refuse: nobody looks at it then. */
+ * the user's, rwt_ these. A step may fail for inputs that the results refuse: nobody looks at it then. What the charts draw
+ * is then #N/A, which they leave out. */
 #include "workbook_sheets.h"
 
 #include <math.h>
@@ -146,8 +147,8 @@ static void mark_steps(listing *list, const workbook_inputs *in, const workbook_
 {
     step(list, "rwt_mark_tip", "=IF(ISNUMBER(rw_a_over_b),rwt_tip,0)", out->tip, "marked a/b");
     step(list, "rwt_mark_f", "=IF(ISNUMBER(rw_f),rw_f,0)", in->f, "marked f");
-    step(list, "rwt_mark_limit", "=IF(ISNUMBER(rw_P_over_bk),rw_P_over_bk,0)", out->limit, "marked limit");
-    step(list, "rwt_mark_tension", "=IF(ISNUMBER(rw_a_over_b),rwt_ratio,0)", out->tension_ratio, "marked tension");
+    step(list, "rwt_mark_limit", "=IF(ISNUMBER(rw_P_over_bk),rw_P_over_bk,NA())", out->limit, "marked limit");
+    step(list, "rwt_mark_tension", "=IF(ISNUMBER(rw_a_over_b),rwt_ratio,NA())", out->tension_ratio, "marked tension");
 }
 
 /* ---- Nodes -------------------------------------------------------------------------------------------------------- */
@@ -217,7 +218,8 @@ static void tip_stresses(xlsx *book, const workbook_results *out, int i)
                  out->stress_below[i], XLSX_PLAIN);
     formula_cell(book, row, TIPS_COLUMN + 8, compose(formula, "=MAX(INDEX(rwt_ss,%d),INDEX(rwt_sb,%d))", at, at),
                  out->stress[i], XLSX_PLAIN);
-    formula_cell(book, row, TIPS_COLUMN + 9, compose(formula, "=MIN(INDEX(rwt_ls,%d),INDEX(rwt_lb,%d))", at, at),
+    formula_cell(book, row, TIPS_COLUMN + 9,
+                 compose(formula, "=IF(rwt_ok_f=1,MIN(INDEX(rwt_ls,%d),INDEX(rwt_lb,%d)),NA())", at, at),
                  fmin(out->surface[i], out->below[i]), XLSX_PLAIN);
 }
 
@@ -266,7 +268,8 @@ static void friction_curves(xlsx *book, const workbook_results *out, int f)
                          "(1-rwt_u)*INDEX(rwt_f3,%d)+rwt_u*INDEX(rwt_f4,%d),\"\")",
                          at, at, at, at),
                  out->curve_below[f], XLSX_PLAIN);
-    formula_cell(book, row, FRICTIONS_COLUMN + 7, compose(formula, "=MIN(INDEX(rwt_cs,%d),INDEX(rwt_cb,%d))", at, at),
+    formula_cell(book, row, FRICTIONS_COLUMN + 7,
+                 compose(formula, "=IF(AND(rwt_ok_nu=1,rwt_ok_tip=1),MIN(INDEX(rwt_cs,%d),INDEX(rwt_cb,%d)),NA())", at, at),
                  out->curve[f], XLSX_PLAIN);
     formula_cell(book, row, FRICTIONS_COLUMN + 8,
                  compose(formula, "=IF(ISNUMBER(INDEX(rwt_cb,%d)),1/INDEX(rwt_cs,%d)^2-1/INDEX(rwt_cb,%d)^2,1)", at, at, at),

@@ -42,9 +42,6 @@ import csv, re, sys, zipfile
 import xml.etree.ElementTree as ET
 M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 archive = zipfile.ZipFile(sys.argv[1])
-shared = []
-if "xl/sharedStrings.xml" in archive.namelist():
-    shared = ["".join(t.itertext()) for t in ET.fromstring(archive.read("xl/sharedStrings.xml")).iter(M + "si")]
 def column(name):
     number = 0
     for letter in re.match("[A-Z]+", name).group():
@@ -59,7 +56,7 @@ for row in ET.fromstring(archive.read("xl/worksheets/sheet1.xml")).iter(M + "row
         if cell.get("t") == "inlineStr":
             cells[column(cell.get("r"))] = "".join(cell.find(M + "is").itertext())
         elif value is not None:
-            cells[column(cell.get("r"))] = shared[int(value.text)] if cell.get("t") == "s" else repr(float(value.text))
+            cells[column(cell.get("r"))] = repr(float(value.text))
     wide = max(wide, 1 + max(cells))
     out.writerow([cells.get(i, "") for i in range(wide)])
 EOF

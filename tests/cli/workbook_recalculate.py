@@ -109,8 +109,8 @@ def check_file(path):
     same("names that differ in more than capitals", len(names) == len(set(names)) > 60, len(names))
     same("names that are no cells", not [name for name in names if re.fullmatch(r"[a-z]{1,3}[0-9]+", name)], names)
     text = archive.read("xl/worksheets/sheet1.xml").decode()
-    known = {"ABS", "AND", "ASIN", "COUNT", "EXP", "IF", "INDEX", "ISNUMBER", "LN", "MATCH", "MAX", "MIN", "N", "NOT", "OR",
-             "PI", "SQRT", "SUMPRODUCT"}
+    known = {"ABS", "AND", "ASIN", "COUNT", "EXP", "IF", "INDEX", "ISNUMBER", "LN", "MATCH", "MAX", "MIN", "N", "NA", "NOT",
+             "OR", "PI", "SQRT", "SUMPRODUCT"}
     used = set(re.findall(r"([A-Z][A-Z.]*)\(", re.sub(r"&quot;.*?&quot;|\".*?\"", "", " ".join(
         re.findall("<f>(.*?)</f>", text)))))
     same("functions that every spreadsheet has", used <= known, used - known)
@@ -240,10 +240,14 @@ def check_refusals(calculator):
         same("no result for %r" % change, calculator.result(without) == "", (without, calculator.result(without)))
         for name, *_ in RESULTS:
             same("no error for %r" % change, not str(calculator.result(name)).startswith("error"), name)
+    calculator.enter(dict(good, P=2e4, theta=0.2, E2=1e6))
+    remarks = calculator.result("rw_remarks")
+    same("remarks", remarks == "P is above P_yield. theta is large. Dissimilar bodies.", remarks)
     calculator.enter(dict(good, f=0.81))
     same("the tension needs no table", abs(calculator.result("rw_max_tension") - 0.81 / 0.2 * calculator_tension) < 1e-9
          * calculator_tension, calculator.result("rw_max_tension"))
     calculator.enter(good)
+    same("remarks of the example", calculator.result("rw_remarks") == "", calculator.result("rw_remarks"))
     same("status of the example", calculator.result("rw_status") == "OK", calculator.result("rw_status"))
     print("%d refusals" % len(refused))
 

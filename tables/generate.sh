@@ -14,6 +14,7 @@ tool=${2:-$top/build/cli/rwedge}
 
 if [ $# -lt 2 ]; then
     require_build_tools
+    require library:xlsxwriter=libxlsxwriter-dev # for the workbook
     echo "Building $tool ..."
     cmake -S "$top" -B "$top/build" -DCMAKE_BUILD_TYPE=Release -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=OFF >/dev/null
     cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli >/dev/null
@@ -52,3 +53,8 @@ picture()
 }
 picture elastic-limit 4
 picture von-mises field --a-over-b 0.25 --friction 0.6 --c-over-b 0.4
+
+# What a spreadsheet shows without being asked to compute is in the file too, so this one is of the same bytes only from the
+# same libxlsxwriter and zlib.
+"$tool" workbook --output "$target/rounded-wedge.xlsx"
+echo "rounded-wedge.xlsx"

@@ -242,9 +242,10 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.        Sec. 3.2; new
  *   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
  *   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
- * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width, the
- * peak pressure or the energy is not a normal number; RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as
- * before.
+ * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width or the
+ * peak pressure is not a normal number or the energy overflows (below the smallest double it is 0), and where P is not 0
+ * but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
  * It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
  * cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
@@ -287,7 +288,7 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  * Error below 1e-13 f theta b. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[]);
 
-/* Energy dissipated by friction since the contact was created, per unit length and unit thickness (force): the time
+/* Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
  * integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
  * falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
  * NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that

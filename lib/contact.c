@@ -13,6 +13,9 @@
  * two loads, they are rounded like the larger. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
+/* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP) is, 2e-7 of it here. */
+static const double STEEPEST_FALL = 1e-8;
+
 /* ---- Life ---- */
 
 int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
@@ -109,12 +112,12 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
         return RWEDGE_ENULL;
     if (!rw_is_nonnegative(P) || !isfinite(Q))
         return RWEDGE_EDOMAIN;
+    if (P > 0 && (!is_in_range(&contact->geometry, P) || P < STEEPEST_FALL * rw_path_end(&contact->path)->load))
+        return RWEDGE_ERANGE;
     double shear;
     const int32_t status = shear_of(contact, P, Q, &shear);
     if (status != RWEDGE_OK)
         return status;
-    if (P > 0 && !is_in_range(&contact->geometry, P))
-        return RWEDGE_ERANGE;
     const double share = energy_of(contact, P, shear) + contact->energy_carry;
     const double energy = fmax(contact->energy, contact->energy + share); /* the carry may be negative */
     if (!isfinite(energy))

@@ -250,9 +250,30 @@ static void stresses_are_flamant_integrated_over_the_tractions(void **state)
     }
 }
 
+/* From 1e12 down to 1e-3 the rounding of the first would decide about slip; in two loads nothing is lost. */
+static void a_steep_fall_of_the_load_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.05, 1, 1e-5, 0.5, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 1e9, 0), RWEDGE_OK);
+    const double before = rwedge_contact_half_width(contact);
+    assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_load(contact, 1, 8), RWEDGE_ERANGE);
+    assert_close(rwedge_contact_half_width(contact), before, 0);
+    assert_int_equal(rwedge_contact_load(contact, 3e4, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 1, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_OK);
+    /* Q = 0.2 f P in the Hertz regime */
+    assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact), sqrt(0.8), 1e-9);
+    assert_int_equal(rwedge_contact_load(contact, 0, 0), RWEDGE_OK); /* separation is no fall */
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_steep_fall_of_the_load_is_refused),
         cmocka_unit_test(hertz_loading_unloading_reloading_is_mindlin),
         cmocka_unit_test(hertz_slip_is_cattaneo),
         cmocka_unit_test(slip_is_the_surface_strain_integrated),

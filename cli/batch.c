@@ -171,7 +171,7 @@ int batch_run(const batch *what, const output_options *how)
     bool wanted[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
         wanted[i] = true;
-    int status = header_read(r.in, wanted, &r.names) ? check_constants(&r) : STATUS_FAILED;
+    int status = header_read(r.in, wanted, &what->constants, &r.names) ? check_constants(&r) : STATUS_FAILED;
     if (status == STATUS_DONE)
         status = check_complete(&r);
     if (status == STATUS_DONE)

@@ -13,9 +13,10 @@ typedef struct {
 } header;
 
 /* Reads the header row and finds the inputs in it; only those of which wanted is true, the others are columns like any
- * other. False, with the reason said, where there is no such row, an input is there twice, or a name is so much like
- * one's that it must be a slip. Free it in either case. */
-bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], header *names);
+ * other. The options, NULL for none, give inputs that need no column. False, with the reason said, where there is no
+ * such row, an input is there twice, or another column has a name that is a slip of an input's, or stands for one that
+ * nothing gives. Free it in either case. */
+bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options, header *names);
 void header_free(header *names);
 
 bool header_has(const header *names, const char *name);

@@ -75,6 +75,17 @@ const char *input_column(int input, char name[INPUT_NAME_SIZE])
     return name;
 }
 
+int input_alternative(int input)
+{
+    static const int pairs[][2] = {
+        {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS}, {INPUT_K, INPUT_YIELD_STRESS}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+        for (int j = 0; j < 2; j++)
+            if (pairs[i][j] == input)
+                return pairs[i][1 - j];
+    return -1;
+}
+
 const char *input_name(const input_texts *given, int input, char name[INPUT_NAME_SIZE])
 {
     if (given->is_cell[input])

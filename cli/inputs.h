@@ -42,12 +42,16 @@ enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
 /* The name of its column, "theta_deg". */
 const char *input_column(int input, char name[INPUT_NAME_SIZE]);
 
+/* The other input that gives the same, as radius gives a; -1 where there is none. */
+int input_alternative(int input);
+
 /* Its name as where its text came from spells it: "theta_deg" or "--theta-deg". */
 const char *input_name(const input_texts *given, int input, char name[INPUT_NAME_SIZE]);
 
 /* Those on a command line. */
 void input_texts_from_options(const arguments *given, input_texts *texts);
 
+/* Whether a text is there, and is more than blanks. */
 bool input_is_given(const input_texts *given, int input);
 
 /* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be HUGE_VAL, "inf". */

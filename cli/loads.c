@@ -84,7 +84,7 @@ static bool apply_row(const header *names, csv_input *in, bool malformed, char d
 static int find_columns(csv_input *in, header *names)
 {
     const bool wanted[INPUT_COUNT] = {[INPUT_P] = true, [INPUT_Q] = true};
-    if (!header_read(in, wanted, names))
+    if (!header_read(in, wanted, NULL, names))
         return STATUS_FAILED;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (wanted[i] && names->column[i] == names->count)

@@ -160,7 +160,7 @@ header() { # MESSAGE HEADER OPTIONS...
     same "the old file" old "$(cat kept.csv)"
 }
 header "E1: missing; needed: E1, as a column or an option" "P,a"
-header "P: missing; needed: P, as a column or an option" "p,a" $fixed
+header "P: missing; needed: P, as a column or an option" "Pmax,a" $fixed
 header "a: missing; needed: a or radius, as a column or an option" "P,A1" $fixed
 header "theta: missing; needed: theta or theta_deg, as a column or an option" "P,a" --E1 1 --nu1 0
 header "column P: there twice; allowed: once" "P,P" $fixed
@@ -169,6 +169,49 @@ header "theta_deg (a column): given together with --theta; allowed: one of the t
 header "--nu2 0.3: needs E2; allowed: both, or neither for two bodies of one material" "P,a" $fixed --nu2 0.3
 header "column Yield stress: allowed: yield_stress" "P,a,Yield stress" $fixed
 header "column e1: allowed: E1" "P,a,e1" $fixed
+# What is meant for an input must not pass for a remark: the contact would be solved without it.
+for name in " f" "f " F "f [-]" "F (1)"; do
+    header "column $name: allowed: f" "P,a,$name" $fixed
+done
+for name in " f" "f [-]"; do
+    header "column $name: allowed: f" "P,a,$name" $fixed --f 0.3
+done
+for name in "Q " "Q [N/mm]" "Q(N/mm)" "Q / (N/mm)" q; do
+    header "column $name: allowed: Q" "P,a,$name" $fixed --f 0.3
+done
+header "column p: allowed: P" "p,a" $fixed
+header "column K: allowed: k" "P,a,K" $fixed
+header "column Yield stress (MPa): allowed: yield_stress" "P,a,Yield stress (MPa)" $fixed
+header "column P [N/mm]: allowed: P" "P [N/mm],a" $fixed
+header "column theta (deg): allowed: theta_deg" "P,a,theta (deg)" --E1 1 --nu1 0
+header "column theta [x]: allowed: theta in radians or theta_deg" "P,a,theta [x]" --E1 1 --nu1 0
+synonym() { # ALLOWED HEADER OPTIONS...
+    allowed=$1
+    names=$2
+    shift 2
+    header "column ${names##*,}: allowed: $allowed, or another name if it is something else" "$names" "$@"
+}
+for name in mu Mu friction "friction coefficient" friction_coefficient "mu [-]"; do
+    synonym f "P,a,$name" $fixed
+done
+for name in sigma_y yield "Sigma_Y [MPa]"; do
+    synonym yield_stress "P,a,$name" $fixed
+done
+synonym P "a,load" $fixed
+synonym P "a,force" $fixed
+synonym Q "P,a,shear force" $fixed
+synonym E1 "P,a,E" --nu1 0.3 --theta 0.05
+synonym nu1 "P,a,nu" --E1 1 --theta 0.05
+# Where what they may mean is given, they are columns like any other.
+printf 'P,a,p,q,mu,load,sigma_y,E,nu,K,f,Q\n100,1,x,x,x,x,x,x,x,x,0.3,20\n' >others.csv
+run solve -i others.csv $fixed --yield-stress 900
+status_is 0
+message_is ""
+same "columns that pass through" "100,1,x,x,x,x,x,x,x,x,0.3,20" "$(sed -n 2p out | cut -d , -f 1-12)"
+printf 'P,a,F,mu\n100,1,x,x\n' >others.csv
+run solve -i others.csv $fixed --f 0.3
+status_is 0
+message_is ""
 header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
 header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
 header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed

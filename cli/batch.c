@@ -7,6 +7,7 @@
 #include "results.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 /* What goes on from row to row. */
@@ -52,6 +53,26 @@ static int check_constants(const run *r)
                                csv_input_name(r->in));
     }
     return STATUS_DONE;
+}
+
+static bool is_rigid(const input_texts *texts)
+{
+    char complaint[COMPLAINT_SIZE];
+    double E2;
+    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) && isinf(E2);
+}
+
+/* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has no Poisson's ratio. */
+static bool has_no_gap(const run *r, const input_texts *texts, char complaint[COMPLAINT_SIZE])
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        if (!has_column(r, i) || input_is_given(texts, i) || (i == INPUT_NU2 && is_rigid(texts)))
+            continue;
+        char name[INPUT_NAME_SIZE];
+        snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
+        return false;
+    }
+    return true;
 }
 
 /* Before any row: whether the columns and constants can give a contact. A second body may be rigid in every row. */
@@ -113,7 +134,12 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
         text[i] = has_column(r, i) ? csv_input_cell(r->in, r->names.column[i]) : NULL;
     const input_texts texts = texts_of(r, text);
     contact_case what;
-    return case_read(&texts, true, &what, complaint) && results_compute(&what, r->what->yield_factor, found, complaint);
+    if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, true, &what, complaint) ||
+        !results_compute(&what, r->what->yield_factor, found, complaint))
+        return false;
+    if (texts.text[INPUT_F] == NULL)
+        results_warn(found, "no friction given");
+    return true;
 }
 
 static void pass_through(run *r)
@@ -160,7 +186,7 @@ static int write_output(run *r)
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error", csv_input_name(r->in),
                r->failed, r->count);
-    return status;
+    return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
 }
 
 int batch_run(const batch *what, const output_options *how)

@@ -12,7 +12,7 @@ typedef struct {
     bool yield_factor;
 } batch;
 
-/* Returns the exit status. */
+/* Returns the exit status: that of a failure where there are rows and every one has an error. */
 int batch_run(const batch *what, const output_options *how);
 
 #endif

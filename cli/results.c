@@ -144,3 +144,8 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
     found->value[RESULT_WARNINGS] = cell_text(found->warnings);
     return true;
 }
+
+void results_warn(results *found, const char *warning)
+{
+    warnings_add(warning, found->warnings, sizeof found->warnings);
+}

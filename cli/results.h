@@ -50,4 +50,7 @@ typedef struct {
 /* False, with the complaint, where one cannot be computed. */
 bool results_compute(const contact_case *what, bool yield_factor, results *found, char complaint[COMPLAINT_SIZE]);
 
+/* Adds to the warnings. */
+void results_warn(results *found, const char *warning);
+
 #endif

@@ -60,3 +60,9 @@ void warnings_write(const contact_case *what, double safety, char *text, size_t 
         add(&warnings, "P is above P_yield: the contact yields in full sliding");
     check_units(what, &warnings);
 }
+
+void warnings_add(const char *warning, char *text, size_t size)
+{
+    list warnings = {text, size, strlen(text)};
+    add(&warnings, "%s", warning);
+}

@@ -8,4 +8,7 @@
 /* Writes the warnings, "; " between them; empty where there is none. safety is P_yield/P where k is given. */
 void warnings_write(const contact_case *what, double safety, char *text, size_t size);
 
+/* Adds one to those in the text. */
+void warnings_add(const char *warning, char *text, size_t size);
+
 #endif

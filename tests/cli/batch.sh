@@ -85,8 +85,11 @@ id,E1,nu1,theta,a,P,Q,f,k
 16,inf,0.3,0.05,1,100,10,0.2,300
 17,210000,nan,0.05,1,100,10,0.2,300
 18,1e300,0.3,0.05,1e-300,100,10,0.2,300
-19,210000,0.3,0.05,1,100,,,
-20,210000,0.3,0.05,1,100,10,0.2,300
+19,210000,0.3,0.05,1,100,0,0.2,
+20,210000,0.3,0.05,1,100,10,,300
+21,210000,0.3,0.05,1,100, ,0.2,300
+22,210000,0.3,0.05,,100,10,0.2,300
+23,210000,0.3,0.05,1,100,10,0.2,300
 ROWS
 cat >expected <<'ERRORS'
 E1 -1: Young's modulus of body 1 must be a number above 0
@@ -98,25 +101,60 @@ Q 21: must not exceed f P = 20: there is no equilibrium
 f -0.2: the coefficient of friction must be a number from 0 to 1000000
 k 0: the yield stress must be a number above 0
 E1 2e5 MPa: Young's modulus of body 1 must be a number above 0
-E1: missing; needed: E1, as a column or an option
+E1: the cell is empty
 7 cells in this row, 9 in the header
 10 cells in this row, 9 in the header
 misplaced quotes in the row of line 15
 nu1 0,3: Poisson's ratio must be a number from 0 to 0.5; the decimal sign is a point, or a comma with --decimal-comma
 E1 inf: Young's modulus of body 1 must be a number above 0; a rigid body is body 2, with --E2 inf
 nu1 nan: Poisson's ratio must be a number from 0 to 0.5
+k: the cell is empty
+f: the cell is empty
+Q: the cell is empty
+a: the cell is empty
 ERRORS
 run solve -i bad.csv
 status_is 0
-message_is "rwedge solve: bad.csv: 16 of 20 rows could not be solved: see the column error"
-same "rows" 21 "$(wc -l <out | tr -d ' ')"
-awk -F, '{ gsub(/.*,,,,/, ""); gsub(/^,*"?|"$/, ""); print }' out | sed '1,2d' | head -n 16 >got
+message_is "rwedge solve: bad.csv: 20 of 23 rows could not be solved: see the column error"
+same "rows" 24 "$(wc -l <out | tr -d ' ')"
+awk -F, '{ gsub(/.*,,,,/, ""); gsub(/^,*"?|"$/, ""); print }' out | sed '1,2d;/^18,/d;$d' >got
 same "errors" "" "$(diff expected got)"
 same "first and last, but for the number" "$(sed -n 2p out | cut -d , -f 2-)" "$(tail -n 1 out | cut -d , -f 2-)"
-same "results of a row without Q, f, k" "" "$(sed -n 20p out | sed 's/.*,//')"
-same "half-width of that row" yes "$(sed -n 20p out | awk -F, '{ if ($12 > 0) print "yes" }')"
-same "rows that were misread keep their number" "$(seq 20 | paste -s -d ' ' -)" \
+same "rows that were misread keep their number" "$(seq 23 | paste -s -d ' ' -)" \
     "$(tail -n +2 out | cut -d , -f 1 | paste -s -d ' ' -)"
+printf 'P,radius,theta_deg,yield_stress\n100,,1,900\n100,1,,900\n100,1,1,\n100,1,1,900\n' >gap.csv
+run solve -i gap.csv --E1 210000 --nu1 0.3
+same "empty cells name their own column" \
+    "radius: the cell is empty|theta_deg: the cell is empty|yield_stress: the cell is empty|-" \
+    "$(column error out | paste -s -d '|' -)"
+
+# Without friction there may be none, or it was forgotten.
+printf 'P,a\n100,1\n' >frictionless.csv
+run solve -i frictionless.csv $fixed
+same "friction that nothing gives" "no friction given" "$(column warnings out)"
+run solve -i frictionless.csv --E1 210000 --nu1 0.3 --theta 0.2
+same "with another warning" "theta = 0.2 rad: above 0.1 the wedge is hardly a half-plane; no friction given" \
+    "$(column warnings out)"
+run solve -i frictionless.csv $fixed --f 0
+same "friction 0 by an option" "-" "$(column warnings out)"
+printf 'P,a,f\n100,1,0\n' >frictionless.csv
+run solve -i frictionless.csv $fixed
+same "friction 0 in a column" "-" "$(column warnings out)"
+printf 'P,a,Q\n100,1,0\n100,1,1\n' >frictionless.csv
+run solve -i frictionless.csv $fixed
+same "Q without friction" "-|Q 1: must not exceed f P = 0: there is no equilibrium; f is missing" \
+    "$(column error out | paste -s -d '|' -)"
+
+# Where every row has an error, it could not be done; the rows are written all the same.
+printf 'P,a\n-1,1\n100,-1\n' >hopeless.csv
+cannot "rwedge solve: hopeless.csv: 2 of 2 rows could not be solved: see the column error" \
+    solve -i hopeless.csv $fixed -o hopeless_solved.csv
+same "rows with errors" \
+    "P -1: the normal force must be a number above 0|a -1: the half-width of the rounding must be a number not below 0" \
+    "$(column error hopeless_solved.csv | paste -s -d '|' -)"
+printf 'P,a\n' >hopeless.csv
+run solve -i hopeless.csv $fixed
+status_is 0
 
 # Lines are counted whatever ends them, and a bad row may be longer than what is read at once.
 for end in '\r' '\n' '\r\n'; do
@@ -138,6 +176,9 @@ same "rows among blank lines" 3 "$(wc -l <out | tr -d ' ')"
 same "line after blank lines" "misplaced quotes in the row of line 1200005" "$(sed -n 3p out | sed 's/.*,//')"
 
 # A rigid body in a column needs no Poisson's ratio; an elastic one does, in its row.
+printf 'P,a,E2,nu2\n100,1,inf,\n100,1,7e4,\n' >rigid.csv
+run solve -i rigid.csv $fixed
+same "errors with an empty nu2" "-|nu2: the cell is empty" "$(column error out | paste -s -d '|' -)"
 printf 'P,a,E2\n100,1,inf\n100,1,7e4\n' >rigid.csv
 run solve -i rigid.csv $fixed
 same "errors" ",7e4: needs nu2" "$(sed -n 2p out | sed 's/.*,/,/')$(sed -n 3p out | sed 's/.*E2 \(7e4: needs [-a-z0-9]*\).*/\1/')"

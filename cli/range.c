@@ -128,7 +128,18 @@ const char *range_read(const char *text, range *values)
 
 range range_between(double first, double last, int64_t count)
 {
-    return (range){.count = count, .first = first, .last = last, .step = (last - first) / (double)(count - 1)};
+    return (range){.count = count, .first = first, .last = last, .parts = count - 1};
+}
+
+/* Counted from the middle where that is 0: first + i * step would miss it by its rounding. */
+static double value_between(const range *values, int64_t i)
+{
+    const double parts = (double)values->parts;
+    if (i == 0 || i == values->parts)
+        return i == 0 ? values->first : values->last;
+    if (values->first == -values->last)
+        return values->last * (double)(2 * i - values->parts) / parts;
+    return values->first + (values->last - values->first) * (double)i / parts;
 }
 
 double range_value(const range *values, int64_t i)
@@ -137,6 +148,8 @@ double range_value(const range *values, int64_t i)
         return values->items[i];
     if (values->power > 0)
         return (double)(values->first_units + i * values->step_units) / values->power;
+    if (values->parts > 0)
+        return value_between(values, i);
     return i == values->count - 1 ? values->last : values->first + (double)i * values->step;
 }
 

@@ -17,12 +17,14 @@ typedef struct {
     int64_t first_units, step_units;
     double power;
     double first, last, step;
+    int64_t parts; /* of range_between; otherwise 0 */
 } range;
 
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the option and the text. */
 const char *range_read(const char *text, range *values);
 
-/* So many values, at least 2, in equal steps. */
+/* So many values, at least 2, in equal steps. Between -x and x they are exact mirror images, 0 among them if their number
+ * is odd. */
 range range_between(double first, double last, int64_t count);
 
 /* The value of index i, 0 <= i < count. */

@@ -38,6 +38,24 @@ close_to "the grid is 2 b wide" "$(value b)" "$edge" 1e-15
 close_to "largest von Mises stress" "$(value von_mises_sliding)" "$largest" 0.05
 same "no point is above it" yes "$(awk "BEGIN { if ($largest <= $(value von_mises_sliding)) print \"yes\" }")"
 
+# The default grid has the middle, x = 0, and the mirror image of every point, to the last digit; of the sharp wedge the
+# apex is there, and empty.
+for P in 1 7 33.3 100 123.456 300 777 5000; do
+    for a in 0 0.1 1; do
+        shape="--E1 210000 --nu1 0.3 --theta 0.05 --a $a --f 0.3 --P $P"
+        run field $shape
+        same "rows" 3321 "$(column x out | wc -l | tr -d ' ')"
+        column x out | head -n 81 >x
+        same "the middle of 81" 0 "$(sed -n 41p x)"
+        same "mirror images" "" "$(sed 's/^-//' x | tail -n 41 >right; sed 's/^-//' x | head -n 41 | sed -n '1!G;h;$p' | diff - right)"
+        same "columns to the left" 40 "$(grep -c '^-' x)"
+        same "apex" "$([ $a = 0 ] && echo 0,0,,,,,)" "$(sed -n 42p out | grep ',,,,,$')"
+        run field $shape --format vtk
+        vtk_x=$(sed -n '/^X_COORDINATES/,/^Y_COORDINATES/p' out | sed '1d;$d' | tr -s ' ' '\n' | grep .)
+        same "in VTK" "$(cat x)" "$vtk_x"
+    done
+done
+
 # Far below, P and Q act in a point (Flamant): syy = -2 P/(pi y) below it, sxx = -2 P x^2/(pi r^2) y/r^2.
 run field $contact --P 300 --x 0 --y 1000
 close_to "Flamant" "$(awk 'BEGIN { print -2 * 300 / (3.14159265358979 * 1000) }')" "$(column syy out)" 1e-5

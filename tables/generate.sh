@@ -14,7 +14,7 @@ tool=${2:-$top/build/cli/rwedge}
 
 if [ $# -lt 2 ]; then
     require_build_tools
-    require library:xlsxwriter=libxlsxwriter-dev # for the workbook
+    require library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev # for the workbook
     echo "Building $tool ..."
     cmake -S "$top" -B "$top/build" -DCMAKE_BUILD_TYPE=Release -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=OFF >/dev/null
     cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli >/dev/null

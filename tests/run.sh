@@ -29,7 +29,7 @@ done
 require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++ command:strace=strace command:script=bsdutils \
     command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils command:zsh=zsh command:fish=fish command:mandoc=mandoc \
-    library:xlsxwriter=libxlsxwriter-dev command:localedef=locales command:python3=python3 \
+    library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev command:localedef=locales command:python3=python3 \
     "command:soffice=libreoffice-calc-nogui python3-uno"
 [ $compilers = no ] || require command:gcc=gcc command:clang=clang
 

@@ -95,6 +95,10 @@ ZSH
         called="zsh completion of '$2'"
         same "line" "$1" "$(timeout 20 zsh -f complete.zsh "$2" 2>/dev/null)"
     }
+    if ! zsh -fc 'zmodload zsh/zpty && zpty probe :' 2>/dev/null; then
+        echo "left out: what a Tab inserts in zsh (no pseudo-terminal here)"
+        inserts() { :; }
+    fi
     inserts "profile" "rwedge pro"
     inserts "table elastic-limit" "rwedge table ela"
     inserts "field --format vtk" "rwedge field --format v"

@@ -29,10 +29,10 @@ static void describe(FILE *stream)
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n"
           "  x     along the surface\n"
           "  p     pressure, negative in compression\n"
-          "  q     shear traction on the half-plane; q = f p where it slips under Q > 0\n"
+          "  q     shear traction, txy at the surface; q = f p where it slips under Q > 0\n"
           "  zone  stick; slip, where friction is exhausted; or free, outside the contact\n"
           "  sxx   stress along the surface, tension positive\n"
-          "  slip  of the half-plane against the wedge since they came into contact\n",
+          "  slip  of body 1 relative to body 2, the wedge, since they came into contact\n",
           stream);
     state_describe(stream);
 }

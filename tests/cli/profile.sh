@@ -117,7 +117,9 @@ history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 2: misplaced quotes" 'P,Q\n"3"00,1\n'
 history_fails "line 2: misplaced quotes" 'P,Q\n"300,1\n'
-history_fails "column Q: missing; a history needs P and Q" 'P,q\n300,0\n'
+history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
+history_fails "column q: allowed: Q" 'P,q\n300,0\n'
+history_fails "column Q [N/mm]: allowed: Q" 'P,Q [N/mm]\n300,0\n'
 history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" \
     'P;Q\n300;0\n'
 history_fails "no loads; needed: rows of P and Q" 'P,Q\n'

@@ -28,7 +28,7 @@ static const struct poptOption options[] = {
     {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA, "Write the numbers behind the figure instead of a picture", NULL},
     {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture", NULL},
     {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How it is written (default: as FILE ends, or svg; with --data csv)",
-     "svg|png|pdf, csv|tsv|json"},
+     "svg|png|pdf, csv|tsv|json|xlsx"},
     {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS, "Significant digits of --data, 1 to 17 (default 17)", "N"},
     {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
      "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
@@ -159,7 +159,7 @@ static int read_picture_format(const arguments *given, const picture_format **fo
         return usage_error("--decimal-comma: not for a picture; allowed with: --data");
     *format = name != NULL ? format_named(name) : format_of_file(given->value[OPTION_OUTPUT]);
     if (*format == NULL)
-        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json", name);
+        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx", name);
     return output_options_read_or(given, name, how);
 }
 

@@ -172,9 +172,9 @@ refuses "rwedge figure: --c-over-b 1.1: c/b must be a number from 0 to 1" figure
 refuses "rwedge figure: --a-over-b 0:1:0.05: must not have more than 12 values, a curve each" figure 2 --a-over-b 0:1:0.05
 refuses "rwedge figure: --c-over-b 0.5: not with --q-over-fp, which says the same; allowed: one of the two" \
     figure field --c-over-b 0.5 --q-over-fp 0.5
-refuses "rwedge figure: --format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json" \
+refuses "rwedge figure: --format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
     figure 2 --format gif
-refuses "rwedge figure: --format csv: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json" \
+refuses "rwedge figure: --format csv: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
     figure 2 --format csv
 refuses "rwedge figure: --digits 5: not for a picture; allowed with: --data" figure 2 --digits 5
 refuses "rwedge figure: --decimal-comma: not for a picture; allowed with: --data" figure 2 --decimal-comma

@@ -35,7 +35,7 @@ static const char *const lines[] = {
     "Critical friction: where the two curves of the limit cross.",
     "#Accuracy",
     "Against the library, for a/b from 0.01 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 to 0.5.",
-    "a/b, b, p0, tension: 1e-12. Elastic limit: 0.05 %. Load at yield and safety: 0.15 % where a/b at yield is 0.02 or more, "
+    "a/b, b, p0, tension: 1e-12 (1e-8 next to a/b = 1). Elastic limit: 0.05 %. Load at yield and safety: 0.15 % where a/b at yield is 0.02 or more, "
     "0.4 % below, where the stress hardly depends on the load. Critical friction: 0.006, next to 0, where it is a square root.",
     "Measured at the centres of all cells of the table and at 10000 random points: 0.036 %, 0.13 % and 0.38 %, 0.0044. The "
     "tests compare the cells with the library.",

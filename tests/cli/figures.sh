@@ -155,6 +155,19 @@ draws svg 7
 has "c/b = 0" "c/b = 1/6" "c/b = 0.5"
 draws svg field --c-over-b 0.5 --friction 0.6
 has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
+
+# The circle is at the largest stress of what is drawn, in partial slip too: no point of the grid is
+# higher than its three digits allow, and one comes near.
+for stick in 0.1 0.4 0.8; do
+    draws svg field --a-over-b 0.25 --friction 0.6 --c-over-b $stick
+    top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
+    run figure field --a-over-b 0.25 --friction 0.6 --c-over-b $stick --data
+    peak=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /J2/) j = i }
+        NR > 1 && $j + 0 > top { top = $j + 0 } END { printf "%.6f", top }' out)
+    called="figure field --c-over-b $stick"
+    same "the circle's stress is the largest" "yes" \
+        "$(awk -v circle="$top" -v grid="$peak" 'BEGIN { print (grid > 0 && grid < circle * 1.006 && grid > circle * 0.99) ? "yes" : circle " against " grid }')"
+done
 draws svg loop --q-over-fp 0.9
 has "Q/(fP)" "W = 1.10"
 draws svg 4 --no-title

@@ -117,12 +117,13 @@ static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
     on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
     on->height = 0.9;
     on->legend_at = "bottom right";
-    snprintf(on->caption, sizeof on->caption, "*W*: energy per cycle, in (*f*θ*b*)²/*A*");
+    snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
     for (int n = 0; n < of->value[Q_OVER_FP].count; n++) {
         curve *one = drawing_curve(on, rows, n, 3, 2);
         style_of_family(one, n);
         one->width = 1.3;
-        snprintf(one->legend, sizeof one->legend, "*W* = %#.3g", energy_of_cycle(one));
+        snprintf(one->legend, sizeof one->legend, "%.3g: *W* = %#.3g", range_value(&of->value[Q_OVER_FP], n),
+                 energy_of_cycle(one));
     }
 }
 

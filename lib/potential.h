@@ -39,7 +39,7 @@ void rw_potential_init_patch(rw_potential *potential, double a, double c);
 void rw_potential_init_near(rw_potential *potential, double a, double c);
 
 /* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always finite there.
- * Error of each part below 20 epsilon max(|G|, 1/(1+|z|)). */
+ * Error of each part below 40 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
 
 /* K = y^2 G'' and L = y^3 G''', which are algebraic. x >= 0, y > 0, |z| below 1e8 half-widths. */

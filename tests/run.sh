@@ -53,8 +53,15 @@ build_and_test()
     cmake -S . -B "$folder" -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON "$@" >/dev/null
     cmake --build "$folder" --parallel "$(processors)"
     rm -f "$folder/results.xml"
-    ctest --test-dir "$folder" --exclude-regex "$excluded" --output-on-failure --parallel "$(processors)" --output-junit results.xml || true
+    ctest --test-dir "$folder" --exclude-regex "$excluded" --output-on-failure --parallel "$(processors)" --output-junit results.xml &&
+        ended=well || ended=badly
+    before=$failed
     count "$folder/results.xml"
+    # ctest itself may fail with no test that did
+    if [ $ended = badly ] && [ "$failed" -eq "$before" ]; then
+        echo "== FAILED: ctest in $folder"
+        failed=$((failed + 1))
+    fi
 }
 
 # step NAME COMMAND... - a check that is not a ctest.

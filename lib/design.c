@@ -3,30 +3,47 @@
 #include "rwedge.h"
 
 #include "geometry.h"
+#include "scaled.h"
 #include "solve.h"
 
 #include <float.h>
 
+/* NaN where the result is too large for a double: nothing here may overflow, which a host may have made to trap. */
+
 double rwedge_radius(double theta, double a)
 {
-    return rw_is_angle(theta) && rw_is_nonnegative(a) ? a / theta : NAN;
+    if (!rw_is_angle(theta) || !rw_is_nonnegative(a))
+        return NAN;
+    return a == 0 ? 0 : rw_scaled_value(rw_scaled_over(rw_scaled_from(a), rw_scaled_from(theta)));
 }
 
 double rwedge_rounding(double theta, double R)
 {
-    return rw_is_angle(theta) && rw_is_nonnegative(R) ? theta * R : NAN;
+    if (!rw_is_angle(theta) || !rw_is_nonnegative(R))
+        return NAN;
+    return R == 0 ? 0 : rw_scaled_value(rw_scaled_times(rw_scaled_from(theta), rw_scaled_from(R)));
 }
 
-/* Eq. (15) for the sharp wedge; Hertz has a form of its own because A P/(theta a) might underflow. */
+/* Eq. (11) for the sharp wedge; with a rounding, from the ratio A P/(theta a). */
+static rw_scaled half_width(const rw_geometry *geometry, double P)
+{
+    const rw_scaled product = rw_scaled_times(rw_scaled_from(geometry->A), rw_scaled_from(P));
+    const rw_scaled length = rw_scaled_over(product, rw_scaled_from(geometry->theta));
+    const rw_scaled sharp = {length.mantissa, length.exponent - 1};
+    if (geometry->a == 0)
+        return sharp;
+    const rw_scaled a = rw_scaled_from(geometry->a), scaled_ratio = rw_scaled_over(length, a);
+    if (scaled_ratio.exponent > 2 * DBL_MANT_DIG) /* sharp to the last bit */
+        return sharp;
+    const double ratio = rw_scaled_value(scaled_ratio);
+    if (ratio <= RW_HALF_PI)
+        return rw_scaled_times(rw_scaled_root(rw_scaled_over(length, rw_scaled_from(RW_HALF_PI))), rw_scaled_root(a));
+    return rw_scaled_over(a, rw_scaled_from(rwedge_a_over_b(ratio)));
+}
+
 double rw_half_width(const rw_geometry *geometry, double P)
 {
-    const double length = geometry->A * P / geometry->theta, a = geometry->a;
-    if (length <= RW_HALF_PI * a)
-        return sqrt(length / RW_HALF_PI) * sqrt(a);
-    const double ratio = length / a;
-    if (!(ratio < 1 / DBL_EPSILON / DBL_EPSILON)) /* sharp to the last bit */
-        return length / 2;
-    return a / rwedge_a_over_b(ratio);
+    return P > 0 ? rw_scaled_value(half_width(geometry, P)) : 0;
 }
 
 double rwedge_half_width(double theta, double a, double A, double P)
@@ -37,6 +54,14 @@ double rwedge_half_width(double theta, double a, double A, double P)
     return rw_half_width(&geometry, P);
 }
 
+/* A P/(theta b). For Hertz a/b may be too large for a double, and for a sharp wedge, all but, too small. */
+static rw_scaled load_per_width(double a, double b)
+{
+    if (b > a)
+        return rw_scaled_from(rwedge_load(a / b));
+    return rw_scaled_over(rw_scaled_times(rw_scaled_from(RW_HALF_PI), rw_scaled_from(b)), rw_scaled_from(a));
+}
+
 double rwedge_normal_load(double theta, double a, double A, double b)
 {
     const rw_geometry geometry = {theta, a, A};
@@ -44,8 +69,8 @@ double rwedge_normal_load(double theta, double a, double A, double b)
         return NAN;
     if (b == 0)
         return 0;
-    const double per_width = b > a ? rwedge_load(a / b) : RW_HALF_PI * b / a;
-    return theta / A * b * per_width;
+    const rw_scaled stress = rw_scaled_over(rw_scaled_from(theta), rw_scaled_from(A));
+    return rw_scaled_value(rw_scaled_times(rw_scaled_times(stress, rw_scaled_from(b)), load_per_width(a, b)));
 }
 
 /* The peak of sqrt(J2) in theta/A, from the elastic limit P/(bk): P = (theta/A) b load(alpha). */
@@ -64,14 +89,22 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
+/* A k/theta; all that is larger than any peak is the same. */
+static double wanted_peak(const rw_geometry *geometry, double k)
+{
+    const rw_scaled compliance = rw_scaled_over(rw_scaled_from(geometry->A), rw_scaled_from(geometry->theta));
+    const rw_scaled wanted = rw_scaled_times(compliance, rw_scaled_from(k));
+    return wanted.exponent > 1000 ? 1e300 : rw_scaled_value(wanted);
+}
+
 /* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the
  * peak grows like a logarithm. */
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(f) || !rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
         return NAN;
-    const yielding y = {f, nu, A / theta * k};
+    const yielding y = {f, nu, wanted_peak(&geometry, k)};
     if (a == 0)
         return f == 0 && nu == 0.5 && y.wanted > peak(0, f, nu) ? HUGE_VAL : 0;
     const double hertz = peak(1, f, nu);

@@ -39,7 +39,7 @@
 #define RWEDGE_API
 #endif
 
-#define RWEDGE_VERSION "0.1.0"
+#define RWEDGE_VERSION "1.0.0"
 
 #ifdef __cplusplus
 extern "C" {

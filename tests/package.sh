@@ -44,6 +44,13 @@ try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -W
 try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
 try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/main.c"
 
+try "the private build is there" sh "$source/bindings/private.sh" "$build"
+try "find_package configures with it" cmake -S "$consumer" -B "$work/private" \
+    -DCMAKE_PREFIX_PATH="$build/private/prefix" -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON -DCMAKE_DISABLE_FIND_PACKAGE_LAPACK=ON
+try "find_package builds with it" cmake --build "$work/private"
+try "its shared library runs" "$work/private/with_rwedge"
+try "its static library runs" "$work/private/with_rwedge_static"
+
 try "a subproject configures" cmake -S "$consumer" -B "$work/sub" -DRWEDGE_SOURCE="$source"
 try "a subproject builds" cmake --build "$work/sub" --parallel 2
 try "a subproject runs" "$work/sub/with_rwedge"

@@ -27,13 +27,18 @@ for option; do
 done
 
 require_build_tools
-require library:cmocka=libcmocka-dev command:c++=g++ command:strace=strace command:script=bsdutils \
-    command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils command:zsh=zsh command:fish=fish command:mandoc=mandoc \
-    library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev command:localedef=locales command:python3=python3 \
-    "command:soffice=libreoffice-calc-nogui python3-uno"
-[ $compilers = no ] || require command:gcc=gcc command:clang=clang
+require library:cmocka=libcmocka-dev command:c++=g++
+wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
+    command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
+    command:localedef=locales command:python3=python3 "command:soffice=libreoffice-calc-nogui python3-uno"
+# another package's LAPACK with 64-bit integers, to be kept out
+wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
+    file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
+[ $compilers = no ] || wish command:gcc=gcc command:clang=clang
 
 passed=0 failed=0 skipped=0
+skips=$(mktemp)
+trap 'rm -f "$skips"' EXIT
 
 # count JUNIT-FILE - adds a run's results to the totals.
 count()
@@ -57,6 +62,8 @@ build_and_test()
         ended=well || ended=badly
     before=$failed
     count "$folder/results.xml"
+    awk -F'"' '/<testcase name=/ { name = $2 } /SKIPPED/ { sub(/.*SKIPPED/, "SKIPPED"); print name ": " $0 }' "$folder/results.xml" \
+        >>"$skips"
     # ctest itself may fail with no test that did
     if [ $ended = badly ] && [ "$failed" -eq "$before" ]; then
         echo "== FAILED: ctest in $folder"
@@ -100,5 +107,6 @@ if [ $campaign = yes ]; then
     step "survey of the strength" build/tests/strength_survey 50000 2026
 fi
 
+cat "$skips"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

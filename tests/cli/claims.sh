@@ -114,7 +114,7 @@ column() {
 }
 
 skip() {
-    echo "skipped: $1"
+    echo "SKIPPED: $1"
     exit 77
 }
 

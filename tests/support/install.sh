@@ -7,6 +7,7 @@ have()
     case $1 in
     command:*) command -v "${1#command:}" >/dev/null 2>&1 ;;
     library:*) pkg-config --exists "${1#library:}" 2>/dev/null ;;
+    file:*) ls ${1#file:} >/dev/null 2>&1 ;; # a pattern
     header:*) echo "#include <${1#header:}>" | cc -E - >/dev/null 2>&1 ;;
     esac
 }
@@ -45,6 +46,12 @@ require()
         return 1
     fi
     rm -f "$log"
+}
+
+# wish KIND:NAME=PACKAGE ... - the same, but nothing fails for want of it: the tests that need it are skipped.
+wish()
+{
+    require "$@" || echo "The tests go on without, and skip what needs it." >&2
 }
 
 # What the library and the tool are built with.

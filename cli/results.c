@@ -24,8 +24,8 @@ const result_kind result_kinds[RESULT_COUNT] = {
     [RESULT_TENSION_SLIDING] = {"max_tension_sliding", "the same in full sliding, Q = f P"},
     [RESULT_VON_MISES_SLIDING] = {"von_mises_sliding", "largest von Mises stress in full sliding"},
     [RESULT_F_CRITICAL] = {"f_critical", "friction from which on yield starts at the surface"},
-    [RESULT_P_OVER_BK] = {"P_over_bk", "load P/(bk)"},
-    [RESULT_P_OVER_BK_LIMIT] = {"P_over_bk_limit", "elastic limit of P/(bk) for this a/b in full sliding"},
+    [RESULT_LOAD_OVER_BK] = {"load_over_bk", "load P/(bk)"},
+    [RESULT_P_OVER_BK] = {"P_over_bk", "elastic limit of P/(bk) for this a/b in full sliding"},
     [RESULT_P_YIELD] = {"P_yield", "P at first yield in full sliding"},
     [RESULT_SAFETY] = {"safety", "P_yield/P: below 1 it yields in full sliding"},
     [RESULT_YIELD_X] = {"yield_x", "where it yields first, under P_yield"},
@@ -98,13 +98,13 @@ static bool strength(const contact_case *what, double b, cell row[], char compla
     const double limit = rwedge_elastic_limit(alpha, what->f, what->nu1);
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * what->P / b / limit);
     row[RESULT_F_CRITICAL] = alpha > 0 ? cell_number(rwedge_critical_friction(alpha, what->nu1)) : cell_empty();
-    row[RESULT_P_OVER_BK_LIMIT] = cell_number(limit);
+    row[RESULT_P_OVER_BK] = cell_number(limit);
     if (isnan(what->k))
         return true;
     const double P_yield = rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k);
     if (isnan(P_yield))
         return not_computed("P_yield", rwedge_strerror(RWEDGE_ENOCONV), complaint);
-    row[RESULT_P_OVER_BK] = cell_number(what->P / b / what->k);
+    row[RESULT_LOAD_OVER_BK] = cell_number(what->P / b / what->k);
     row[RESULT_P_YIELD] = cell_number(P_yield);
     row[RESULT_SAFETY] = cell_number(P_yield / what->P);
     return isinf(P_yield) ? true : yield_place(what, P_yield, row, complaint);

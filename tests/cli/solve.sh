@@ -30,12 +30,12 @@ is c "sqrt(A * 100 * 100 / pi)" 1e-14
 is max_tension_sliding "2 * 0.2 * 200 / (pi * sqrt(2 * A * 100 * 100 / pi))" 1e-13
 is max_tension "sqrt(0.5) * 2 * 0.2 * 200 / (pi * sqrt(2 * A * 100 * 100 / pi))" 1e-12
 is f_critical 0.2628258467463178 1e-8
-is P_over_bk "1 / sqrt(2 * A * 100 * 100 / pi)" 1e-14
+is load_over_bk "1 / sqrt(2 * A * 100 * 100 / pi)" 1e-14
 same warnings "" "$(value warnings)"
 
 # Without friction, b in P/(bk) = 4.880036 grows with P: P_yield = 4.880036^2 k^2 2 A R/pi; it yields at 0.7043 b.
 run solve $steel --theta 0.02 --radius 100 --P 100 --k 100
-is P_over_bk_limit 4.880036 1e-6
+is P_over_bk 4.880036 1e-6
 is P_yield "4.880036 ^ 2 * 100 ^ 2 * 2 * A * 100 / pi" 1e-6
 is safety "4.880036 ^ 2 * 100 * 2 * A * 100 / pi" 1e-6
 is von_mises_sliding "sqrt(3) * 100 / sqrt(2 * A * 100 * 100 / pi) / 4.880036" 1e-6
@@ -110,7 +110,7 @@ warns "k/E1 = 476: are the stresses in one unit?" --E1 210 --nu1 0.3 --theta 0.0
 # Partial slip under the given Q is never nearer to yield than full sliding, and equal to it at Q = f P.
 for Q in 0 3 9 10; do
     run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q $Q --k 100 --yield-factor
-    limit=$(formula "$(value P_over_bk_limit) / $(value P_over_bk)")
+    limit=$(formula "$(value P_over_bk) / $(value load_over_bk)")
     [ $Q = 10 ] && close_to "yield factor in full sliding" "$limit" "$(value yield_factor)" 1e-10
     same "yield factor at Q = $Q" yes \
         "$(awk "BEGIN { if ($(value yield_factor) >= $limit * (1 - 1e-10)) print \"yes\" }")"

@@ -27,7 +27,7 @@ INPUTS = ["theta", "a", "E1", "nu1", "E2", "nu2", "P", "f", "k"]
 RESULTS = [
     ("rw_compliance", "A", 1e-13, 0), ("rw_b", "b", 1e-12, 0), ("rw_a_over_b", "a_over_b", 1e-12, 0),
     ("rw_p0", "p0", 1e-12, 0), ("rw_max_tension", "max_tension_sliding", 1e-12, 0),
-    ("rw_load_over_bk", "P_over_bk", 1e-12, 0), ("rw_P_over_bk", "P_over_bk_limit", 5e-4, 0),
+    ("rw_load_over_bk", "load_over_bk", 1e-12, 0), ("rw_P_over_bk", "P_over_bk", 5e-4, 0),
     ("rw_P_yield", "P_yield", 1.5e-3, 0), ("rw_safety", "safety", 1.5e-3, 0), ("rw_f_critical", "f_critical", 0, 6e-3),
 ]
 YIELD_NEAR_SHARP = 4e-3  # of rw_P_yield and rw_safety where a/b at yield is below 0.02

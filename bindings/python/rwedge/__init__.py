@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The contact of a wedge with a rounded apex and an elastically similar half-plane.
+
+Formulas are NumPy ufuncs: they broadcast, know ``out=`` and ``where=``, and release the GIL. Outside its domain a formula gives
+NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does (``numpy.errstate(invalid="raise")`` makes an
+exception of it); NaN among the arguments gives NaN without one.
+
+``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that raises.
+These raise ValueError outside the domain; NaN gives NaN.
+
+Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
+in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
+apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed in the library's lib/README.md; "new" marks
+what the paper does not have.
+"""
+from ._contact import Contact, YieldFactor
+from ._header import FUNCTIONS as _FUNCTIONS
+from ._library import Error, SlidingError
+from ._library import function as _function
+from ._series import Series
+from ._ufuncs import Points as _Points
+from ._ufuncs import ufunc as _ufunc
+
+__version__ = _function("version")().decode()
+
+# The ufuncs: all functions of the header that take and give nothing but numbers.
+_FORMULAS = [name for name, about in _FUNCTIONS.items() if about["doc"]]
+globals().update((name, _ufunc(name)) for name in _FORMULAS)
+__all__ = ["Contact", "Error", "Series", "SlidingError", "YieldFactor", "stresses", *_FORMULAS]
+
+_stresses = _Points("stress")
+
+
+def stresses(alpha, f, c, x, y):
+    """Stresses sxx, syy, txy in the broadcast shape of the arguments: the ufunc ``stress``, which see, but with a ValueError that
+    says where the domain was left. NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
+    return _stresses(alpha, f, c, x, y)

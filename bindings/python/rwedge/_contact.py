@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A contact with a load history."""
+from __future__ import annotations
+
+import ctypes
+import threading
+from typing import Any, NamedTuple, SupportsFloat
+
+from numpy.typing import ArrayLike, NDArray
+
+from ._library import Handle, check, function, real
+from ._ufuncs import Points
+
+_create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
+_half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
+_dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
+_yield_factor = function("contact_yield_factor")
+_tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
+
+
+class YieldFactor(NamedTuple):
+    """How far a state is from first yield, and where that would be."""
+
+    factor: float
+    x: float
+    y: float
+
+
+class Contact(Handle):
+    """One contact and what it remembers of its loads (P, Q): exact for any history.
+
+    Any consistent set of units: x, y are lengths in the unit of a, stresses in that of 1/A, loads are forces per unit length;
+    0 is the centre of the contact. Pressure is negative in compression.
+
+    Parameters
+    ----------
+    theta : float
+        angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+    a : float
+        half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge: ``rounding(theta, R)``
+    A : float
+        composite compliance, 1/stress, finite, > 0: ``compliance(E1, nu1, E2, nu2)``
+    f : float
+        coefficient of friction, finite, >= 0
+
+    Raises
+    ------
+    ValueError
+        (``rwedge.Error``) outside the domain; the message names the arguments and what is allowed
+    TypeError, MemoryError
+
+    Notes
+    -----
+    A contact is created without load, separated, and freed with its last reference. ``copy()``, ``copy.copy`` and
+    ``copy.deepcopy`` give an independent one, history and all. It cannot be pickled: send its parameters and its loads.
+
+    Threads: different contacts are independent, and their methods release the GIL. Calls for one contact from several
+    threads are safe, and wait for each other; to read one at the same time, give each thread a copy.
+
+    Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
+
+    Examples
+    --------
+    >>> contact = Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> contact.load(P=2000, Q=300)
+    >>> p, q = contact.tractions([0.0, 1.0])
+    """
+
+    def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> None:
+        self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
+        handle = ctypes.c_void_p()
+        check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), **self._parameters)
+        self._begin(handle, (0.0, 0.0))
+
+    def _begin(self, handle: ctypes.c_void_p, loads: tuple[float, float]) -> None:
+        self._lock, self._loads = threading.RLock(), loads
+        self._adopt(handle, _destroy)
+
+    def copy(self) -> Contact:
+        """An independent copy, history and all: to try a load and go back."""
+        twin, handle = type(self).__new__(type(self)), ctypes.c_void_p()
+        twin._parameters = self._parameters
+        with self._lock:
+            check("contact_copy", _copy(self._address, ctypes.byref(handle)))
+            twin._begin(handle, self._loads)
+        return twin
+
+    def __copy__(self) -> Contact:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Contact:
+        return self.copy()
+
+    def __repr__(self) -> str:
+        parameters = ", ".join(f"{name}={value}" for name, value in self._parameters.items())
+        return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
+
+    def load(self, P: SupportsFloat, Q: SupportsFloat = 0.0) -> None:
+        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
+
+        Parameters
+        ----------
+        P : float
+            force/length, finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy
+            is forgotten
+        Q : float
+            force/length, \\|Q| <= f P; equality is full sliding
+
+        Raises
+        ------
+        SlidingError
+            (a ValueError) where \\|Q| > f P: no equilibrium
+        ValueError
+            outside the domain, or where P is too large or too small, also against the last P: go there in two loads
+
+        The contact is then as before. Source: Sec. 3.2; new.
+        """
+        P, Q = real("P", P), real("Q", Q)
+        with self._lock:
+            check("contact_load", _load(self._address, P, Q), P=P, Q=Q)
+            self._loads = P, Q
+
+    def _value(self, read: Any) -> Any:
+        with self._lock:
+            return read(self._address)
+
+    @property
+    def theta(self) -> float:
+        """Angle between flank and surface, rad."""
+        return self._parameters["theta"]
+
+    @property
+    def a(self) -> float:
+        """Half-width of the rounding, length."""
+        return self._parameters["a"]
+
+    @property
+    def A(self) -> float:
+        """Composite compliance, 1/stress."""
+        return self._parameters["A"]
+
+    @property
+    def f(self) -> float:
+        """Coefficient of friction."""
+        return self._parameters["f"]
+
+    @property
+    def P(self) -> float:
+        """The present normal load, force/length."""
+        return self._loads[0]
+
+    @property
+    def Q(self) -> float:
+        """The present tangential load, force/length."""
+        return self._loads[1]
+
+    @property
+    def half_width(self) -> float:
+        """Half-width b of the contact, length; 0 when separated. Source: Eq. (7), (11), (15), inverse."""
+        return self._value(_half_width)
+
+    @property
+    def stick_half_width(self) -> float:
+        """Half-width c of the stick zone, length: where c < \\|x| < b friction is exhausted. It is b after a load that let no
+        point slip, 0 in full sliding and when separated. Source: Eq. (25); new."""
+        return self._value(_stick_half_width)
+
+    @property
+    def memory(self) -> int:
+        """How many points of its history the contact remembers; 0 when separated. The time of its methods grows like it."""
+        return self._value(_memory)
+
+    @property
+    def dissipated_energy(self) -> float:
+        """Energy dissipated by friction since the contact was created, per unit thickness (a force). Never falls. Without
+        the rigid displacement in full sliding. Source: new."""
+        return self._value(_dissipated_energy)
+
+    def tractions(self, x: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Pressure p and shear traction q at points of the surface, stress, in the shape of x: compression negative; q = f p
+        where it slips under Q > 0. Both are 0 for \\|x| >= b.
+
+        Parameters
+        ----------
+        x : array_like
+            length, finite; NaN gives NaN
+
+        Raises
+        ------
+        ValueError
+            outside the domain, also at the apex x = 0 of the loaded sharp wedge
+
+        Source: Eq. (8), (12), (14), (22) to (27).
+        """
+        with self._lock:
+            return _tractions(self._address, x)
+
+    def stresses(self, x: ArrayLike, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Stresses sxx, syy, txy at points (x, y) of the half-plane, tension positive, in the broadcast shape of x and y.
+
+        Parameters
+        ----------
+        x, y : array_like
+            length, finite, y >= 0; NaN gives NaN
+
+        Raises
+        ------
+        ValueError
+            outside the domain, also at the apex of the loaded sharp wedge
+
+        Source: Eq. (28), (32), (33); new.
+        """
+        with self._lock:
+            return _stresses(self._address, x, y)
+
+    def slip(self, x: ArrayLike) -> NDArray[Any]:
+        """Slip at points of the surface, length, in the shape of x: the tangential displacement of the half-plane's surface
+        relative to the wedge's since the point last came into contact. It has the sign of q while it grows. 0 where a
+        point has stuck ever since. In full sliding it is the least that the loads need.
+
+        Parameters
+        ----------
+        x : array_like
+            length, \\|x| <= b: points outside have no partner; NaN gives NaN
+
+        Raises
+        ------
+        ValueError
+            outside the contact
+
+        Source: Eq. (17) to (21); new.
+        """
+        with self._lock:
+            return _slip(self._address, x)
+
+    def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:
+        """How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
+        half-plane, and where (x, y) that is, length. Above 1 all is elastic; 0 where the stress is infinite, at the apex of
+        the sharp wedge. A millisecond for a first load; the time grows with the square of ``memory``.
+
+        Parameters
+        ----------
+        nu : float
+            Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+        k : float
+            yield stress in pure shear, stress, finite, > 0
+
+        Raises
+        ------
+        ValueError
+            outside the domain; when separated, as there is no stress
+        """
+        nu, k = real("nu", nu), real("k", k)
+        factor, x, y = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
+        with self._lock:
+            status = _yield_factor(self._address, nu, k, *map(ctypes.byref, (factor, x, y)))
+        check("contact_yield_factor", status, nu=nu, k=k)
+        return YieldFactor(factor.value, x.value, y.value)

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The paper's series, analytic or fitted."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._library import Error, Handle, check, function, integer, real
+from ._ufuncs import Points
+
+_create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
+_terms, _residual = function("series_terms"), function("series_residual")
+_coefficient, _pressure, _potential, _stress = (
+    Points("series_" + name) for name in ("coefficient", "pressure", "potential", "stress"))
+
+
+class Series(Handle):
+    """A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses.
+
+    ``Series(alpha, terms)`` is the rounded wedge's own, cut after the first terms coefficients (the paper's b_n is a_(2n));
+    ``Series.fit(x, p, terms)`` takes any pressure. It serves pressures that have no closed form, and checks those that have.
+    Natural units: lengths in b, stresses in theta/A.
+
+    Parameters
+    ----------
+    alpha : float
+        a/b, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
+    terms : int
+        1 <= terms <= 2^24
+
+    Raises
+    ------
+    ValueError
+        (``rwedge.Error``) outside the domain
+    TypeError, MemoryError
+
+    Notes
+    -----
+    A series never changes: any number of threads may use it. It cannot be pickled.
+
+    Source: Eq. (29), (31) with E1; new.
+    """
+
+    def __init__(self, alpha: SupportsFloat, terms: SupportsIndex) -> None:
+        alpha, terms, handle = real("alpha", alpha), integer("terms", terms), ctypes.c_void_p()
+        check("series_create", _create(alpha, terms, ctypes.byref(handle)), alpha=alpha, terms=terms)
+        self._adopt(handle, _destroy)
+
+    @classmethod
+    def fit(cls, x: ArrayLike, p: ArrayLike, terms: SupportsIndex) -> Series:
+        """Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
+
+        Parameters
+        ----------
+        x, p : array_like, of one dimension and the same length
+            where and what, \\|x| < 1, finite, at least terms of them, samples times terms <= 2^27; samples near Chebyshev's
+            points (x = cos t, t equally spaced) fit best
+        terms : int
+            >= 1
+
+        Raises
+        ------
+        ValueError
+            outside the domain, or where the samples do not determine that many coefficients
+
+        Source: Sec. 4 of the paper.
+        """
+        terms = integer("terms", terms)
+        x, p = np.ascontiguousarray(x, dtype=float), np.ascontiguousarray(p, dtype=float)
+        if x.ndim != 1 or x.shape != p.shape:
+            raise Error(f"x has the shape {x.shape}, p {p.shape}: they must be of one dimension and the same length")
+        series, handle = cls.__new__(cls), ctypes.c_void_p()
+        status = _fit(x.size, x.ctypes.data, p.ctypes.data, terms, ctypes.byref(handle))
+        check("series_fit", status, samples=x.size, terms=terms, x=f"{x.size} numbers")
+        series._adopt(handle, _destroy)
+        return series
+
+    def __repr__(self) -> str:
+        return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"
+
+    @property
+    def terms(self) -> int:
+        """How many coefficients it holds."""
+        return _terms(self._address)
+
+    @property
+    def coefficients(self) -> NDArray[Any]:
+        """The coefficients a_k, k = 0 ... terms-1."""
+        return _coefficient(self._address, np.arange(self.terms))
+
+    @property
+    def residual(self) -> float:
+        """Error of the series as a pressure: of the analytic one an upper bound of what is cut off, the sum of all further
+        \\|a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
+        return _residual(self._address)
+
+    def pressure(self, x: ArrayLike) -> NDArray[Any]:
+        """The pressure at x, finite; 0 for \\|x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
+        return _pressure(self._address, x)
+
+    def potential(self, f: ArrayLike, x: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+        """Muskhelishvili's potential Phi for q = f p, complex, in the broadcast shape of the arguments.
+
+        Parameters
+        ----------
+        f : array_like
+            coefficient of friction, 0 <= f <= 1e6
+        x, y : array_like
+            a point, in b, finite, y >= 0; NaN gives NaN
+
+        Raises
+        ------
+        ValueError
+            outside the domain
+
+        Source: Eq. (30), (34), E2, E3.
+        """
+        real_part, imaginary_part = _potential(self._address, f, x, y)
+        return real_part + 1j * imaginary_part
+
+    def stress(self, f: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Stresses sxx, syy, txy for q = f p, in theta/A, tension positive; arguments as for ``potential``. Slow to converge at
+        the edges. ValueError outside the domain. Source: Eq. (32), (33)."""
+        return _stress(self._address, f, x, y)

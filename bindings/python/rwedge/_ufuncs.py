@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""NumPy ufuncs of the library's functions: of the loops in src/loops.c, with the signatures and docstrings of the header.
+
+PyUFunc_FromFuncAndData() comes from the table of functions that NumPy gives every compiled extension, in a capsule: so the
+shared library needs no header of Python or NumPy, and one build serves all their versions. Its place in the table is part of
+NumPy's binary interface, which only a new major version may change.
+"""
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+
+from ._header import FUNCTIONS
+from ._library import EDOMAIN, check
+from ._library import library as _library
+
+if np.lib.NumpyVersion(np.__version__) >= "3.0.0":
+    raise ImportError(f"rwedge knows the binary interface of NumPy 1 and 2; this is {np.__version__}")
+try:
+    from numpy._core._multiarray_umath import _UFUNC_API
+except ImportError:  # NumPy 1
+    from numpy.core._multiarray_umath import _UFUNC_API
+
+FROM_FUNC_AND_DATA = 1  # its place in the table
+NO_IDENTITY = -1
+DOUBLE, INTEGER, ADDRESS = (np.dtype(kind).num for kind in (np.float64, np.int64, np.intp))
+OBJECTS = {"const rwedge_contact *", "const rwedge_series *"}
+ARGUMENTS = {"double": DOUBLE, "int32_t": INTEGER, "const double *": DOUBLE, **dict.fromkeys(OBJECTS, ADDRESS)}
+
+_capsule_pointer = ctypes.pythonapi.PyCapsule_GetPointer
+_capsule_pointer.restype, _capsule_pointer.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
+_table = ctypes.cast(_capsule_pointer(_UFUNC_API, None), ctypes.POINTER(ctypes.c_void_p))
+_from_func_and_data = ctypes.PYFUNCTYPE(
+    ctypes.py_object, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_int, ctypes.c_int,
+    ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int)(_table[FROM_FUNC_AND_DATA])
+_kept = []  # what the ufuncs point to, for as long as the process lives
+
+
+def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
+    """An array of one pointer: that to rwedge_symbol."""
+    return (ctypes.c_void_p * 1)(ctypes.addressof(ctypes.c_char.in_dll(_library, "rwedge_" + symbol)))
+
+
+def ufunc(name: str) -> np.ufunc:
+    """The ufunc of rwedge_name(): of a formula; of a function with several results; or of the points of an object, whose
+    address is then the first argument."""
+    parameters = [kind for kind, _ in FUNCTIONS[name]["parameters"]]
+    arguments = [kind for kind in parameters if kind in ARGUMENTS]
+    outputs = parameters.count("double *") or 1
+    if "double *" in parameters or arguments[0] in OBJECTS:
+        loop, data = "points", "points_" + name
+        inputs = [ADDRESS if kind in OBJECTS else DOUBLE for kind in arguments]
+    else:
+        loop, data = "".join(kind[0] for kind in arguments), name
+        inputs = [ARGUMENTS[kind] for kind in arguments]
+    pointers = _address("loop_" + loop), _address(data)
+    texts = bytes([*inputs, *[DOUBLE] * outputs]), name.encode(), FUNCTIONS[name]["doc"].encode()
+    _kept.append((pointers, texts))
+    (loops, datas), (types, title, doc) = pointers, texts
+    return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0)
+
+
+class Points:
+    """A ufunc that raises where an argument is outside its domain, and says which. A NaN still gives NaN."""
+
+    def __init__(self, name: str) -> None:
+        self.name, self.ufunc = name, ufunc(name)
+        self.arguments = [argument for kind, argument in FUNCTIONS[name]["parameters"] if kind in ARGUMENTS]
+
+    def __call__(self, *arguments: Any) -> Any:
+        try:
+            with np.errstate(invalid="raise"):
+                return self.ufunc(*arguments)
+        except FloatingPointError:
+            self._complain(arguments)
+            raise
+
+    def _complain(self, arguments: tuple[Any, ...]) -> None:
+        """Raises for the first point outside the domain."""
+        with np.errstate(invalid="ignore"):
+            results = self.ufunc(*arguments)
+        result = results[0] if isinstance(results, tuple) else results
+        given = {argument: np.broadcast_to(value, result.shape) for argument, value in zip(self.arguments, arguments)}
+        outside = np.isnan(result)
+        for value in given.values():
+            outside &= ~np.isnan(value)
+        index = np.unravel_index(np.argmax(outside), result.shape)
+        place = f"[{', '.join(map(str, index))}]" if index else ""
+        values = {argument: value[index] for argument, value in given.items() if argument not in ("contact", "series")}
+        check(self.name, EDOMAIN, place, **values)

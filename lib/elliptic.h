@@ -3,6 +3,8 @@
 #ifndef RW_ELLIPTIC_H
 #define RW_ELLIPTIC_H
 
+#include "inline.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -11,26 +13,34 @@
 typedef struct {
     double x, y;
     double sin_v, cos_v, sinh_w, cosh_w;
+    double cos2; /* |cos(zeta)|^2, not 0 */
 } rw_elliptic;
 
-/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. False where the point cannot be told from the edge
- * x = 1, y = 0 (x = 1 and y below 1e-154, where y^2 would underflow); *e is the edge then.
+/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1.
  * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m
- * cancels (|z| near 1) its error is small beside 2 y. */
+ * cancels (|z| near 1) its error is small beside 2 y. The root of its discriminant is |cos(zeta)|^2; next to the edge
+ * x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
+RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
+{
+    const double m = beyond * (x + 1) + y * y, size = m < 0 ? -m : m;
+    const double discriminant = m * m + 4 * y * y;
+    const double cos2 = sqrt(discriminant > DBL_MIN ? discriminant : DBL_MIN);
+    const double larger = sqrt((size + cos2) / 2), smaller = y / larger;
+    const double sinh_w = m < 0 ? smaller : larger, cosh_w = sqrt(1 + sinh_w * sinh_w);
+    return (rw_elliptic){.x = x,
+                         .y = y,
+                         .sin_v = x / cosh_w,
+                         .cos_v = m < 0 ? larger : smaller,
+                         .sinh_w = sinh_w,
+                         .cosh_w = cosh_w,
+                         .cos2 = cos2};
+}
+
+/* The same; false where the point cannot be told from the edge. */
 static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)
 {
-    const double m = beyond * (x + 1) + y * y;
-    const double discriminant = m * m + 4 * y * y;
-    *e = (rw_elliptic){.x = x, .y = y, .sin_v = 1, .cos_v = 0, .sinh_w = 0, .cosh_w = 1};
-    if (discriminant < DBL_MIN)
-        return false;
-    const double larger = sqrt((fabs(m) + sqrt(discriminant)) / 2);
-    const double smaller = y / larger;
-    e->sinh_w = m >= 0 ? larger : smaller;
-    e->cos_v = m >= 0 ? smaller : larger;
-    e->cosh_w = sqrt(1 + e->sinh_w * e->sinh_w);
-    e->sin_v = x / e->cosh_w;
-    return true;
+    *e = rw_elliptic_at(x, y, beyond);
+    return e->cos2 > 0x1p-511;
 }
 
 /* Beyond 1e8 R = 1/(2z) to the last bit. */
@@ -39,7 +49,7 @@ static inline bool rw_is_remote(double x, double y)
     return x > 1e8 || y > 1e8;
 }
 
-/* A point that far, from any direction; the quarter keeps the modulus of the largest doubles finite. */
+/* A point that far, from any direction. */
 typedef struct {
     double cosine, sine; /* of the angle of z */
     double R_re, R_im;   /* 1/(2z) */
@@ -47,14 +57,21 @@ typedef struct {
 
 static inline rw_ray rw_ray_to(double x, double y)
 {
-    const double r = hypot(x / 4, y / 4), cosine = x / 4 / r, sine = y / 4 / r;
-    return (rw_ray){cosine, sine, cosine / 8 / r, -sine / 8 / r};
+    const double large = x > y ? x : y, u = x / large, v = y / large;
+    const double r = sqrt(u * u + v * v), cosine = u / r, sine = v / r;
+    return (rw_ray){cosine, sine, cosine / 2 / r / large, -sine / 2 / r / large};
 }
 
 /* |R| = exp(-w), where R = z - sqrt(z^2-1) = -i exp(i zeta). */
-static inline double rw_elliptic_shrink(const rw_elliptic *e)
+RW_INLINE double rw_elliptic_shrink(const rw_elliptic *e)
 {
     return 1 / (e->sinh_w + e->cosh_w);
+}
+
+/* The real part of R/X times |cos(zeta)|^2; the imaginary part is -sin(v) cos(v). */
+RW_INLINE double rw_elliptic_RX_re(const rw_elliptic *e, double shrink)
+{
+    return shrink * (e->sin_v * e->sin_v * e->sinh_w - e->cos_v * e->cos_v * e->cosh_w);
 }
 
 #endif

@@ -62,10 +62,12 @@ static double derivative(double X, const void *potential)
 static double far_primitive(const rw_potential *p, double x)
 {
     const double R = 1 / (x + sqrt((x - 1) * (x + 1))), R2 = R * R;
-    double power = 1, sum = p->far[0] * (R2 / 2 - log(R)); /* power is R^2n */
+    double far[RW_FAR_TERMS];
+    rw_potential_far_coefficients(p, far);
+    double power = 1, sum = far[0] * (R2 / 2 - log(R)); /* power is R^2n */
     for (int n = 1; n < RW_FAR_TERMS; n++) {
         power *= R2;
-        sum += p->far[n] * power * (R2 / (2 * n + 2) - 1.0 / (2 * n));
+        sum += far[n] * power * (R2 / (2 * n + 2) - 1.0 / (2 * n));
     }
     const double constant = p->alpha >= 1 ? 1 / (4 * p->alpha)
                                           : 2 / RW_PI * (0.75 * p->c0 + p->alpha * p->alpha * p->phi0_over_alpha / 2 +

@@ -6,16 +6,8 @@
 #include "stress.h"
 
 #include "domain.h"
+#include "inline.h"
 #include "rwedge.h"
-
-rw_stress_state rw_superpose(rw_field normal, rw_field tangential)
-{
-    return (rw_stress_state){
-        .mean = normal.G_im - tangential.G_re,
-        .difference = tangential.G_re - tangential.H_im - normal.H_re,
-        .shear = tangential.G_im + tangential.H_re - normal.H_im,
-    };
-}
 
 /* The tractions of one contact: all of its patches share the centre 0. */
 typedef struct {
@@ -29,39 +21,51 @@ static bool can_matter(double c, double length)
     return c > 1e-290 && length <= c * 1e280;
 }
 
-/* reach: the largest |x| or y of the points. */
-static void prepare(rw_potential *potential, double alpha, double c, double reach)
-{
-    if (reach <= RW_NEAR * c)
-        rw_potential_init_near(potential, alpha, c);
-    else
-        rw_potential_init_patch(potential, alpha, c);
-}
-
-static tractions make_tractions(double alpha, double f, double c, double reach)
+static tractions make_tractions(double alpha, double f, double c)
 {
     tractions t = {.f = f, .c = can_matter(c, alpha) ? c : 0};
-    prepare(&t.contact, alpha, 1, reach);
+    rw_potential_init(&t.contact, alpha);
     if (t.c > 0)
-        prepare(&t.stick, alpha, c, reach);
+        rw_potential_init_patch(&t.stick, alpha, c);
     return t;
 }
 
-static rw_field difference(rw_field a, rw_field b)
+RW_INLINE rw_field difference(rw_field a, rw_field b)
 {
     return (rw_field){a.G_re - b.G_re, a.G_im - b.G_im, a.H_re - b.H_re, a.H_im - b.H_im};
+}
+
+/* stick: the field of the stick zone's patch. */
+RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy, double *txy)
+{
+    const rw_stress_state s = rw_superpose(normal, rw_field_multiple(f, difference(normal, stick)));
+    *sxx = s.mean - s.difference;
+    *syy = s.mean + s.difference;
+    *txy = s.shear;
+}
+
+static bool stick_matters(const tractions *t, double x, double y)
+{
+    return can_matter(t->c, fmax(fabs(x), y));
 }
 
 static void stress_at(const tractions *t, double x, double y, double *sxx, double *syy, double *txy)
 {
     const rw_field normal = rw_potential_at(&t->contact, x, y);
-    rw_field shear = normal;
-    if (can_matter(t->c, fmax(fabs(x), y)))
-        shear = difference(normal, rw_potential_at(&t->stick, x, y));
-    const rw_stress_state s = rw_superpose(normal, rw_field_multiple(t->f, shear));
-    *sxx = s.mean - s.difference;
-    *syy = s.mean + s.difference;
-    *txy = s.shear;
+    const rw_field none = {0, 0, 0, 0};
+    combine(t->f, normal, stick_matters(t, x, y) ? rw_potential_at(&t->stick, x, y) : none, sxx, syy, txy);
+}
+
+/* All of these points matter to the stick zone's patch, or none. */
+static void stresses_at(const tractions *t, int count, const double x[], const double y[], double sxx[], double syy[],
+                        double txy[])
+{
+    rw_fields normal, stick = {{0}, {0}, {0}, {0}};
+    rw_potential_fields(&t->contact, count, x, y, &normal);
+    if (t->c > 0)
+        rw_potential_fields(&t->stick, count, x, y, &stick);
+    for (int i = 0; i < count; i++)
+        combine(t->f, rw_field_in(&normal, i), rw_field_in(&stick, i), &sxx[i], &syy[i], &txy[i]);
 }
 
 static bool is_contact(double alpha, double f, double c)
@@ -76,7 +80,15 @@ static bool is_point(double alpha, double x, double y)
 
 int32_t rwedge_stress(double alpha, double f, double c, double x, double y, double *sxx, double *syy, double *txy)
 {
-    return rwedge_stresses(alpha, f, c, 1, &x, &y, sxx, syy, txy);
+    if (!is_contact(alpha, f, c))
+        return RWEDGE_EDOMAIN;
+    if (!sxx || !syy || !txy)
+        return RWEDGE_ENULL;
+    if (!is_point(alpha, x, y))
+        return RWEDGE_EDOMAIN;
+    const tractions t = make_tractions(alpha, f, c);
+    stress_at(&t, x, y, sxx, syy, txy);
+    return RWEDGE_OK;
 }
 
 int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[], const double y[], double sxx[],
@@ -92,8 +104,12 @@ int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double
             return RWEDGE_EDOMAIN;
         reach = fmax(reach, fmax(fabs(x[i]), y[i]));
     }
-    const tractions t = make_tractions(alpha, f, c, reach);
-    for (size_t i = 0; i < n; i++)
-        stress_at(&t, x[i], y[i], &sxx[i], &syy[i], &txy[i]);
+    const tractions t = make_tractions(alpha, f, c);
+    const bool alike = t.c == 0 || stick_matters(&t, reach, reach);
+    for (size_t i = 0; i < n; i += alike ? RW_BATCH : 1)
+        if (alike)
+            stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i, syy + i, txy + i);
+        else
+            stress_at(&t, x[i], y[i], &sxx[i], &syy[i], &txy[i]);
     return RWEDGE_OK;
 }

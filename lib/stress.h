@@ -11,6 +11,13 @@ typedef struct {
 } rw_stress_state;
 
 /* normal: the field of the pressure; tangential: that of the shear traction. */
-rw_stress_state rw_superpose(rw_field normal, rw_field tangential);
+static inline rw_stress_state rw_superpose(rw_field normal, rw_field tangential)
+{
+    return (rw_stress_state){
+        .mean = normal.G_im - tangential.G_re,
+        .difference = tangential.G_re - tangential.H_im - normal.H_re,
+        .shear = tangential.G_im + tangential.H_re - normal.H_im,
+    };
+}
 
 #endif

@@ -154,7 +154,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     if (f > LAST)
         return false;
     rw_potential potential;
-    rw_potential_init_near(&potential, alpha, 1);
+    rw_potential_init(&potential, alpha);
     axis on_axis = {&potential, 0};
     const double probe = log(depth_of_last_rise(alpha));
     const double rise = steepness(probe, &on_axis);

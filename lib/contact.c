@@ -4,6 +4,7 @@
 
 #include "dissipation.h"
 #include "pressure.h"
+#include "scaled.h"
 #include "stress.h"
 
 #include <float.h>
@@ -16,12 +17,20 @@ static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 /* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP) is, 2e-7 of it here. */
 static const double STEEPEST_FALL = 1e-8;
 
+/* Loads that an arithmetic of squares and ratios can hold, and a width that a search of the half-plane can multiply. */
+static const double SMALLEST_LOAD = 1e-148, LARGEST_LOAD = 1e148, LARGEST_WIDTH = 1e300;
+
+static bool quotient_is_normal(double v, double divisor)
+{
+    return rw_scaled_is_normal(rw_scaled_over(rw_scaled_from(v), rw_scaled_from(divisor)));
+}
+
 /* ---- Life ---- */
 
 int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(f) || !isnormal(theta / A))
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !quotient_is_normal(theta, A))
         return RWEDGE_EDOMAIN;
     if (!contact)
         return RWEDGE_ENULL;
@@ -81,22 +90,34 @@ static int32_t shear_of(const rwedge_contact *contact, double P, double Q, doubl
     return RWEDGE_OK;
 }
 
-/* Whether lengths and stresses under the load stay far from the ends of the range of a double. */
+/* Whether lengths and stresses under the load stay far from the ends of the range of a double; next to an a/b that
+ * underflows to 0 the apex of the sharp wedge would appear. */
 static bool is_in_range(const rw_geometry *geometry, double P)
 {
     const double b = rw_half_width(geometry, P);
-    return isnormal(P) && isnormal(geometry->A * P) && isnormal(geometry->A * P / geometry->theta) && isnormal(b) &&
-           rw_patch_matters(b, geometry->a);
+    return P >= SMALLEST_LOAD && P <= LARGEST_LOAD && isnormal(b) && b <= LARGEST_WIDTH && rw_patch_matters(b, geometry->a) &&
+           (geometry->a == 0 || quotient_is_normal(geometry->a, b));
 }
 
+/* The load (pi/2) a theta/A under which the rounding is just filled. */
+static double corner_load_of(const rw_geometry *g)
+{
+    if (g->a == 0)
+        return 0;
+    const rw_scaled width = rw_scaled_times(rw_scaled_from(RW_HALF_PI), rw_scaled_from(g->a));
+    const double load = rw_scaled_value(rw_scaled_times(width, rw_scaled_over(rw_scaled_from(g->theta), rw_scaled_from(g->A))));
+    return isnan(load) ? DBL_MAX : load;
+}
+
+/* NaN where it is too large for a double. */
 static double energy_of(const rwedge_contact *contact, double P, double shear)
 {
     const rw_geometry *g = &contact->geometry;
     if (contact->f == 0)
         return 0;
-    const double corner_load = RW_HALF_PI * g->a * (g->theta / g->A);
-    const double per_A = contact->f / RW_PI * rw_dissipation(&contact->path, P, shear, corner_load);
-    return contact->f * g->A * per_A;
+    const double per_A = contact->f / RW_PI * rw_dissipation(&contact->path, P, shear, corner_load_of(g));
+    const rw_scaled factor = rw_scaled_times(rw_scaled_from(contact->f), rw_scaled_from(g->A));
+    return per_A > 0 ? rw_scaled_value(rw_scaled_times(factor, rw_scaled_from(per_A))) : 0;
 }
 
 static void measure_new_corners(rwedge_contact *contact)
@@ -119,9 +140,9 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     if (status != RWEDGE_OK)
         return status;
     const double share = energy_of(contact, P, shear) + contact->energy_carry;
-    const double energy = fmax(contact->energy, contact->energy + share); /* the carry may be negative */
-    if (!isfinite(energy))
+    if (!isfinite(share) || contact->energy / 2 + share / 2 > DBL_MAX / 2)
         return RWEDGE_ERANGE;
+    const double energy = fmax(contact->energy, contact->energy + share); /* the carry may be negative */
     if (!rw_path_reserve(&contact->path, 2) || !rw_entries_advance(&contact->entries, &contact->path, P, shear))
         return RWEDGE_ENOMEM;
     rw_path_advance(&contact->path, P, shear);
@@ -156,9 +177,11 @@ double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
     return contact ? contact->energy : NAN;
 }
 
+/* Or so near to it that it is not to be told from it in units of the half-width. */
 static bool is_apex(const rwedge_contact *contact, double x, double y)
 {
-    return contact->geometry.a == 0 && x == 0 && y == 0 && contact->path.count > 1;
+    return contact->geometry.a == 0 && contact->path.count > 1 &&
+           fmax(fabs(x), y) <= DBL_MIN * rwedge_contact_half_width(contact);
 }
 
 static double patch_pressure(const rw_corner *corner, double a, double x)

@@ -11,6 +11,7 @@
  * Every maximum of the grid that is not far below the highest is then followed to its top. */
 #include "contact.h"
 
+#include "scaled.h"
 #include "stress.h"
 #include "von_mises.h"
 
@@ -25,12 +26,18 @@ static const double FALL = 0.67;
  * much. */
 static const double WORTHWHILE = 0.25;
 
-/* The highest J2 so far, in (theta/A)^2, and where. */
+/* The highest J2 so far, in (theta/A)^2 over the square of a power of two, and where. */
 typedef struct {
     const rwedge_contact *contact;
-    double kappa;
+    double kappa, magnify;
     double J2, x, y;
 } search;
+
+/* The stresses of Hertz' contact are of the order b/a, whose square might underflow. */
+static int magnification(const rwedge_contact *contact)
+{
+    return ilogb(fmax(1, contact->geometry.a / rwedge_contact_half_width(contact)));
+}
 
 static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[])
 {
@@ -39,7 +46,9 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     for (size_t i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        J2[i] = state.difference * state.difference + state.shear * state.shear + s->kappa * state.mean * state.mean;
+        const double difference = s->magnify * state.difference, mean = s->magnify * state.mean;
+        const double in_shear = s->magnify * state.shear;
+        J2[i] = difference * difference + in_shear * in_shear + s->kappa * mean * mean;
         if (J2[i] > s->J2) {
             s->J2 = J2[i];
             s->x = x[i];
@@ -97,7 +106,7 @@ static void refine(search *s, double x, double y, double J2)
         if (!(xx < 0 && determinant > 0)) /* no maximum nearby */
             return;
         const double to_x = (xy * g_y - yy * g_x) / determinant * h, to_y = (xy * g_x - xx * g_y) / determinant * h;
-        const double shorter = fmin(1, 0.5 * y / hypot(to_x, to_y));
+        const double length = hypot(to_x, to_y), shorter = length > 0.5 * y ? 0.5 * y / length : 1;
         const double next_x = x + shorter * to_x, next_y = y + shorter * to_y;
         double next;
         evaluate(s, 1, &next_x, &next_y, &next);
@@ -203,6 +212,11 @@ static bool is_infinite(const rwedge_contact *contact, double kappa)
     return contact->geometry.a == 0 && (kappa > 0 || contact->f * contact->path.corners[1].ratio != 0);
 }
 
+static rw_scaled unit_stress(const rwedge_contact *contact)
+{
+    return rw_scaled_over(rw_scaled_from(contact->geometry.theta), rw_scaled_from(contact->geometry.A));
+}
+
 int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k, double *factor, double *x,
                                     double *y)
 {
@@ -212,12 +226,17 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
         return RWEDGE_EDOMAIN;
     if (contact->path.count < 2)
         return RWEDGE_EABSENT;
-    search s = {.contact = contact, .kappa = rw_plane_strain_weight(nu)};
+    const int doublings = magnification(contact);
+    search s = {.contact = contact, .kappa = rw_plane_strain_weight(nu), .magnify = rw_power_of_two(doublings)};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
         for (size_t i = 0; i < count_marks(contact); i++)
             search_around(&s, i);
-        found = k / (contact->geometry.theta / contact->geometry.A * sqrt(s.J2));
+        if (!(s.J2 > 0))
+            return RWEDGE_ERANGE;
+        rw_scaled highest = rw_scaled_times(unit_stress(contact), rw_scaled_from(sqrt(s.J2)));
+        highest.exponent -= doublings;
+        found = rw_scaled_value(rw_scaled_over(rw_scaled_from(k), highest));
     }
     if (!isfinite(found))
         return RWEDGE_ERANGE;

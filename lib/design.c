@@ -113,5 +113,6 @@ double rwedge_yield_load(double theta, double a, double A, double f, double nu, 
     const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
     if (!(excess(lowest, &y) < 0))
         return HUGE_VAL;
-    return rwedge_normal_load(theta, a, A, a / exp(rw_root(excess, &y, lowest, 0, 1e-17)));
+    const double alpha = exp(rw_root(excess, &y, lowest, 0, 1e-17));
+    return rwedge_normal_load(theta, a, A, rw_scaled_value(rw_scaled_over(rw_scaled_from(a), rw_scaled_from(alpha))));
 }

@@ -40,14 +40,15 @@ static double overlap(const layer *l, double d)
     return above > 0 ? length * above / (above - below) * above / 2 : 0;
 }
 
-/* m(u) for a load of `ratio` times that at the end of the rounding. The half-width e = eta/a solves e load(1/e) =
+/* m(u) for a load u, which may be that at the end of the rounding. The half-width e = eta/a solves e load(1/e) =
  * (pi/2) ratio; the left side is concave, so that Newton's steps from below stay below: at most 4 are needed. */
-static double logarithmic_slope(double ratio)
+static double logarithmic_slope(double u, double corner_load)
 {
-    if (ratio <= 1)
+    if (u <= corner_load)
         return 2;
-    if (ratio > 1 / DBL_EPSILON)
+    if (u * DBL_EPSILON > corner_load) /* of the sharp wedge corner_load is 0 */
         return 1;
+    const double ratio = u / corner_load;
     double e = fmax(sqrt(ratio), RW_HALF_PI / 2 * ratio), rounded = 0, whole = 0;
     for (int step = 0; step < 8; step++) {
         rounded = asin(1 / e) * e;
@@ -65,7 +66,7 @@ static double integrand(const layer *l, double d)
     const double u = l->top - d;
     if (u <= 0) /* rounding of a depth next to the origin, where B/u is finite and without weight */
         return 0;
-    return overlap(l, d) / (u * logarithmic_slope(u / l->corner_load));
+    return overlap(l, d) / (u * logarithmic_slope(u, l->corner_load));
 }
 
 /* ---- Its integral ---- */

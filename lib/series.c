@@ -6,11 +6,15 @@
 #include "domain.h"
 #include "elliptic.h"
 #include "least_squares.h"
+#include "scaled.h"
 #include "stress.h"
 
 #include <stdlib.h>
 
 enum { MAX_TERMS = 1 << 24, MAX_ENTRIES = 1 << 27 };
+
+/* As a power of two, of the weighted coefficients: times f = 1e6 they are still finite. */
+enum { LARGEST_SUM = 1000 };
 
 struct rwedge_series {
     double residual;
@@ -35,6 +39,8 @@ static double analytic_tail(double alpha, double N)
         return 0;
     if (alpha == 0)
         return HUGE_VAL;
+    if (alpha < 1e-300) /* whose reciprocal may overflow: M is 1/(2 alpha) */
+        return 2 / RW_PI * ((1 + 0.5 / (N * (N + 1))) * (-log(alpha) - log(2 * N)) + 1);
     const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
     return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) + (slope + 1 / (2 * M + 1)) / (RW_PI * M);
 }
@@ -67,38 +73,58 @@ static void fill_columns(int32_t samples, int32_t terms, const double x[], doubl
     }
 }
 
-static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples, const double x[], const double p[])
+/* Of the samples times `scale`. */
+static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples, const double x[], const double p[],
+                                         double scale)
 {
-    double largest = 0, sum = 0; /* of the squares, over that of the largest: in any unit */
-    for (size_t i = 0; i < samples; i++)
-        largest = fmax(largest, fabs(rwedge_series_pressure(series, x[i]) - p[i]));
-    if (!(largest > 0 && isfinite(largest)))
-        return largest;
+    double sum = 0;
     for (size_t i = 0; i < samples; i++) {
-        const double misfit = (rwedge_series_pressure(series, x[i]) - p[i]) / largest;
+        const double misfit = rwedge_series_pressure(series, x[i]) - scale * p[i];
         sum += misfit * misfit;
     }
-    return largest * sqrt(sum / (double)samples);
+    return sqrt(sum / (double)samples);
+}
+
+/* The power of two that is next to the largest sample: over it, no sum or square overflows or underflows. */
+static int magnitude(size_t samples, const double p[])
+{
+    double largest = 0;
+    for (size_t i = 0; i < samples; i++)
+        largest = fmax(largest, fabs(p[i]));
+    return largest > 0 ? (int)fmax(-1000, fmin(1000, ilogb(largest))) : 0;
+}
+
+/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow then. */
+static bool enlarge(rwedge_series *made, int doublings)
+{
+    double sum = made->residual;
+    for (int32_t k = 0; k < made->terms; k++)
+        sum += (k + 1) * fabs(made->a[k]);
+    if (!isfinite(sum) || (sum > 0 && ilogb(sum) + doublings > LARGEST_SUM))
+        return false;
+    for (int32_t k = 0; k < made->terms; k++)
+        made->a[k] *= rw_power_of_two(doublings);
+    made->residual *= rw_power_of_two(doublings);
+    return true;
 }
 
 /* Solves for made->a. work holds the matrix and the right-hand side. */
 static int32_t fit(size_t samples, const double x[], const double p[], double *work, rwedge_series *made)
 {
     const size_t entries = samples * (size_t)made->terms;
+    const int doublings = magnitude(samples, p);
+    const double scale = rw_power_of_two(-doublings);
     double *v = work + entries;
     fill_columns((int32_t)samples, made->terms, x, work);
     for (size_t i = 0; i < samples; i++)
-        v[i] = p[i];
+        v[i] = scale * p[i];
     const int32_t status = rw_least_squares((int32_t)samples, made->terms, work, v);
     if (status != RWEDGE_OK)
         return status;
-    for (int32_t k = 0; k < made->terms; k++) {
-        if (!isfinite(v[k]))
-            return RWEDGE_ENOCONV; /* samples of 1e308: the sums overflow */
+    for (int32_t k = 0; k < made->terms; k++)
         made->a[k] = v[k];
-    }
-    made->residual = root_mean_square_of_misfit(made, samples, x, p);
-    return isfinite(made->residual) ? RWEDGE_OK : RWEDGE_ENOCONV;
+    made->residual = root_mean_square_of_misfit(made, samples, x, p, scale);
+    return enlarge(made, doublings) ? RWEDGE_OK : RWEDGE_ENOCONV;
 }
 
 static bool are_samples(size_t samples, const double x[], const double p[])

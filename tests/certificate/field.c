@@ -140,26 +140,42 @@ static void enclose_by_taylor(field *over, const contact *c, square s, const acb
     curvature_clear(&at), curvature_clear(&around);
 }
 
-/* Is the square within its own size of one of ±1, ±alpha, roughly? */
-static bool is_near_singularity(const contact *c, square s)
+/* How far the square's centre is from the next of ±1, ±alpha, roughly. */
+static double distance_of_singularity(const contact *c, square s)
 {
     double ignored = 0;
     const double alpha = fmin(1, middle(c->patch.alpha, &ignored)), x = fabs(s.x);
-    const double distance = fmin(hypot(x - alpha, s.y), hypot(x - 1, s.y));
-    return distance < 3 * s.half;
+    return fmin(hypot(x - alpha, s.y), hypot(x - 1, s.y));
+}
+
+static void take_sharper(model *m, const model *other)
+{
+    if (other->rest < m->rest)
+        *m = *other;
 }
 
 void field_enclose(field *over, const contact *c, square s)
 {
+    static const double TOUCHING = 3, NEAR = 12; /* halves of the square: between, now this is sharper, now that */
+    const double distance = distance_of_singularity(c, s);
     acb_t z;
     acb_init(z);
     acb_set_d_d(z, s.x, s.y);
     mag_set_d(arb_radref(acb_realref(z)), s.half);
     mag_set_d(arb_radref(acb_imagref(z)), s.half);
-    if (is_near_singularity(c, s))
+    if (distance < TOUCHING * s.half) {
         enclose_plainly(over, c, z);
-    else
+    } else {
         enclose_by_taylor(over, c, s, z);
+        if (distance < NEAR * s.half) {
+            field plain;
+            enclose_plainly(&plain, c, z);
+            take_sharper(&over->u, &plain.u);
+            take_sharper(&over->v, &plain.v);
+            take_sharper(&over->p, &plain.p);
+            take_sharper(&over->q, &plain.q);
+        }
+    }
     acb_clear(z);
 }
 

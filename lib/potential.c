@@ -94,9 +94,8 @@ typedef struct {
 } place;
 
 /* Hertz: G = R/alpha, y G' = -y R/(X alpha). */
-RW_INLINE rw_field hertz_field(const rw_potential *p, place at)
+RW_INLINE rw_field hertz_field_at(const rw_potential *p, place at, rw_elliptic e)
 {
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), factor = -at.y / e.cos2 * p->per_alpha;
     return (rw_field){shrink * e.sin_v * p->per_alpha, -shrink * e.cos_v * p->per_alpha,
                       factor * rw_elliptic_RX_re(&e, shrink), factor * -(e.sin_v * e.cos_v)};
@@ -129,9 +128,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
 
 /* alpha < 1. With half the angles E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all of it nonnegative, and
  * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
-RW_INLINE rw_field rounded_field(const rw_potential *p, place at)
+RW_INLINE rw_field rounded_field_at(const rw_potential *p, place at, rw_elliptic e)
 {
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
     const double A_im = log_part_of_A(p, &e, at.past), A_re = angle_part_of_A(p, &e, shrink);
 
@@ -148,6 +146,16 @@ RW_INLINE rw_field rounded_field(const rw_potential *p, place at)
     const double D_im = A_im - per_cos2 * (e.sin_v * e.cos_v);
     const double y = -(2 / RW_PI) * at.y;
     return (rw_field){2 / RW_PI * G_re, 2 / RW_PI * G_im, y * D_re, y * D_im};
+}
+
+RW_INLINE rw_field hertz_field(const rw_potential *p, place at)
+{
+    return hertz_field_at(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
+}
+
+RW_INLINE rw_field rounded_field(const rw_potential *p, place at)
+{
+    return rounded_field_at(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
 }
 
 /* G = b_0 R, y G' = -y b_0 R/z. */
@@ -339,23 +347,15 @@ static complex_number y_over(double y, complex_number a)
 /* G''  =  (2/pi) [ c0/(X q) + (phi0/alpha)/X^3 ],   q = (z-alpha)(z+alpha),
  * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],   made of ratios of y, which neither under- nor
  * overflow. For Hertz c0 = 0. */
-static rw_curvature curvature_right(const rw_potential *potential, place at)
+static rw_curvature curvature_at(const rw_potential *p, place at, rw_elliptic e)
 {
-    if (is_at_apex(potential, at)) { /* K and L depend on z/alpha alone */
-        const rw_potential zoomed = zoomed_potential(potential);
-        return curvature_right(&zoomed, zoomed_place(at));
-    }
-    const double x = at.x, y = at.y;
-    rw_elliptic e;
-    if (!rw_elliptic_coordinates(x, y, at.beyond, &e))
-        return (rw_curvature){0, 0, 0, 0};
     const complex_number per_X = y_over(1, (complex_number){e.sin_v * e.sinh_w, e.cos_v * e.cosh_w});
-    const complex_number y2_per_X2 = scaled(y * y, product(per_X, per_X));
+    const complex_number y2_per_X2 = scaled(at.y * at.y, product(per_X, per_X));
     const complex_number y2_per_q =
-        product(y_over(y, (complex_number){at.past, y}), y_over(y, (complex_number){x + potential->alpha, y}));
-    const complex_number z_per_y = {x / y, 1};
-    const complex_number corner = scaled(potential->c0, y2_per_q);
-    const complex_number edge = scaled(potential->phi0_over_alpha, y2_per_X2);
+        product(y_over(at.y, (complex_number){at.past, at.y}), y_over(at.y, (complex_number){at.x + p->alpha, at.y}));
+    const complex_number z_per_y = {at.x / at.y, 1};
+    const complex_number corner = scaled(p->c0, y2_per_q);
+    const complex_number edge = scaled(p->phi0_over_alpha, y2_per_X2);
     const complex_number K = scaled(2 / RW_PI, product(sum(corner, edge), per_X));
     const complex_number steepness = sum(product(corner, sum(y2_per_X2, scaled(2, y2_per_q))),
                                          scaled(3, product(edge, y2_per_X2)));
@@ -363,7 +363,12 @@ static rw_curvature curvature_right(const rw_potential *potential, place at)
     return (rw_curvature){K.re, K.im, L.re, L.im};
 }
 
-rw_curvature rw_potential_curvature(const rw_potential *potential, double x, double y)
+rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y, rw_curvature *curvature)
 {
-    return curvature_right(potential, place_of(potential, x, y));
+    const place at = place_of(potential, x, y);
+    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
+    *curvature = curvature_at(potential, at, e);
+    if (potential->alpha >= 1)
+        return hertz_field_at(potential, at, e);
+    return rounded_field_at(potential, at, e);
 }

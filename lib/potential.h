@@ -53,11 +53,12 @@ void rw_potential_fields(const rw_potential *potential, int count, const double 
 enum { RW_FAR_TERMS = 16 };
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS]);
 
-/* K = y^2 G'' and L = y^3 G''', which are algebraic. x >= 0, y > 0, |z| below 1e8 half-widths. */
+/* K = y^2 G'' and L = y^3 G''', which are algebraic. */
 typedef struct {
     double K_re, K_im, L_re, L_im;
 } rw_curvature;
 
-rw_curvature rw_potential_curvature(const rw_potential *potential, double x, double y);
+/* As rw_potential_at(), and these. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z| below 1e8 half-widths. */
+rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y, rw_curvature *curvature);
 
 #endif

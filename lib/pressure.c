@@ -3,26 +3,32 @@
 #include "pressure.h"
 
 #include "domain.h"
+#include "logarithm.h"
 #include "rwedge.h"
 
 #include <float.h>
 
-/* Eq. (14): arcosh(c/x), for x near c and near 0. */
-static double sharp_wedge(double c, double x)
+/* ln(p/q), q of the order of 1; p may be so small that it is not a normal number. */
+static double log_of_quotient(double p, double q, double difference)
 {
-    const double s = sqrt((c - x) / c * ((c + x) / c)), t = x / c;
-    return -2 / RW_PI * (t > 0.5 ? asinh(s / t) : log1p(s) - log(t));
+    if (p < 0x1p-900)
+        return rw_log_of_quotient(p * 0x1p600, q) - 600 * RW_LN2;
+    return rw_log_of_quotient_over(p, q, difference, 1, 1);
 }
 
-/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. Where one of A, B is small beside the other the
- * logarithm is small; elsewhere (A+B)(A-B) = (x+a)(x-a) gives the difference from two that are exact. */
+/* Eq. (14): -arcosh(1/t), t = x/c, of which 1 - t is given. */
+static double sharp_wedge(double t, double from_edge)
+{
+    const double s = sqrt(from_edge * (1 + t));
+    return 2 / RW_PI * log_of_quotient(t, 1 + s, -(from_edge + s));
+}
+
+/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) = (x+a)(x-a) gives the difference
+ * from two that are exact, and where one of A, B is small beside the other the quotient is 1 plus a product of it. */
 static double log_of_ratio(double a, double x, double A, double B)
 {
-    const double large = fmax(A, B), small = fmin(A, B);
-    if (2 * small < large)
-        return 2 * atanh(small / large);
-    const double sum = A + B;
-    return log(sum / fabs(x - a) * (sum / (x + a)));
+    const double sum = A + B, small = fmin(A, B), past = fabs(x - a), both = x + a;
+    return rw_log_of_quotient_over(sum / past * (sum / both), 1, 2 * (sum / past) * (small / both), 1, 1);
 }
 
 /* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x +- a s, over c,
@@ -31,15 +37,12 @@ static double log_of_ratio(double a, double x, double A, double B)
  * by its zero. */
 static double rounded_wedge(double a, double c, double x)
 {
-    const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c));
+    const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)), alpha = a / c;
     const double A = c0 * x, B = a * s;
-    const double below_one = (c0 * ((c - x) / c) + s * ((c - a) / c)) / (c0 + s);
-    const double first = below_one < 0.5 ? log1p(-below_one) : log((A + B) / c) - log(c0 + s);
-    const double alpha = a / c;
-    double sum = 2 * (first - atan2(alpha, c0) / alpha * s);
-    if (x != a)
-        sum += (x - a) / a * log_of_ratio(a, x, A, B);
-    return sum / RW_PI;
+    const double first = log_of_quotient((A + B) / c, c0 + s, -(c0 * ((c - x) / c) + s * ((c - a) / c)));
+    const double edge = rw_angle(c0, alpha) / alpha * s;
+    const double corner = x == a ? 0 : (x - a) / a * log_of_ratio(a, x, A, B);
+    return (2 * (first - edge) + corner) / RW_PI;
 }
 
 double rw_patch_pressure(double a, double c, double x)
@@ -50,7 +53,7 @@ double rw_patch_pressure(double a, double c, double x)
     if (a >= c)
         return -sqrt((c - x) / c * ((c + x) / c)) / (a / c);
     if (a == 0 || a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/a might overflow */
-        return sharp_wedge(c, x);
+        return sharp_wedge(x / c, (c - x) / c);
     return rounded_wedge(a, c, x);
 }
 

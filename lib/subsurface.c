@@ -27,12 +27,12 @@ typedef struct {
  *     steepness = (y P' + y^2 P'') + kappa P.
  * It is negative at the surface and far below, where J2 falls like 1/y^2, and positive on at most one interval, at whose
  * lower end J2 has its maximum. */
-static double steepness(double log_y, const void *context)
+static double steepness(double y, const void *context)
 {
     const axis *a = context;
-    const double y = exp(log_y);
-    const rw_field field = rw_potential_at(a->potential, 0, y);
-    return field.H_re - rw_potential_curvature(a->potential, 0, y).K_im + a->kappa * field.G_im;
+    rw_curvature bend;
+    const rw_field field = rw_potential_with_curvature(a->potential, 0, y, &bend);
+    return field.H_re - bend.K_im + a->kappa * field.G_im;
 }
 
 /* A depth inside that interval unless it is very short: its last point, as kappa grows, is between 0.55 alpha (small tips)
@@ -40,6 +40,16 @@ static double steepness(double log_y, const void *context)
 static double depth_of_last_rise(double alpha)
 {
     return 0.56 * alpha / (1 + 0.65 * alpha * alpha);
+}
+
+/* The depth of the maximum, from one above it: the interval may be many powers of ten long, so it is first narrowed to one
+ * factor. */
+static double depth_of_maximum(const axis *a, double above)
+{
+    static const double FACTOR = 4;
+    while (FACTOR * above < 1 && steepness(FACTOR * above, a) > 0)
+        above *= FACTOR;
+    return rw_root(steepness, a, above, fmin(FACTOR * above, 1), 0);
 }
 
 /* ---- Along a path ---- */
@@ -77,7 +87,7 @@ static step solve_hessian(const rw_von_mises *at, double x, double y)
 
 static double length(step s)
 {
-    return hypot(s.x, s.y);
+    return sqrt(s.x * s.x + s.y * s.y);
 }
 
 /* Newton from the given point. False where it leaves the region in which J2 is concave. */
@@ -156,12 +166,12 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     rw_potential potential;
     rw_potential_init(&potential, alpha);
     axis on_axis = {&potential, 0};
-    const double probe = log(depth_of_last_rise(alpha));
+    const double probe = depth_of_last_rise(alpha);
     const double rise = steepness(probe, &on_axis);
-    const double pressure = -rw_potential_at(&potential, 0, exp(probe)).G_im;
+    const double pressure = -rw_potential_at(&potential, 0, probe).G_im;
     /* For the smallest tips there may be a maximum for f > 0 where kappa is too large for one on the axis. */
     on_axis.kappa = fmin(kappa, 0.9 * rise / pressure);
-    path_point point = {.t = 0, .x = 0, .y = exp(rw_root(steepness, &on_axis, probe, 0, 1e-17))};
+    path_point point = {.t = 0, .x = 0, .y = depth_of_maximum(&on_axis, probe)};
     point.at = rw_von_mises_at(&potential, 0, on_axis.kappa, 0, point.y);
     const parameters start = {0, on_axis.kappa}, corner = {f, on_axis.kappa}, end = {f, kappa};
     if (f > 0 && !follow(&potential, start, corner, &point))

@@ -9,7 +9,8 @@
 #include "surface.h"
 
 #include "domain.h"
-#include "rwedge.h"
+#include "logarithm.h"
+#include "pressure.h"
 #include "solve.h"
 
 typedef struct {
@@ -17,28 +18,42 @@ typedef struct {
     double c0, phi0;
 } surface;
 
-/* Pressure (as a positive number) and its slope -dp/du at u = x/alpha = sin(psi). From G' of the potential,
- * -dp/du = (2/pi) [ phi0 x/s + atanh(c0 u/s) ], s^2 - (c0 u)^2 = cos(psi)^2. */
-static void pressure_at(const surface *c, double psi, double *p, double *falling)
+/* A place x = alpha sin(psi) on the rounding, by t = tan(psi/2): no sine needs to be evaluated. */
+typedef struct {
+    double u, cosine; /* sin(psi), cos(psi) */
+} place;
+
+static place place_of(double t)
 {
-    const double u = sin(psi), x = c->alpha * u, s = rw_cos_asin(x);
-    *p = -rwedge_pressure(c->alpha, x);
-    *falling = 2 / RW_PI * (c->phi0 * x / s + log((s + c->c0 * u) / cos(psi)));
+    return (place){2 * t / (1 + t * t), (1 - t) * (1 + t) / (1 + t * t)};
+}
+
+static double pressure_at(const surface *c, double u)
+{
+    return -rw_patch_pressure(c->alpha, 1, c->alpha * u);
+}
+
+/* -dp/du. From G' of the potential it is (2/pi) [ phi0 x/s + atanh(c0 u/s) ], s^2 - (c0 u)^2 = cos(psi)^2: the second is the
+ * logarithm of (s + c0 u)/cos(psi). */
+static double fall_of_pressure(const surface *c, place at)
+{
+    const double x = c->alpha * at.u, s = rw_cos_asin(x), c0_u = c->c0 * at.u;
+    const double difference = c0_u + c0_u * c0_u / (s + at.cosine);
+    return 2 / RW_PI * (c->phi0 * x / s + rw_log_of_quotient_over(s + c0_u, at.cosine, difference, 1, 1));
 }
 
 /* (1/2) dJ2/du. */
-static double slope_of_J2(double psi, const void *context)
+static double slope_of_J2(double t, const void *context)
 {
     const surface *c = context;
-    const double u = sin(psi), f = c->f;
-    double p, falling;
-    pressure_at(c, psi, &p, &falling);
-    return f * f * (u - p * falling) + c->kappa * (p + f * u) * (f - falling);
+    const place at = place_of(t);
+    const double p = pressure_at(c, at.u), falling = fall_of_pressure(c, at), f = c->f;
+    return f * f * (at.u - p * falling) + c->kappa * (p + f * at.u) * (f - falling);
 }
 
-static double J2_at(const surface *c, double psi)
+static double J2_at(const surface *c, double g)
 {
-    const double g = sin(psi), p = -rwedge_pressure(c->alpha, c->alpha * g);
+    const double p = pressure_at(c, g);
     return c->f * c->f * (g * g + p * p) + c->kappa * (p + c->f * g) * (p + c->f * g);
 }
 
@@ -49,17 +64,18 @@ static rw_maximum hertz(double f, double kappa)
     return (rw_maximum){.J2 = f * f + kappa * (1 + f * f), .x = f / sqrt(1 + f * f), .y = 0};
 }
 
-static double angle_of_maximum(const surface *c)
+/* tan(psi/2) at the maximum. */
+static double place_of_maximum(const surface *c)
 {
     if (c->f == 0)
         return 0; /* J2 = kappa p^2 */
     /* For kappa = 0 the slope is odd in psi: 0 is always a root, and a maximum if the slope falls there. */
-    const double start = c->kappa > 0 ? 0 : 1e-9;
-    const double end = RW_HALF_PI - 1e-9; /* at pi/2 the slope is infinite */
+    const double start = c->kappa > 0 ? 0 : 5e-10;
+    const double end = 1 - 1e-9; /* at 1 the slope is infinite */
     if (slope_of_J2(start, c) <= 0)
         return 0;
     if (slope_of_J2(end, c) >= 0)
-        return RW_HALF_PI; /* alpha so near 1 and f so large that the maximum is within 1e-18 of x = alpha */
+        return 1; /* alpha so near 1 and f so large that the maximum is within 1e-18 of x = alpha */
     return rw_root(slope_of_J2, c, start, end, 1e-18);
 }
 
@@ -67,7 +83,8 @@ rw_maximum rw_surface_maximum(double alpha, double f, double kappa)
 {
     if (alpha >= 1)
         return hertz(f, kappa);
-    const surface c = {.alpha = alpha, .f = f, .kappa = kappa, .c0 = rw_cos_asin(alpha), .phi0 = asin(alpha)};
-    const double psi = angle_of_maximum(&c);
-    return (rw_maximum){.J2 = J2_at(&c, psi), .x = alpha * sin(psi), .y = 0};
+    const double c0 = rw_cos_asin(alpha);
+    const surface c = {.alpha = alpha, .f = f, .kappa = kappa, .c0 = c0, .phi0 = rw_angle(c0, alpha)};
+    const double u = place_of(place_of_maximum(&c)).u;
+    return (rw_maximum){.J2 = J2_at(&c, u), .x = alpha * u, .y = 0};
 }

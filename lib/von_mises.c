@@ -29,8 +29,8 @@ static double complex turned(double complex a)
  * the order of J2, at the surface and at the apex of the smallest tip. */
 rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x, double y)
 {
-    const rw_field field = rw_potential_at(potential, x, y);
-    const rw_curvature bend = rw_potential_curvature(potential, x, y);
+    rw_curvature bend;
+    const rw_field field = rw_potential_with_curvature(potential, x, y, &bend);
     const double complex G = number(field.G_re, field.G_im), H = number(field.H_re, field.H_im);
     const double complex K = number(bend.K_re, bend.K_im), L = number(bend.L_re, bend.L_im);
     const double complex mu = number(-1, f), sigma = number(-f, -1);

@@ -61,10 +61,18 @@ static void print_unproved(const entry *e)
 {
     printf("  %s:%zu: ", e->file, e->line);
     switch (e->is) {
-    case EXCEEDED: printf("exceeded at x/b = %.17g, y/b = %.17g\n", e->beyond_x, e->beyond_y); break;
-    case NOT_REACHED: printf("not reached: the stated place alone gives a limit of %.17g\n", entry_limit_there(e)); break;
-    case MISNAMED: printf("misnamed: the place is not on the stated branch\n"); break;
-    default: printf("open: neither proved nor refuted\n"); break;
+    case EXCEEDED:
+        printf("exceeded at x/b = %.17g, y/b = %.17g\n", e->beyond_x, e->beyond_y);
+        break;
+    case NOT_REACHED:
+        printf("not reached: the stated place alone gives a limit of %.17g\n", entry_limit_there(e));
+        break;
+    case MISNAMED:
+        printf("misnamed: the place is not on the stated branch\n");
+        break;
+    default:
+        printf("open: neither proved nor refuted\n");
+        break;
     }
 }
 

@@ -44,8 +44,8 @@ static void entry_clear(entry *e)
 static bool entry_parse(entry *e, char *const cell[COLUMNS])
 {
     if (strlen(cell[0]) >= sizeof e->a_over_b || !set_decimal(e->alpha, cell[0]) || !set_decimal(e->f, cell[1]) ||
-        !set_decimal(e->kappa, cell[2]) || !set_decimal(e->limit, cell[3]) ||
-        !set_decimal(acb_realref(e->place), cell[4]) || !set_decimal(acb_imagref(e->place), cell[5]))
+        !set_decimal(e->kappa, cell[2]) || !set_decimal(e->limit, cell[3]) || !set_decimal(acb_realref(e->place), cell[4]) ||
+        !set_decimal(acb_imagref(e->place), cell[5]))
         return false;
     strcpy(e->a_over_b, cell[0]);
     set_kappa(e->kappa, e->kappa);

@@ -27,8 +27,8 @@ typedef struct {
     bool at_surface;       /* what the column `branch` says */
 
     /* What is found of it. */
-    double ceiling; /* J2, (theta/A)^2, to be proved an upper bound: a little above that at the place */
-    arb_t least, most; /* the enclosure of the limit, if PROVED */
+    double ceiling;            /* J2, (theta/A)^2, to be proved an upper bound: a little above that at the place */
+    arb_t least, most;         /* the enclosure of the limit, if PROVED */
     double beyond_x, beyond_y; /* where it is exceeded, if EXCEEDED */
     verdict is;
 } entry;

@@ -10,7 +10,8 @@ failures=0
 # rejected WHAT STATUS MESSAGE AWK - the rows of a/b = 0.5 with row 2 (f = 0, below the surface) changed by the awk action.
 rejected()
 {
-    awk -F, -v OFS=, -v CONVFMT=%.16g -v OFMT=%.16g "NR == 1 || \$1 == 0.5 { if (++n == 2) { $4 } print }" "$table" >"$work/table.csv"
+    awk -F, -v OFS=, -v CONVFMT=%.16g -v OFMT=%.16g \
+        "NR == 1 || \$1 == 0.5 { if (++n == 2) { $4 } print }" "$table" >"$work/table.csv"
     status=0
     "$certificate" "$work/table.csv" >"$work/out" 2>&1 || status=$?
     if [ $status -ne "$2" ] || ! grep -q "$3" "$work/out"; then

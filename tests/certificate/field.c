@@ -70,8 +70,7 @@ static void enclose_plainly(field *over, const contact *c, const acb_t z)
     acb_clear(G), acb_clear(H);
 }
 
-/* The two real models of one + first omega + ... with omega = xi + i eta, given as complex coefficients of
- * 1, xi, eta, xi^2, xi eta, eta^2. */
+/* The models of the real and the imaginary part, from complex coefficients of 1, xi, eta, xi^2, xi eta, eta^2. */
 static void split_parts(model *re, model *im, const complex_number k[6], double rest)
 {
     *re = (model){k[0].re, k[1].re, k[2].re, k[3].re, k[4].re, k[5].re, rest};
@@ -93,51 +92,76 @@ static complex_number sum(complex_number a, complex_number b)
     return (complex_number){a.re + b.re, a.im + b.im};
 }
 
-/* Derivatives at the centre, times powers of h = half; with |omega| <= sqrt(2) the rest of Taylor's formula, along the
- * straight line from the centre, is at most 2 sqrt(2) h^3/6 times the largest next derivative in the square. */
-static void enclose_by_taylor(field *over, const contact *c, square s, const acb_t z)
+/* What Taylor's formula of a square needs: G, G', G'', G''' at the centre, to `rounded`, and the largest moduli of G''' and
+ * G'''' anywhere in it. */
+typedef struct {
+    complex_number at[4];
+    double rounded[4];
+    double third, fourth;
+} derivatives;
+
+static derivatives derivatives_over(const contact *c, const acb_t z)
 {
-    static const double TAYLOR = 0.4714046; /* 2 sqrt(2)/6 */
-    const double h = s.half, h2 = h * h, h3 = h2 * h;
+    derivatives d = {.rounded = {0}};
     acb_t centre, ball;
     curvature at, around;
-    acb_init(centre), acb_init(ball);
-    curvature_init(&at), curvature_init(&around);
+    acb_init(centre), acb_init(ball), curvature_init(&at), curvature_init(&around);
     acb_get_mid(centre, z);
-    curvature_enclose(&at, &c->patch, centre, BITS);
-    curvature_enclose(&around, &c->patch, z, BITS);
-
-    double rounded[4] = {0, 0, 0, 0}; /* of G, G', G'', G''' at the centre */
     ball_potential(ball, &c->patch, centre, BITS);
-    const complex_number G0 = middle_complex(ball, &rounded[0]);
+    d.at[0] = middle_complex(ball, &d.rounded[0]);
     ball_potential_slope(ball, &c->patch, centre, BITS);
-    const complex_number G1 = middle_complex(ball, &rounded[1]);
-    const complex_number G2 = middle_complex(at.second, &rounded[2]);
-    const complex_number G3 = middle_complex(at.third, &rounded[3]);
+    d.at[1] = middle_complex(ball, &d.rounded[1]);
+    curvature_enclose(&at, &c->patch, centre, BITS);
+    d.at[2] = middle_complex(at.second, &d.rounded[2]);
+    d.at[3] = middle_complex(at.third, &d.rounded[3]);
+    curvature_enclose(&around, &c->patch, z, BITS);
+    d.third = modulus(around.third);
+    d.fourth = modulus(around.fourth);
+    acb_clear(centre), acb_clear(ball), curvature_clear(&at), curvature_clear(&around);
+    return d;
+}
 
-    const complex_number G[6] = {G0, scaled(h, G1), scaled(h, turned(G1)), scaled(h2 / 2, G2), scaled(h2, turned(G2)),
-                                 scaled(-h2 / 2, G2)};
-    const double past_G = TAYLOR * h3 * modulus(around.third);
-    const double G_rest = rounded[0] + 2 * h * rounded[1] + 2 * h2 * rounded[2] + past_G;
-    split_parts(&over->u, &over->v, G, G_rest * (1 + 1e-12));
+/* With z - centre = h omega, |omega| <= sqrt(2), what Taylor's formula leaves along the straight line from the centre is at
+ * most this times h^3 and the largest next derivative: 2 sqrt(2)/6, rounded up. */
+static const double TAYLOR = 0.4714046;
 
-    /* y G' with y = s.y + h eta. */
-    const double y = s.y;
-    const complex_number H[6] = {scaled(y, G1),
+/* For the rounding of the handful of positive terms that make up a rest. */
+static const double ROUNDED_UP = 1 + 1e-12;
+
+static void expand_G(field *over, const derivatives *d, double h)
+{
+    const double h2 = h * h;
+    const complex_number G1 = d->at[1], G2 = d->at[2];
+    const complex_number k[6] = {d->at[0],           scaled(h, G1),          scaled(h, turned(G1)),
+                                 scaled(h2 / 2, G2), scaled(h2, turned(G2)), scaled(-h2 / 2, G2)};
+    const double rest = d->rounded[0] + 2 * h * d->rounded[1] + 2 * h2 * d->rounded[2] + TAYLOR * h2 * h * d->third;
+    split_parts(&over->u, &over->v, k, rest * ROUNDED_UP);
+}
+
+/* H = (y + h eta) G', y that of the centre. */
+static void expand_H(field *over, const derivatives *d, double y, double h)
+{
+    const double h2 = h * h;
+    const complex_number G1 = d->at[1], G2 = d->at[2], G3 = d->at[3];
+    const complex_number k[6] = {scaled(y, G1),
                                  scaled(y * h, G2),
                                  sum(scaled(y * h, turned(G2)), scaled(h, G1)),
                                  scaled(y * h2 / 2, G3),
                                  sum(scaled(y * h2, turned(G3)), scaled(h2, G2)),
                                  sum(scaled(-y * h2 / 2, G3), scaled(h2, turned(G2)))};
-    const double past_H = TAYLOR * h3 * (y + h) * modulus(around.fourth) + h3 * (fabs(G3.re) + fabs(G3.im) + rounded[3]);
     double size = 0;
     for (int i = 0; i < 6; i++)
-        size += fabs(H[i].re) + fabs(H[i].im);
-    const double H_rest = (y + h) * (rounded[1] + 2 * h * rounded[2] + 2 * h2 * rounded[3]) + past_H + 8 * DBL_EPSILON * size;
-    split_parts(&over->p, &over->q, H, H_rest * (1 + 1e-12));
+        size += fabs(k[i].re) + fabs(k[i].im);
+    const double cut_off = h2 * h * (TAYLOR * (y + h) * d->fourth + fabs(G3.re) + fabs(G3.im) + d->rounded[3]);
+    const double rounded = (y + h) * (d->rounded[1] + 2 * h * d->rounded[2] + 2 * h2 * d->rounded[3]) + 8 * DBL_EPSILON * size;
+    split_parts(&over->p, &over->q, k, (cut_off + rounded) * ROUNDED_UP);
+}
 
-    acb_clear(centre), acb_clear(ball);
-    curvature_clear(&at), curvature_clear(&around);
+static void enclose_by_taylor(field *over, const contact *c, square s, const acb_t z)
+{
+    const derivatives d = derivatives_over(c, z);
+    expand_G(over, &d, s.half);
+    expand_H(over, &d, s.y, s.half);
 }
 
 /* How far the square's centre is from the next of ±1, ±alpha, roughly. */

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An array of points is evaluated in batches, by vector instructions where the processor has them: the bits are those of the
+ * points one by one, for every length, every mixture of points and in place, and no exception is raised that a host may have
+ * made to trap. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <fenv.h>
+#include <float.h>
+#include <string.h>
+
+enum { N = 331 };
+static const double alphas[] = {0, 1e-300, 1e-70, 1e-12, 0.2, 0.7071067811865476, 1 - DBL_EPSILON, 1, 3, 1e160};
+static const double stick_zones[] = {0, 5e-324, 1e-285, 1e-100, 1e-9, 0.2, 0.4, 1 - DBL_EPSILON, 1};
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
+static double power_of_ten(double from, double to, uint64_t *seed)
+{
+    return pow(10, from + (to - from) * random_fraction(seed));
+}
+
+/* Points of all kinds: inside, on the surface, next to a corner or an edge, at the apex, remote. */
+static void make_points(double x[], double y[], int mixture, double alpha, double c)
+{
+    uint64_t seed = 17;
+    const double corner[] = {alpha, c, 1, 0};
+    for (int i = 0; i < N; i++) {
+        x[i] = 6 * random_fraction(&seed) - 3;
+        y[i] = 3 * random_fraction(&seed);
+        const double kind = mixture * random_fraction(&seed);
+        if (kind > 0.8 && kind < 1) {
+            x[i] = corner[i % 4] + power_of_ten(-17, 0, &seed);
+            y[i] = power_of_ten(-17, 0, &seed);
+        } else if (kind > 1 && kind < 1.2) {
+            y[i] = 0;
+        } else if (kind > 1.7) {
+            x[i] = -power_of_ten(-323, 300, &seed);
+            y[i] = power_of_ten(-323, 300, &seed);
+        }
+    }
+}
+
+static bool same_bits(const double *a, const double *b, size_t n)
+{
+    return memcmp(a, b, n * sizeof *a) == 0;
+}
+
+static void assert_alike(double alpha, double c, size_t n, const double x[], const double y[])
+{
+    double sxx[N], syy[N], txy[N], one[3];
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_int_equal(rwedge_stresses(alpha, 0.4, c, n, x, y, sxx, syy, txy), RWEDGE_OK);
+    const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    if (raised)
+        fail_msg("a/b = %g, c/b = %g, %zu points: exceptions %x", alpha, c, n, (unsigned)raised);
+    for (size_t i = 0; i < n; i++) {
+        assert_int_equal(rwedge_stress(alpha, 0.4, c, x[i], y[i], &one[0], &one[1], &one[2]), RWEDGE_OK);
+        if (!same_bits(&one[0], &sxx[i], 1) || !same_bits(&one[1], &syy[i], 1) || !same_bits(&one[2], &txy[i], 1))
+            fail_msg("a/b = %g, c/b = %g, point %zu of %zu, (%a, %a): in the array %a %a %a, alone %a %a %a", alpha, c, i, n,
+                     x[i], y[i], sxx[i], syy[i], txy[i], one[0], one[1], one[2]);
+    }
+}
+
+static void batches_have_the_bits_of_their_points(void **state)
+{
+    (void)state;
+    double x[N], y[N];
+    for (size_t i = 0; i < COUNT(alphas); i++)
+        for (size_t j = 0; j < COUNT(stick_zones); j++)
+            for (int mixture = 1; mixture <= 2; mixture++) {
+                make_points(x, y, mixture, alphas[i], stick_zones[j]);
+                assert_alike(alphas[i], stick_zones[j], N, x, y);
+            }
+}
+
+static void every_length_is_filled(void **state)
+{
+    (void)state;
+    double x[N], y[N];
+    make_points(x, y, 2, 0.2, 0.4);
+    for (size_t n = 1; n <= 140; n++)
+        assert_alike(0.2, 0.4, n, x + n, y + n);
+}
+
+/* Nothing is written behind the last point. */
+static void neighbours_are_left_alone(void **state)
+{
+    (void)state;
+    double x[N], y[N], s[3][N];
+    make_points(x, y, 1, 0.2, 0.4);
+    for (size_t n = 1; n < 140; n++) {
+        for (int k = 0; k < 3; k++)
+            s[k][n] = 7;
+        assert_int_equal(rwedge_stresses(0.2, 0.4, 0.4, n, x, y, s[0], s[1], s[2]), RWEDGE_OK);
+        assert_true(s[0][n] == 7 && s[1][n] == 7 && s[2][n] == 7);
+    }
+}
+
+static void outputs_may_be_the_inputs(void **state)
+{
+    (void)state;
+    double x[N], y[N], s[3][N];
+    make_points(x, y, 2, 0.2, 0.4);
+    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.4, N, x, y, s[0], s[1], s[2]), RWEDGE_OK);
+    double txy[N];
+    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.4, N, x, y, y, x, txy), RWEDGE_OK);
+    assert_true(same_bits(y, s[0], N) && same_bits(x, s[1], N) && same_bits(txy, s[2], N));
+}
+
+static void elastic_limits_are_those_of_single_calls(void **state)
+{
+    (void)state;
+    double alpha[N], f[N], limit[N];
+    uint64_t seed = 23;
+    for (int i = 0; i < N; i++) {
+        alpha[i] = i % 3 ? 1.2 * random_fraction(&seed) : power_of_ten(-14, 0, &seed);
+        f[i] = i % 5 ? random_fraction(&seed) : 0;
+    }
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_OK);
+    for (int i = 0; i < N; i++) {
+        const double one = rwedge_elastic_limit(alpha[i], f[i], 0.3);
+        assert_true(same_bits(&one, &limit[i], 1));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(batches_have_the_bits_of_their_points), cmocka_unit_test(every_length_is_filled),
+        cmocka_unit_test(neighbours_are_left_alone),             cmocka_unit_test(outputs_may_be_the_inputs),
+        cmocka_unit_test(elastic_limits_are_those_of_single_calls),
+    };
+    return RUN_CLAIMS("batches", tests);
+}

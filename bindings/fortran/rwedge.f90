@@ -1,0 +1,1050 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+! rwedge for Fortran: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+! Compile this file with your program and link the library: gfortran rwedge.f90 program.f90 -lrwedge.
+!
+! The comments that begin with !> are those of rwedge.h, which has the geometry, units and the domains of the arguments that
+! return everywhere. What is different here:
+! - The composite compliance A is the argument "compliance": Fortran takes a and A for one name.
+! - Functions of numbers are elemental: they take arrays too. They give NaN outside their domain.
+! - What has a status has the optional arguments stat and errmsg, as ALLOCATE has: stat receives rwedge_ok or the reason,
+!   errmsg the reason in words, with the arguments. Where stat is absent, an error ends the program with that text.
+! - On error the outputs are as they were.
+! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
+!   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
+!   return one from a function: compilers copy the handle there, not what it holds. README.md says more.
+! - Where C says that a pointer is NULL, create() has not been called.
+module rwedge
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    private
+
+    integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
+        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8
+
+    public :: rwedge_version, rwedge_error_text
+    public :: rwedge_compliance, rwedge_dundurs_beta
+    public :: rwedge_load, rwedge_a_over_b
+    public :: rwedge_pressure, rwedge_peak_pressure, rwedge_transition_pressure, rwedge_coefficient
+    public :: rwedge_stick_width, rwedge_shear_ratio, rwedge_shear
+    public :: rwedge_stress, rwedge_stresses
+    public :: rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_critical_friction
+    public :: rwedge_yield_point, rwedge_subsurface_yield, rwedge_surface_yield
+    public :: rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load
+
+    ! One contact and what it remembers of its loads.
+    type, public :: rwedge_contact
+        private
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+        procedure :: create => contact_create
+        procedure :: copy => contact_copy
+        procedure :: destroy => contact_destroy
+        procedure :: load => contact_load
+        procedure :: half_width => contact_half_width
+        procedure :: stick_half_width => contact_stick_half_width
+        procedure :: memory => contact_memory
+        procedure :: tractions => contact_tractions
+        procedure :: stresses => contact_stresses
+        procedure :: slip => contact_slip
+        procedure :: dissipated_energy => contact_dissipated_energy
+        procedure :: yield_factor => contact_yield_factor
+        procedure, private :: assign_contact
+        generic :: assignment(=) => assign_contact
+        final :: finalize_contact
+    end type
+
+    ! The paper's series. It never changes once made, so that copies share it.
+    type, public :: rwedge_series
+        private
+        type(c_ptr) :: handle = c_null_ptr
+        integer, pointer :: users => null()
+    contains
+        procedure :: create => series_create
+        procedure :: fit => series_fit
+        procedure :: destroy => series_destroy
+        procedure :: terms => series_terms
+        procedure :: coefficient => series_coefficient
+        procedure :: residual => series_residual
+        procedure :: pressure => series_pressure
+        procedure :: potential => series_potential
+        procedure :: stress => series_stress
+        procedure, private :: assign_series
+        generic :: assignment(=) => assign_series
+        final :: finalize_series
+    end type
+
+    ! rwedge.h
+    interface
+        pure function strlen(text) bind(C, name="strlen") result(length)
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: text
+            integer(c_size_t) :: length
+        end function
+
+        function c_version() bind(C, name="rwedge_version") result(value)
+            import :: c_ptr
+            type(c_ptr) :: value
+        end function
+
+        function c_strerror(status) bind(C, name="rwedge_strerror") result(value)
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: status
+            type(c_ptr) :: value
+        end function
+
+        pure function c_compliance(E1, nu1, E2, nu2) bind(C, name="rwedge_compliance") result(value)
+            import :: c_double
+            real(c_double), value :: E1, nu1, E2, nu2
+            real(c_double) :: value
+        end function
+
+        pure function c_dundurs_beta(E1, nu1, E2, nu2) bind(C, name="rwedge_dundurs_beta") result(value)
+            import :: c_double
+            real(c_double), value :: E1, nu1, E2, nu2
+            real(c_double) :: value
+        end function
+
+        pure function c_load(alpha) bind(C, name="rwedge_load") result(value)
+            import :: c_double
+            real(c_double), value :: alpha
+            real(c_double) :: value
+        end function
+
+        pure function c_a_over_b(AP_over_theta_a) bind(C, name="rwedge_a_over_b") result(value)
+            import :: c_double
+            real(c_double), value :: AP_over_theta_a
+            real(c_double) :: value
+        end function
+
+        pure function c_pressure(alpha, x) bind(C, name="rwedge_pressure") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, x
+            real(c_double) :: value
+        end function
+
+        pure function c_peak_pressure(alpha) bind(C, name="rwedge_peak_pressure") result(value)
+            import :: c_double
+            real(c_double), value :: alpha
+            real(c_double) :: value
+        end function
+
+        pure function c_transition_pressure(alpha) bind(C, name="rwedge_transition_pressure") result(value)
+            import :: c_double
+            real(c_double), value :: alpha
+            real(c_double) :: value
+        end function
+
+        pure function c_coefficient(alpha, n) bind(C, name="rwedge_coefficient") result(value)
+            import :: c_double, c_int32_t
+            real(c_double), value :: alpha
+            integer(c_int32_t), value :: n
+            real(c_double) :: value
+        end function
+
+        pure function c_stick_width(alpha, Q_over_fP) bind(C, name="rwedge_stick_width") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, Q_over_fP
+            real(c_double) :: value
+        end function
+
+        pure function c_shear_ratio(alpha, c) bind(C, name="rwedge_shear_ratio") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, c
+            real(c_double) :: value
+        end function
+
+        pure function c_shear(alpha, c, x) bind(C, name="rwedge_shear") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, c, x
+            real(c_double) :: value
+        end function
+
+        function c_stress(alpha, f, c, x, y, sxx, syy, txy) bind(C, name="rwedge_stress") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: alpha, f, c, x, y
+            real(c_double), intent(inout) :: sxx, syy, txy
+            integer(c_int32_t) :: status
+        end function
+
+        function c_stresses(alpha, f, c, n, x, y, sxx, syy, txy) bind(C, name="rwedge_stresses") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            real(c_double), value :: alpha, f, c
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: x(*), y(*)
+            real(c_double), intent(inout) :: sxx(*), syy(*), txy(*)
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_max_tension(alpha) bind(C, name="rwedge_max_tension") result(value)
+            import :: c_double
+            real(c_double), value :: alpha
+            real(c_double) :: value
+        end function
+
+        pure function c_elastic_limit(alpha, f, nu) bind(C, name="rwedge_elastic_limit") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, f, nu
+            real(c_double) :: value
+        end function
+
+        function c_elastic_limits(n, alpha, f, nu, limit) bind(C, name="rwedge_elastic_limits") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: alpha(*), f(*)
+            real(c_double), value :: nu
+            real(c_double), intent(inout) :: limit(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_yield_point(alpha, f, nu, limit, x, y) bind(C, name="rwedge_yield_point") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: alpha, f, nu
+            real(c_double), intent(inout) :: limit, x, y
+            integer(c_int32_t) :: status
+        end function
+
+        function c_subsurface_yield(alpha, f, nu, limit, x, y) bind(C, name="rwedge_subsurface_yield") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: alpha, f, nu
+            real(c_double), intent(inout) :: limit, x, y
+            integer(c_int32_t) :: status
+        end function
+
+        function c_surface_yield(alpha, f, nu, limit, x) bind(C, name="rwedge_surface_yield") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: alpha, f, nu
+            real(c_double), intent(inout) :: limit, x
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_critical_friction(alpha, nu) bind(C, name="rwedge_critical_friction") result(value)
+            import :: c_double
+            real(c_double), value :: alpha, nu
+            real(c_double) :: value
+        end function
+
+        pure function c_radius(theta, a) bind(C, name="rwedge_radius") result(value)
+            import :: c_double
+            real(c_double), value :: theta, a
+            real(c_double) :: value
+        end function
+
+        pure function c_rounding(theta, R) bind(C, name="rwedge_rounding") result(value)
+            import :: c_double
+            real(c_double), value :: theta, R
+            real(c_double) :: value
+        end function
+
+        pure function c_half_width(theta, a, compliance, P) bind(C, name="rwedge_half_width") result(value)
+            import :: c_double
+            real(c_double), value :: theta, a, compliance, P
+            real(c_double) :: value
+        end function
+
+        pure function c_normal_load(theta, a, compliance, b) bind(C, name="rwedge_normal_load") result(value)
+            import :: c_double
+            real(c_double), value :: theta, a, compliance, b
+            real(c_double) :: value
+        end function
+
+        pure function c_yield_load(theta, a, compliance, f, nu, k) bind(C, name="rwedge_yield_load") result(value)
+            import :: c_double
+            real(c_double), value :: theta, a, compliance, f, nu, k
+            real(c_double) :: value
+        end function
+
+        function c_contact_create(theta, a, compliance, f, contact) bind(C, name="rwedge_contact_create") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            real(c_double), value :: theta, a, compliance, f
+            type(c_ptr), intent(out) :: contact
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_copy(contact, copy) bind(C, name="rwedge_contact_copy") result(status)
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            type(c_ptr), intent(out) :: copy
+            integer(c_int32_t) :: status
+        end function
+
+        subroutine c_contact_destroy(contact) bind(C, name="rwedge_contact_destroy")
+            import :: c_ptr
+            type(c_ptr), value :: contact
+        end subroutine
+
+        function c_contact_load(contact, P, Q) bind(C, name="rwedge_contact_load") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), value :: P, Q
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_contact_half_width(contact) bind(C, name="rwedge_contact_half_width") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double) :: value
+        end function
+
+        pure function c_contact_stick_half_width(contact) bind(C, name="rwedge_contact_stick_half_width") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double) :: value
+        end function
+
+        pure function c_contact_memory(contact) bind(C, name="rwedge_contact_memory") result(value)
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t) :: value
+        end function
+
+        function c_contact_tractions(contact, n, x, p, q) bind(C, name="rwedge_contact_tractions") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: p(*), q(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_stresses(contact, n, x, y, sxx, syy, txy) &
+            &bind(C, name="rwedge_contact_stresses") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: x(*), y(*)
+            real(c_double), intent(inout) :: sxx(*), syy(*), txy(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_slip(contact, n, x, slip) bind(C, name="rwedge_contact_slip") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: slip(*)
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_contact_dissipated_energy(contact) bind(C, name="rwedge_contact_dissipated_energy") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double) :: value
+        end function
+
+        function c_contact_yield_factor(contact, nu, k, factor, x, y) &
+            &bind(C, name="rwedge_contact_yield_factor") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), value :: nu, k
+            real(c_double), intent(inout) :: factor, x, y
+            integer(c_int32_t) :: status
+        end function
+
+        function c_series_create(alpha, terms, series) bind(C, name="rwedge_series_create") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            real(c_double), value :: alpha
+            integer(c_int32_t), value :: terms
+            type(c_ptr), intent(out) :: series
+            integer(c_int32_t) :: status
+        end function
+
+        function c_series_fit(samples, x, p, terms, series) bind(C, name="rwedge_series_fit") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            integer(c_size_t), value :: samples
+            real(c_double), intent(in) :: x(*), p(*)
+            integer(c_int32_t), value :: terms
+            type(c_ptr), intent(out) :: series
+            integer(c_int32_t) :: status
+        end function
+
+        subroutine c_series_destroy(series) bind(C, name="rwedge_series_destroy")
+            import :: c_ptr
+            type(c_ptr), value :: series
+        end subroutine
+
+        pure function c_series_terms(series) bind(C, name="rwedge_series_terms") result(value)
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: series
+            integer(c_int32_t) :: value
+        end function
+
+        pure function c_series_coefficient(series, k) bind(C, name="rwedge_series_coefficient") result(value)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: series
+            integer(c_int32_t), value :: k
+            real(c_double) :: value
+        end function
+
+        pure function c_series_residual(series) bind(C, name="rwedge_series_residual") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: series
+            real(c_double) :: value
+        end function
+
+        pure function c_series_pressure(series, x) bind(C, name="rwedge_series_pressure") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: series
+            real(c_double), value :: x
+            real(c_double) :: value
+        end function
+
+        function c_series_potential(series, f, x, y, re, im) bind(C, name="rwedge_series_potential") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: series
+            real(c_double), value :: f, x, y
+            real(c_double), intent(inout) :: re, im
+            integer(c_int32_t) :: status
+        end function
+
+        function c_series_stress(series, f, x, y, sxx, syy, txy) bind(C, name="rwedge_series_stress") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: series
+            real(c_double), value :: f, x, y
+            real(c_double), intent(inout) :: sxx, syy, txy
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+contains
+
+    ! ---- Texts and errors ----------------------------------------------------------------------------------------------
+
+    !> The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text.
+    function rwedge_version() result(text)
+        character(:), allocatable :: text
+        text = text_of(c_version())
+    end function
+
+    !> What a status means.
+    function rwedge_error_text(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+        text = text_of(c_strerror(status))
+    end function
+
+    function text_of(c_text) result(text)
+        type(c_ptr), intent(in) :: c_text
+        character(:), allocatable :: text
+        character(kind=c_char), pointer :: letters(:)
+        integer :: i
+        call c_f_pointer(c_text, letters, [strlen(c_text)])
+        allocate (character(size(letters)) :: text)
+        do i = 1, size(letters)
+            text(i:i) = letters(i)
+        end do
+    end function
+
+    ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments.
+    subroutine conclude(status, call, values, stat, errmsg)
+        integer(c_int32_t), intent(in) :: status
+        character(*), intent(in) :: call
+        real(c_double), intent(in) :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (present(stat)) stat = status
+        if (status == rwedge_ok) return
+        if (present(errmsg)) errmsg = message(status, call, values)
+        if (present(stat)) return
+        write (error_unit, '(a)') message(status, call, values)
+        error stop 1
+    end subroutine
+
+    function message(status, call, values) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(*), intent(in) :: call
+        real(c_double), intent(in) :: values(:)
+        character(:), allocatable :: text
+        character(24) :: number
+        integer :: i
+        text = call // ': ' // rwedge_error_text(status)
+        if (status == rwedge_enull) text = text // ' (create it first)'
+        do i = 1, size(values)
+            write (number, '(g0)') values(i)
+            text = text // merge(': ', ', ', i == 1) // trim(number)
+        end do
+    end function
+
+    ! ---- Formulas ------------------------------------------------------------------------------------------------------
+
+    !> Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.   Eq. (2)
+    !>   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
+    !>   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
+    !> NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
+    elemental function rwedge_compliance(E1, nu1, E2, nu2) result(value)
+        real(c_double), intent(in) :: E1, nu1, E2, nu2
+        real(c_double) :: value
+        value = c_compliance(E1, nu1, E2, nu2)
+    end function
+
+    !> Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is
+    !> exact where it is 0 (elastically similar bodies).                               Dundurs (1969), see lib/README.md
+    !>   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged; |beta| <= 1/2 for nu >= 0
+    !> NaN outside the domain. Error below 4 epsilon, absolutely.
+    elemental function rwedge_dundurs_beta(E1, nu1, E2, nu2) result(value)
+        real(c_double), intent(in) :: E1, nu1, E2, nu2
+        real(c_double) :: value
+        value = c_dundurs_beta(E1, nu1, E2, nu2)
+    end function
+
+    !> Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz.
+    !> Eq. (7), (11), (13), (15)
+    !> NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b().
+    elemental function rwedge_load(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_load(alpha)
+    end function
+
+    !> The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included.
+    !> Eq. (7), (11), inverse
+    !>   AP_over_theta_a  > 0, finite
+    !> NaN outside the domain. Relative error below 1e-14.
+    elemental function rwedge_a_over_b(AP_over_theta_a) result(value)
+        real(c_double), intent(in) :: AP_over_theta_a
+        real(c_double) :: value
+        value = c_a_over_b(AP_over_theta_a)
+    end function
+
+    !> Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.   Eq. (8), (12), (14)
+    !> NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite.
+    !> Relative error below 1e-12, up to the zeros at x = +-1.
+    elemental function rwedge_pressure(alpha, x) result(value)
+        real(c_double), intent(in) :: alpha, x
+        real(c_double) :: value
+        value = c_pressure(alpha, x)
+    end function
+
+    !> Magnitude of the peak pressure, at x = 0, as A p0/theta.   Eq. (10), (16)
+    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+    elemental function rwedge_peak_pressure(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_peak_pressure(alpha)
+    end function
+
+    !> Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is
+    !> not inside the contact.   Eq. (9)
+    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+    elemental function rwedge_transition_pressure(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_transition_pressure(alpha)
+    end function
+
+    !> Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).   Eq. (29), (31) with E1; new
+    !>   n  >= 0
+    !> NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
+    !> (relatively) of a zero of b_n, below 1e-22 of the values around.
+    elemental function rwedge_coefficient(alpha, n) result(value)
+        real(c_double), intent(in) :: alpha
+        integer(c_int32_t), intent(in) :: n
+        real(c_double) :: value
+        value = c_coefficient(alpha, n)
+    end function
+
+    !> Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P.   Eq. (25)
+    !>   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
+    !> NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
+    elemental function rwedge_stick_width(alpha, Q_over_fP) result(value)
+        real(c_double), intent(in) :: alpha, Q_over_fP
+        real(c_double) :: value
+        value = c_stick_width(alpha, Q_over_fP)
+    end function
+
+    !> Q/(fP) from the half-width of the stick zone.   Eq. (25)
+    !> NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1).
+    elemental function rwedge_shear_ratio(alpha, c) result(value)
+        real(c_double), intent(in) :: alpha, c
+        real(c_double) :: value
+        value = c_shear_ratio(alpha, c)
+    end function
+
+    !> Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips);
+    !> 0 for |x| >= 1.   Eq. (23), (26), (27)
+    !> NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|).
+    elemental function rwedge_shear(alpha, c, x) result(value)
+        real(c_double), intent(in) :: alpha, c, x
+        real(c_double) :: value
+        value = c_shear(alpha, c, x)
+    end function
+
+    !> Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz.   Eq. (38); new
+    !> NaN outside the domain. Relative error below 1e-14.
+    elemental function rwedge_max_tension(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_max_tension(alpha)
+    end function
+
+    !> Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
+    !> Figs. 3 to 5
+    !> It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+    !> In this section alpha is 0 or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found.
+    !> NaN outside the domain. Relative error below 1e-12.
+    elemental function rwedge_elastic_limit(alpha, f, nu) result(value)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double) :: value
+        value = c_elastic_limit(alpha, f, nu)
+    end function
+
+    !> Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
+    !> (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).   Fig. 4; new
+    !>   alpha  > 0 (the sharp wedge yields at its apex: 0)
+    !> NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root.
+    elemental function rwedge_critical_friction(alpha, nu) result(value)
+        real(c_double), intent(in) :: alpha, nu
+        real(c_double) :: value
+        value = c_critical_friction(alpha, nu)
+    end function
+
+    !> Radius of the rounding, R = a/theta, length.   Sec. 2
+    elemental function rwedge_radius(theta, a) result(value)
+        real(c_double), intent(in) :: theta, a
+        real(c_double) :: value
+        value = c_radius(theta, a)
+    end function
+
+    !> Half-width of the rounding from its radius, a = R theta, length.   Sec. 2
+    !>   R  radius, length, finite, >= 0
+    elemental function rwedge_rounding(theta, R) result(value)
+        real(c_double), intent(in) :: theta, R
+        real(c_double) :: value
+        value = c_rounding(theta, R)
+    end function
+
+    !> Half-width b of the contact under the load P, length.   Eq. (7), (11), (15), inverse
+    !>   P  finite, >= 0; 0 gives 0
+    !> Relative error below 1e-14. Inverse: rwedge_normal_load().
+    elemental function rwedge_half_width(theta, a, compliance, P) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, P
+        real(c_double) :: value
+        value = c_half_width(theta, a, compliance, P)
+    end function
+
+    !> The load P whose contact has the half-width b, force/length.   Eq. (7), (11), (15)
+    !>   b  length, finite, >= 0; 0 gives 0
+    !> Relative error below 1e-14. Inverse: rwedge_half_width().
+    elemental function rwedge_normal_load(theta, a, compliance, b) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, b
+        real(c_double) :: value
+        value = c_normal_load(theta, a, compliance, b)
+    end function
+
+    !> The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
+    !> contact grows with P, so that a/b in the elastic limit depends on it: a root.   Figs. 3 to 5
+    !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+    !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
+    !> nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+    !> Relative error below 1e-11.
+    elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, f, nu, k
+        real(c_double) :: value
+        value = c_yield_load(theta, a, compliance, f, nu, k)
+    end function
+    ! ---- Stresses and strength -----------------------------------------------------------------------------------------
+
+    !> Stresses at the point (x, y), in theta/A, tension positive; closed form.   Eq. (28), (32), (33) with E4, E8; new
+    !>   sxx, syy, txy  each receives one number
+    !> RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+    !> Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point.
+    impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, c, x, y
+        real(c_double), intent(inout) :: sxx, syy, txy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', &
+            [alpha, f, c, x, y], stat, errmsg)
+    end subroutine
+
+    !> The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain.
+    subroutine rwedge_stresses(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, c, x(:), y(:)
+        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
+            status = c_stresses(alpha, f, c, size(x, kind=c_size_t), x, y, sxx, syy, txy)
+        call conclude(status, 'rwedge_stresses(alpha, f, c, ...)', [alpha, f, c], stat, errmsg)
+    end subroutine
+
+    !> The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain.
+    subroutine rwedge_elastic_limits(alpha, f, nu, limit, stat, errmsg)
+        real(c_double), intent(in) :: alpha(:), f(:), nu
+        real(c_double), intent(inout) :: limit(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (all([size(f), size(limit)] == size(alpha))) &
+            status = c_elastic_limits(size(alpha, kind=c_size_t), alpha, f, nu, limit)
+        call conclude(status, 'rwedge_elastic_limits(..., nu)', [nu], stat, errmsg)
+    end subroutine
+
+    !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
+    !> For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
+    impure elemental subroutine rwedge_yield_point(alpha, f, nu, limit, x, y, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
+            stat, errmsg)
+    end subroutine
+
+    !> Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
+    !> is smooth in alpha, f and nu, so that each can be interpolated.   Fig. 4; new
+    !> 
+    !> Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
+    !> RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    impure elemental subroutine rwedge_subsurface_yield(alpha, f, nu, limit, x, y, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', &
+            [alpha, f, nu], stat, errmsg)
+    end subroutine
+
+    !> At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
+    !> 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    impure elemental subroutine rwedge_surface_yield(alpha, f, nu, limit, x, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
+            stat, errmsg)
+    end subroutine
+
+    ! ---- A contact with a load history ---------------------------------------------------------------------------------
+
+    !> A contact without load, separated.
+    !>   contact  receives the handle
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM.
+    subroutine contact_create(this, theta, a, compliance, f, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: theta, a, compliance, f
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_contact_create(theta, a, compliance, f, created)
+        if (status == rwedge_ok) call own_contact(this, created)
+        call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], stat, errmsg)
+    end subroutine
+
+    !> An independent copy, history and all: to try a load and go back.
+    !> RWEDGE_ENULL, RWEDGE_ENOMEM.
+    subroutine contact_copy(this, from, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        type(rwedge_contact), intent(in) :: from
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_contact_copy(from%handle, created)
+        if (status == rwedge_ok) call own_contact(this, created)
+        call conclude(status, 'rwedge_contact%copy(from)', [real(c_double) ::], stat, errmsg)
+    end subroutine
+
+    ! What the contact held before is freed last: it may have been copied from itself.
+    subroutine own_contact(this, handle)
+        class(rwedge_contact), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call c_contact_destroy(this%handle)
+        this%handle = handle
+    end subroutine
+
+    !> this = from, by copy(); both may be without a contact.
+    impure elemental subroutine assign_contact(this, from)
+        class(rwedge_contact), intent(inout) :: this
+        type(rwedge_contact), intent(in) :: from
+        if (c_associated(from%handle)) then
+            call this%copy(from)
+        else
+            call this%destroy()
+        end if
+    end subroutine
+
+    !> Frees; NULL is allowed.
+    subroutine contact_destroy(this)
+        class(rwedge_contact), intent(inout) :: this
+        call own_contact(this, c_null_ptr)
+    end subroutine
+
+    impure elemental subroutine finalize_contact(this)
+        type(rwedge_contact), intent(inout) :: this
+        call this%destroy()
+    end subroutine
+
+    !> The next point of the history, reached in a straight line of the (P, Q) plane from the last one.   Sec. 3.2; new
+    !>   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+    !>   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
+    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width or the
+    !> peak pressure is not a normal number or the energy overflows (below the smallest double it is 0), and where P is not 0
+    !> but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
+    !> RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
+    !> It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
+    !> cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14.
+    subroutine contact_load(this, P, Q, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: P, Q
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], stat, errmsg)
+    end subroutine
+
+    !> Half-width b of the contact, length; 0 when separated; NaN for NULL.   Eq. (7), (11), (15), inverse
+    pure function contact_half_width(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_half_width(this%handle)
+    end function
+
+    !> Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
+    !> after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL.   Eq. (25); new
+    pure function contact_stick_half_width(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_stick_half_width(this%handle)
+    end function
+
+    !> How many points of its history the contact remembers; 0 when separated, and for NULL. The time that its functions need
+    !> per point of the half-plane grows like this.
+    pure function contact_memory(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        integer(c_size_t) :: value
+        value = c_contact_memory(this%handle)
+    end function
+
+    !> Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
+    !> Q > 0. Both are 0 for |x| >= b.   Eq. (8), (12), (14), (22) to (27)
+    !>   x     length, finite
+    !>   p, q  each receives n numbers
+    !> RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
+    !> in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
+    subroutine contact_tractions(this, x, p, q, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:)
+        real(c_double), intent(inout) :: p(:), q(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (all([size(p), size(q)] == size(x))) &
+            status = c_contact_tractions(this%handle, size(x, kind=c_size_t), x, p, q)
+        call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], stat, errmsg)
+    end subroutine
+
+    !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
+    !>   x, y           length, finite, y >= 0
+    !>   sxx, syy, txy  each receives n numbers
+    !> RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
+    !> domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
+    subroutine contact_stresses(this, x, y, sxx, syy, txy, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:), y(:)
+        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
+            status = c_contact_stresses(this%handle, size(x, kind=c_size_t), x, y, sxx, syy, txy)
+        call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], stat, errmsg)
+    end subroutine
+
+    !> Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
+    !> since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat. 0 where a
+    !> point has stuck ever since. In full sliding the rigid displacement is not determined by the loads; the slip is then the
+    !> least that the loads need, with which the centre of the contact is on the verge of slip.   Eq. (17) to (21); new
+    !>   x     length, |x| <= b: points outside have no partner
+    !>   slip  receives n numbers
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error below 1e-13 f theta b.
+    subroutine contact_slip(this, x, slip, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:)
+        real(c_double), intent(inout) :: slip(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(slip) == size(x)) status = c_contact_slip(this%handle, size(x, kind=c_size_t), x, slip)
+        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], stat, errmsg)
+    end subroutine
+
+    !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
+    !> integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
+    !> falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.   new
+    !> NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that
+    !> slip reaches an older layer.
+    pure function contact_dissipated_energy(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_dissipated_energy(this%handle)
+    end function
+
+    !> How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
+    !> half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load().
+    !>   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+    !>   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
+    !>   x, y    where the maximum is, length; each may be NULL
+    !> It is the global maximum that is searched for, from each edge of slip that is remembered, at every scale; a millisecond
+    !> for a first load, and its time grows with the square of rwedge_contact_memory().
+    !> RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
+    !> finite number. Relative error below 1e-12.
+    subroutine contact_yield_factor(this, nu, k, factor, x, y, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: nu, k
+        real(c_double), intent(inout) :: factor
+        real(c_double), intent(inout), optional :: x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: place(2)
+        integer(c_int32_t) :: status
+        status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
+        if (status == rwedge_ok .and. present(x)) x = place(1)
+        if (status == rwedge_ok .and. present(y)) y = place(2)
+        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], stat, errmsg)
+    end subroutine
+
+    ! ---- The paper's series --------------------------------------------------------------------------------------------
+
+    !> The rounded wedge's own series, cut after the first terms coefficients.   Eq. (29), (31) with E1; new
+    !>   terms  1 <= terms <= 2^24
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with rwedge_series_destroy().
+    subroutine series_create(this, alpha, terms, stat, errmsg)
+        class(rwedge_series), intent(inout) :: this
+        real(c_double), intent(in) :: alpha
+        integer(c_int32_t), intent(in) :: terms
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_series_create(alpha, terms, created)
+        if (status == rwedge_ok) call own_series(this, created)
+        call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], stat, errmsg)
+    end subroutine
+
+    !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.   Sec. 4 of the paper
+    !>   samples  number of samples, >= terms, samples * terms <= 2^27
+    !>   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
+    !> RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits
+    !> of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
+    !> RWEDGE_ENOMEM.
+    subroutine series_fit(this, x, p, terms, stat, errmsg)
+        class(rwedge_series), intent(inout) :: this
+        real(c_double), intent(in) :: x(:), p(:)
+        integer(c_int32_t), intent(in) :: terms
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(p) == size(x)) status = c_series_fit(size(x, kind=c_size_t), x, p, terms, created)
+        if (status == rwedge_ok) call own_series(this, created)
+        call conclude(status, 'rwedge_series%fit(..., terms)', [real(terms, c_double)], stat, errmsg)
+    end subroutine
+
+    subroutine own_series(this, handle)
+        class(rwedge_series), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call this%destroy()
+        this%handle = handle
+        allocate (this%users)
+        this%users = 1
+    end subroutine
+
+    ! this = from, which share the series from then on.
+    impure elemental subroutine assign_series(this, from)
+        class(rwedge_series), intent(inout) :: this
+        type(rwedge_series), intent(in) :: from
+        type(c_ptr) :: handle
+        integer, pointer :: users
+        handle = from%handle
+        users => from%users
+        if (associated(users)) users = users + 1
+        call this%destroy() ! which may be from
+        this%handle = handle
+        this%users => users
+    end subroutine
+
+    !> Frees; NULL is allowed.
+    subroutine series_destroy(this)
+        class(rwedge_series), intent(inout) :: this
+        if (.not. associated(this%users)) return
+        this%users = this%users - 1
+        if (this%users == 0) then
+            call c_series_destroy(this%handle)
+            deallocate (this%users)
+        end if
+        this%handle = c_null_ptr
+        nullify (this%users)
+    end subroutine
+
+    impure elemental subroutine finalize_series(this)
+        type(rwedge_series), intent(inout) :: this
+        call this%destroy()
+    end subroutine
+
+    !> How many coefficients it holds; 0 for NULL.
+    pure function series_terms(this) result(value)
+        class(rwedge_series), intent(in) :: this
+        integer(c_int32_t) :: value
+        value = c_series_terms(this%handle)
+    end function
+
+    !> a_k; 0 for k >= terms; NaN for k < 0 or NULL.
+    elemental function series_coefficient(this, k) result(value)
+        class(rwedge_series), intent(in) :: this
+        integer(c_int32_t), intent(in) :: k
+        real(c_double) :: value
+        value = c_series_coefficient(this%handle, k)
+    end function
+
+    !> Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
+    !> k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
+    !> sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL.
+    pure function series_residual(this) result(value)
+        class(rwedge_series), intent(in) :: this
+        real(c_double) :: value
+        value = c_series_residual(this%handle)
+    end function
+
+    !> The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.   Eq. (29)
+    elemental function series_pressure(this, x) result(value)
+        class(rwedge_series), intent(in) :: this
+        real(c_double), intent(in) :: x
+        real(c_double) :: value
+        value = c_series_pressure(this%handle, x)
+    end function
+
+    !> Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1).  Eq. (30), (34), E2,
+    !> E3 RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    impure elemental subroutine series_potential(this, f, x, y, re, im, stat, errmsg)
+        class(rwedge_series), intent(in) :: this
+        real(c_double), intent(in) :: f, x, y
+        real(c_double), intent(inout) :: re, im
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
+            stat, errmsg)
+    end subroutine
+
+    !> Stresses for q = f p.   Eq. (32), (33)
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges: slowly.
+    impure elemental subroutine series_stress(this, f, x, y, sxx, syy, txy, stat, errmsg)
+        class(rwedge_series), intent(in) :: this
+        real(c_double), intent(in) :: f, x, y
+        real(c_double), intent(inout) :: sxx, syy, txy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
+            stat, errmsg)
+    end subroutine
+end module

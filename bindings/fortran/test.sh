@@ -1,0 +1,65 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Fortran module, linked with the private build.    test.sh BUILD-FOLDER
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$here/../..
+command -v gfortran >/dev/null 2>&1 || { echo "SKIPPED: gfortran is not installed"; exit 77; }
+sh "$top/bindings/private.sh" "$1"
+prefix=$(cd "$1/private/prefix" && pwd)
+mkdir -p "$1/fortran"
+cd "$1/fortran"
+
+fail()
+{
+    echo "FAILED: $1"
+    exit 1
+}
+
+# fortran PROGRAM OPTIONS... - builds it with the module
+fortran()
+{
+    program=$1
+    shift
+    gfortran -std=f2008 -Wall -Wextra -pedantic -Werror "$@" "$here/rwedge.f90" "$here/$program.f90" $objects \
+        "$prefix/lib/librwedge.a" -lm -o "$program"
+}
+objects=''
+
+sh "$here/check_interfaces.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90"
+sh "$here/document.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90" >documented.f90
+diff "$here/rwedge.f90" documented.f90 || fail "the comments are not the header's: see document.sh"
+
+fortran door -O2
+cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+sh "$top/tests/doors/calls.sh" >calls.csv
+./door_in_c <calls.csv >expected.csv
+./door <calls.csv >answers.csv
+cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
+echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
+
+fortran example_fretting -O2
+./example_fretting >example.txt
+sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" || fail "the example differs from that in C"
+echo "the example prints what it does in C; $(tail -n 1 example.txt)"
+
+# where equality is asserted, it is meant
+cc -O2 -c -I"$prefix/include" "$here/support.c" -o support.o
+objects=support.o
+fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy,--wrap=rwedge_contact_destroy \
+    -Wl,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
+objects=''
+./test_module
+if ./test_module stop 2>stopped.txt; then
+    fail "an error without stat does not end the program"
+fi
+grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt || fail "it does not say why it ends"
+
+fortran hostile_host -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace -Wno-maybe-uninitialized
+# in a shell of its own, which says how it ended
+if sh -c './hostile_host 0; exit $?' >trapped.txt 2>&1; then
+    fail "the host does not trap"
+fi
+sh -c './hostile_host; exit $?' >host.txt 2>trap.txt || fail "$(tail -n 1 host.txt): $(cat trap.txt)"
+[ "$(tail -n 1 host.txt)" = "all calls made" ] || fail "not all calls were made"
+echo "$(grep -c '^[0-9]' host.txt) calls in a host that traps: none did, and its modes are as before"

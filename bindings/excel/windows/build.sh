@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds rwedge.dll for 64-bit Windows, GSL and LAPACK inside, and installs it into FOLDER/windows/ (bin/rwedge.dll, lib/, include/).
+# Builds rwedge.dll for 64-bit Windows, GSL, LAPACK and libm inside, and installs it into FOLDER/windows/ (bin/rwedge.dll, lib/, include/).
 # Quiet, unless it fails. It needs gcc-mingw-w64-x86-64, gfortran-mingw-w64-x86-64, dpkg-dev and a minute the first time.
 #     build.sh FOLDER
 set -eu
@@ -12,7 +12,8 @@ if ! {
         cmake -S "$here/../../.." -B build -DCMAKE_TOOLCHAIN_FILE="$here/mingw.cmake" -DCMAKE_BUILD_TYPE=Release \
             -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib \
             -DRWEDGE_GSL_INCLUDE="$PWD/dependencies/include" -DRWEDGE_GSL_ARCHIVE="$PWD/dependencies/libgsl.a" \
-            -DRWEDGE_LAPACK_ARCHIVE="$PWD/dependencies/liblapack.a" -DRWEDGE_BLAS_ARCHIVE="$PWD/dependencies/liblapack.a" &&
+            -DRWEDGE_LAPACK_ARCHIVE="$PWD/dependencies/liblapack.a" -DRWEDGE_BLAS_ARCHIVE="$PWD/dependencies/liblapack.a" \
+            -DRWEDGE_LIBM_FOLDER="$PWD/dependencies" &&
         cmake --build build && cmake --install build --prefix "$PWD/windows"
 } >log 2>&1; then
     cat log >&2

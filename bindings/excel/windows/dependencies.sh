@@ -1,13 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles for Windows what the library takes from GSL and LAPACK, and no more: seconds where all of theirs takes minutes.
-#     dependencies.sh SOURCES FOLDER        sources.sh's folder -> FOLDER/libgsl.a, liblapack.a, include/gsl/
+# Compiles for Windows what the library takes from GSL, LAPACK and libm, and no more: seconds where all of theirs takes minutes.
+#     dependencies.sh SOURCES FOLDER        sources.sh's folder -> FOLDER/libgsl.a, liblapack.a, libm.a, include/gsl/
 set -eu
 tool=x86_64-w64-mingw32
+here=$(cd "$(dirname "$0")" && pwd)
 sources=$(cd "$1" && pwd)
 mkdir -p "$2"
 cd "$2"
 [ -f liblapack.a ] && exit 0
+
+# libm: musl's, so that results are not those of whichever msvcrt.dll a Windows has.
+sh "$here/libm.sh" "$sources" . $tool-
 
 # GSL: its root-finders and what they stand on. Its configure asks here only for functions that C99 has.
 mkdir -p gsl-objects lapack-objects include/gsl

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fetches the distribution's sources of GSL and LAPACK into FOLDER/gsl and FOLDER/lapack: there is no Windows package of
+# Fetches the distribution's sources of GSL, LAPACK and musl into FOLDER/gsl, lapack and musl: there is no Windows package of
 # theirs. From where this machine has its packages, with lists of its own, so that the machine's settings stay as they are.
 #     sources.sh FOLDER
 set -eu
 mkdir -p "$1"
 cd "$1"
-[ -d gsl ] && [ -d lapack ] && exit 0
+[ -d gsl ] && [ -d lapack ] && [ -d musl ] && exit 0
 
 # The machine's repositories, asked for sources: both forms of apt's lists.
 rm -rf apt
@@ -25,7 +25,7 @@ apt()
         -o Dir::State::Lists="$here/lists" -o APT::Sandbox::User=root "$@"
 }
 apt update || true # a repository without sources is no obstacle while another has them
-for package in gsl lapack; do
+for package in gsl lapack musl; do
     rm -rf "apt/$package" "$package"
     mkdir "apt/$package"
     (cd "apt/$package" && apt source "$package")

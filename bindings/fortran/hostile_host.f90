@@ -18,14 +18,14 @@ program hostile_host
 
     left_out = [(number_argument(i), i = 1, command_argument_count())]
     edges(:30) = [0.0_c_double, tiny(1.0_c_double), 1e-310_c_double, 1e-200_c_double, 1e-120_c_double, 1e-60_c_double, &
-        1e-16_c_double, 1e-14_c_double, 3e-9_c_double, 1e-6_c_double, 1e-3_c_double, 0.01_c_double, 0.25_c_double, 0.3_c_double, &
-        0.5_c_double, 1 - epsilon(1.0_c_double), 1.0_c_double, 1 + epsilon(1.0_c_double), 1.5_c_double, 2.0_c_double, &
-        100.0_c_double, 1e6_c_double, 1e10_c_double, 1e160_c_double, huge(1.0_c_double), -1e-300_c_double, -0.3_c_double, &
+        1e-16_c_double, 1e-14_c_double, 3e-9_c_double, 1e-6_c_double, 1e-3_c_double, 0.01_c_double, 0.25_c_double, &
+        0.3_c_double, 0.5_c_double, 1 - epsilon(1.0_c_double), 1.0_c_double, 1 + epsilon(1.0_c_double), 1.5_c_double, &
+        2.0_c_double, 100.0_c_double, 1e6_c_double, 1e10_c_double, 1e160_c_double, huge(1.0_c_double), -1e-300_c_double, -0.3_c_double, &
         -1.0_c_double, -1e9_c_double, -huge(1.0_c_double)]
     edges(31) = ieee_value(1.0_c_double, ieee_quiet_nan)
     edges(32) = ieee_value(1.0_c_double, ieee_positive_inf)
     edges(33) = ieee_value(1.0_c_double, ieee_negative_inf)
-    some = [edges(1), edges(3), edges(9), edges(13), edges(15), edges(17), edges(21), edges(25), edges(28), edges(31), edges(32)]
+    some = edges([1, 3, 9, 13, 15, 17, 21, 25, 28, 31, 32])
 
     if (any(left_out == 0)) edges(1) = 1 / edges(1)
     do i = 1, size(edges)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the test of the Fortran module needs from C: how many handles are alive (linked with --wrap), and the loop that elemental
- * functions are timed against. */
+/* What the test of the Fortran module needs from C: how many handles are alive (linked with --wrap), and the loops that
+ * elemental functions are timed against. */
 #include "rwedge.h"
 
 int32_t __real_rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact);

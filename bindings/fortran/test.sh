@@ -40,20 +40,22 @@ echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
 fortran example_fretting -O2
 ./example_fretting >example.txt
-sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" || fail "the example differs from that in C"
+sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" ||
+    fail "the example differs from that in C"
 echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 
 # where equality is asserted, it is meant
 cc -O2 -c -I"$prefix/include" "$here/support.c" -o support.o
 objects=support.o
-fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy,--wrap=rwedge_contact_destroy \
-    -Wl,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
+fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
+    -Wl,--wrap=rwedge_contact_destroy,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
 objects=''
 ./test_module
 if ./test_module stop 2>stopped.txt; then
     fail "an error without stat does not end the program"
 fi
-grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt || fail "it does not say why it ends"
+grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt ||
+    fail "it does not say why it ends"
 
 fortran hostile_host -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace -Wno-maybe-uninitialized
 # in a shell of its own, which says how it ended

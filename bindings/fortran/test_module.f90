@@ -70,11 +70,13 @@ contains
             index(rwedge_version(), '.') < index(rwedge_version(), '.', back=.true.))
         call claim('a status has its text', rwedge_error_text(rwedge_edomain) == 'an argument is outside its domain')
         call claim('an unknown status too', rwedge_error_text(-77_c_int32_t) == 'unknown status')
-        call claim('NaN gives NaN', ieee_is_nan(rwedge_load(nan)) .and. ieee_is_nan(rwedge_elastic_limit(0.3_c_double, nan, nan)))
+        call claim('NaN gives NaN', &
+            ieee_is_nan(rwedge_load(nan)) .and. ieee_is_nan(rwedge_elastic_limit(0.3_c_double, nan, nan)))
 
         s = 5
         errmsg = 'as it was'
-        call rwedge_stress(0.25_c_double, 0.3_c_double, 0.0_c_double, 0.0_c_double, -1.0_c_double, s(1), s(2), s(3), stat, errmsg)
+        call rwedge_stress(0.25_c_double, 0.3_c_double, 0.0_c_double, 0.0_c_double, -1.0_c_double, s(1), s(2), s(3), &
+            stat, errmsg)
         call claim('domain', stat == rwedge_edomain .and. all(s == 5))
         call claim('its message: ' // errmsg, index(errmsg, 'rwedge_stress(alpha, f, c, x, y): an argument is outside ' // &
             'its domain: 0.25') == 1 .and. index(errmsg, ', -1.0') > 0)
@@ -94,13 +96,15 @@ contains
         call claim('separated', stat == rwedge_eabsent)
         call contact%load(1000.0_c_double, 300.0_c_double)
         call contact%load(1000.0_c_double, 601.0_c_double, stat, errmsg)
-        call claim('sliding', stat == rwedge_esliding .and. index(errmsg, 'exceeds friction') > 0 .and. index(errmsg, '601') > 0)
+        call claim('sliding', stat == rwedge_esliding .and. &
+            index(errmsg, 'exceeds friction') > 0 .and. index(errmsg, '601') > 0)
         p = 5
         call contact%tractions([0.0_c_double, nan], p, q, stat)
         call claim('tractions: domain', stat == rwedge_edomain .and. all(p == 5))
         call contact%tractions([0.0_c_double], p, q, stat)
         call claim('sizes that differ', stat == rwedge_erange)
-        call series%fit([0.1_c_double, 0.1_c_double, 0.1_c_double], [1.0_c_double, 1.0_c_double, 1.0_c_double], 3_c_int32_t, stat)
+        call series%fit([0.1_c_double, 0.1_c_double, 0.1_c_double], [1.0_c_double, 1.0_c_double, 1.0_c_double], &
+            3_c_int32_t, stat)
         call claim('rank', stat == rwedge_erank)
     end subroutine
 
@@ -108,8 +112,8 @@ contains
         real(c_double) :: alpha(3, 4), sxx(3, 4), syy(3, 4), txy(3, 4), one(3), x(12), y(12), all_sxx(24), row(12), column(12)
         integer :: i, j, stat(3, 4)
         alpha = reshape([(0.1_c_double * i, i = 1, 12)], [3, 4])
-        call claim('an elemental function', all(rwedge_load(alpha) == reshape([((rwedge_load(alpha(i, j)), i = 1, 3), j = 1, 4)], &
-            [3, 4])))
+        call claim('an elemental function', &
+            all(rwedge_load(alpha) == reshape([((rwedge_load(alpha(i, j)), i = 1, 3), j = 1, 4)], [3, 4])))
         alpha(2, 3) = -1
         call rwedge_stress(alpha, 0.3_c_double, 0.5_c_double, 0.2_c_double, 0.4_c_double, sxx, syy, txy, stat)
         call claim('a status per element', stat(2, 3) == rwedge_edomain .and. count(stat == rwedge_ok) == 11)
@@ -243,10 +247,10 @@ contains
             limits = min(limits, t(2:) - t(:2))
         end do
         call claim('the same limits', all(of_c(:m) == of_fortran(:m)))
-        write (*, '(2(a, f0.1, a), a, f0.2)') 'a load ', 1e9 * fastest(2) / n, ' ns, ', 'in C ', 1e9 * fastest(1) / n, ' ns: ', &
-            'ratio ', fastest(2) / fastest(1)
-        write (*, '(2(a, f0.2, a), a, f0.2)') 'an elastic limit ', 1e6 * limits(2) / m, ' us, ', 'in C ', 1e6 * limits(1) / m, &
-            ' us: ', 'ratio ', limits(2) / limits(1)
+        write (*, '(2(a, f0.1), a, f0.2)') 'a load ', 1e9 * fastest(2) / n, ' ns, in C ', 1e9 * fastest(1) / n, ' ns: ratio ', &
+            fastest(2) / fastest(1)
+        write (*, '(3(a, f0.2))') 'an elastic limit ', 1e6 * limits(2) / m, ' us, in C ', 1e6 * limits(1) / m, ' us: ratio ', &
+            limits(2) / limits(1)
         call claim('a load costs no more than 1.5 of what it does in C', fastest(2) < 1.5 * fastest(1))
         call claim('nor an elastic limit more than 1.2', limits(2) < 1.2 * limits(1))
     end subroutine

@@ -20,7 +20,8 @@ program hostile_host
     edges(:30) = [0.0_c_double, tiny(1.0_c_double), 1e-310_c_double, 1e-200_c_double, 1e-120_c_double, 1e-60_c_double, &
         1e-16_c_double, 1e-14_c_double, 3e-9_c_double, 1e-6_c_double, 1e-3_c_double, 0.01_c_double, 0.25_c_double, &
         0.3_c_double, 0.5_c_double, 1 - epsilon(1.0_c_double), 1.0_c_double, 1 + epsilon(1.0_c_double), 1.5_c_double, &
-        2.0_c_double, 100.0_c_double, 1e6_c_double, 1e10_c_double, 1e160_c_double, huge(1.0_c_double), -1e-300_c_double, -0.3_c_double, &
+        2.0_c_double, 100.0_c_double, 1e6_c_double, 1e10_c_double, 1e160_c_double, huge(1.0_c_double), -1e-300_c_double, &
+        -0.3_c_double, &
         -1.0_c_double, -1e9_c_double, -huge(1.0_c_double)]
     edges(31) = ieee_value(1.0_c_double, ieee_quiet_nan)
     edges(32) = ieee_value(1.0_c_double, ieee_positive_inf)

@@ -28,7 +28,7 @@ def main(path):
     axes.plot(jump, rwedge.elastic_limit(alpha, jump, NU), "k.", label="yield jumps\nto the surface")
     axes.set(xlabel="coefficient of friction f", ylabel="elastic limit P/(bk)", xlim=(0, 0.8), ylim=(0, None),
              title=f"Elastic limit in full sliding, nu = {NU}")
-    axes.legend(title="a/b", reverse=True, fontsize="small")
+    axes.legend(title="a/b", reverse=True, fontsize="small", ncols=2, loc="lower left")
     figure.savefig(path, dpi=110)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes rwedge/_header.py, what the package knows of the C library, from its header: the signature and the source of each
+"""Writes the module _header, what the package knows of the C library, from its header: the signature and the source of each
 function, the domain of each argument, and the docstrings of the formulas.
 
     read_header.py rwedge.h _header.py
@@ -21,7 +21,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
     (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
 NATURAL = "Natural units: lengths in b, stresses in theta/A."
 CONSISTENT = "Any consistent set of units."
-UNITS = {"Materials": CONSISTENT, "Dimensional quantities": CONSISTENT}
+UNITS = dict.fromkeys(("Materials", "Dimensional quantities", "A contact with a load history"), CONSISTENT)
 
 
 def plain(comment):
@@ -54,25 +54,27 @@ def in_python(text):
 
 def is_formula(result, kinds):
     """Does the function take and give nothing but numbers?"""
-    return result == "double" and set(kinds) <= {"double", "int32_t"} or set(kinds) == {"double", "double *"}
+    return result == "double" and kinds <= {"double", "int32_t"} or kinds == {"double", "double *"}
 
 
 def docstring(name, inputs, outputs, domains, text, source, units):
     """The help on a function of numbers, as NumPy's users are used to it."""
     *general, own = text.split("\n\n")
     first, *rest = SENTENCE_END.split(one_line(own), maxsplit=1)
+    domain = [] if "NaN outside the domain" in text else ["NaN outside the domain."]
     lines = [f"{name}({', '.join(inputs)})", "", *textwrap.wrap(first, 100), "", "Parameters", "----------"]
     for argument in inputs:
         lines += [f"{argument} : array_like", *textwrap.wrap(domains.get(argument, ""), 96, initial_indent="    ",
                                                              subsequent_indent="    ")]
     lines += ["", "Returns", "-------", f"{', '.join(outputs) or name} : float64, in the broadcast shape of the arguments"]
-    lines += ["", "Notes", "-----", *textwrap.wrap(one_line(" ".join([*rest, *general, units])), 100), f"Source: {source}."]
+    notes = one_line(" ".join([*rest, *general, *domain, units]))
+    lines += ["", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {source}."]
     return "\n".join(lines)
 
 
 def functions(header):
     """name -> result, parameters, domains of the arguments, source, and the docstring of a formula."""
-    found, shared, comment, source, units = {}, {}, "", "", NATURAL
+    found, shared, comment, source, units = {}, {NATURAL: {}, CONSISTENT: {}}, "", "", NATURAL
     for match in PIECE.finditer(header):
         section, remark, result, name, declaration = match.groups()
         if section:
@@ -82,26 +84,36 @@ def functions(header):
             comment = in_python(plain(remark))
             general, rest = arguments_of(comment)
             if "Arguments that return" in comment:
-                shared.update(general)
+                shared[units].update(general)
             continue
         listed = [] if declaration == "void" else list(parameters(declaration))
         own, text = arguments_of(comment)
-        source = one_line(" ".join(SOURCE.findall(text))) or source  # "the same for ..." has that of the one before
+        formula = is_formula(result.strip(), {kind for kind, _ in listed})
+        # a formula that has none has that of the one before: "at the surface"
+        source = one_line(" ".join(SOURCE.findall(text))) or (source if formula else "")
         like = LIKE.search(text)
-        domains = {**shared, **(found[like[1]]["domains"] if like else {}), **own}
+        domains = {**shared[NATURAL], **shared[units], **(found[like[1]]["domains"] if like else {}), **own}
         outputs = [n for kind, n in listed if kind == "double *"]
         inputs = [n for kind, n in listed if n not in outputs]
         found[name] = {
             "result": result.strip(), "parameters": tuple(listed), "source": source,
             "domains": {n: domains[n] for n in inputs if n in domains},
             "doc": docstring(name, inputs, outputs, domains, LIKE.sub(r"\2.", SOURCE.sub("", text)), source, units)
-            if is_formula(result.strip(), [kind for kind, _ in listed]) else ""}
+            if formula else ""}
     return found
 
 
+TOP = '''# SPDX-License-Identifier: GPL-3.0-or-later
+"""Made by src/read_header.py from rwedge.h: do not edit."""
+from __future__ import annotations
+
+from typing import Any
+
+FUNCTIONS: dict[str, dict[str, Any]] = {'''
+
+
 def main(header, module):
-    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by src/read_header.py from rwedge.h: do not edit."""',
-             "FUNCTIONS = {"]
+    lines = [TOP]
     for name, function in functions(Path(header).read_text(encoding="utf-8")).items():
         lines.append(f"    {name!r}: {{")
         lines += [f"        {key!r}: {value!r}," for key, value in function.items()]

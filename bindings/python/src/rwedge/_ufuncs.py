@@ -8,6 +8,7 @@ NumPy's binary interface, which only a new major version may change.
 from __future__ import annotations
 
 import ctypes
+import importlib
 from typing import Any
 
 import numpy as np
@@ -18,10 +19,8 @@ from ._library import library as _library
 
 if np.lib.NumpyVersion(np.__version__) >= "3.0.0":
     raise ImportError(f"rwedge knows the binary interface of NumPy 1 and 2; this is {np.__version__}")
-try:
-    from numpy._core._multiarray_umath import _UFUNC_API
-except ImportError:  # NumPy 1
-    from numpy.core._multiarray_umath import _UFUNC_API
+_core = "numpy._core" if np.lib.NumpyVersion(np.__version__) >= "2.0.0" else "numpy.core"
+_ufunc_api = importlib.import_module(_core + "._multiarray_umath")._UFUNC_API
 
 FROM_FUNC_AND_DATA = 1  # its place in the table
 NO_IDENTITY = -1
@@ -31,11 +30,11 @@ ARGUMENTS = {"double": DOUBLE, "int32_t": INTEGER, "const double *": DOUBLE, **d
 
 _capsule_pointer = ctypes.pythonapi.PyCapsule_GetPointer
 _capsule_pointer.restype, _capsule_pointer.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
-_table = ctypes.cast(_capsule_pointer(_UFUNC_API, None), ctypes.POINTER(ctypes.c_void_p))
+_table = ctypes.cast(_capsule_pointer(_ufunc_api, None), ctypes.POINTER(ctypes.c_void_p))
 _from_func_and_data = ctypes.PYFUNCTYPE(
     ctypes.py_object, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_int, ctypes.c_int,
     ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int)(_table[FROM_FUNC_AND_DATA])
-_kept = []  # what the ufuncs point to, for as long as the process lives
+_kept: list[object] = []  # what the ufuncs point to, for as long as the process lives
 
 
 def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
@@ -74,8 +73,8 @@ class Points:
             with np.errstate(invalid="raise"):
                 return self.ufunc(*arguments)
         except FloatingPointError:
-            self._complain(arguments)
-            raise
+            pass
+        self._complain(arguments)
 
     def _complain(self, arguments: tuple[Any, ...]) -> None:
         """Raises for the first point outside the domain."""
@@ -88,5 +87,5 @@ class Points:
             outside &= ~np.isnan(value)
         index = np.unravel_index(np.argmax(outside), result.shape)
         place = f"[{', '.join(map(str, index))}]" if index else ""
-        values = {argument: value[index] for argument, value in given.items() if argument not in ("contact", "series")}
-        check(self.name, EDOMAIN, place, **values)
+        values = {argument: float(value[index]) for argument, value in given.items() if argument not in ("contact", "series")}
+        check(self.name, EDOMAIN, values, place)

@@ -5,8 +5,8 @@ Formulas are NumPy ufuncs: they broadcast, know ``out=`` and ``where=``, and rel
 NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does (``numpy.errstate(invalid="raise")`` makes an
 exception of it); NaN among the arguments gives NaN without one.
 
-``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that raises.
-These raise ValueError outside the domain; NaN gives NaN.
+``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
+raises. These raise ValueError outside the domain; NaN gives NaN.
 
 Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
 in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
@@ -21,6 +21,8 @@ from ._series import Series
 from ._ufuncs import Points as _Points
 from ._ufuncs import ufunc as _ufunc
 
+for _public in (Contact, Error, Series, SlidingError, YieldFactor):
+    _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # The ufuncs: all functions of the header that take and give nothing but numbers.
@@ -32,6 +34,6 @@ _stresses = _Points("stress")
 
 
 def stresses(alpha, f, c, x, y):
-    """Stresses sxx, syy, txy in the broadcast shape of the arguments: the ufunc ``stress``, which see, but with a ValueError that
-    says where the domain was left. NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
+    """Stresses sxx, syy, txy in the broadcast shape of the arguments: the ufunc ``stress``, which see, but with a ValueError
+    that says where the domain was left. NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
     return _stresses(alpha, f, c, x, y)

@@ -8,7 +8,7 @@ import operator
 import sys
 import weakref
 from pathlib import Path
-from typing import Any, NoReturn, SupportsFloat, SupportsIndex
+from typing import Any, Mapping, NoReturn, SupportsFloat, SupportsIndex
 
 from ._header import FUNCTIONS
 
@@ -43,7 +43,7 @@ def function(name: str) -> Any:
 _strerror = function("strerror")
 
 
-def check(name: str, status: int, place: str = "", **arguments: object) -> None:
+def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: str = "") -> None:
     """Raises what a status of rwedge_name() other than OK means: for which arguments, and what would be allowed."""
     if status == OK:
         return

@@ -46,7 +46,7 @@ class Series(Handle):
 
     def __init__(self, alpha: SupportsFloat, terms: SupportsIndex) -> None:
         alpha, terms, handle = real("alpha", alpha), integer("terms", terms), ctypes.c_void_p()
-        check("series_create", _create(alpha, terms, ctypes.byref(handle)), alpha=alpha, terms=terms)
+        check("series_create", _create(alpha, terms, ctypes.byref(handle)), {"alpha": alpha, "terms": terms})
         self._adopt(handle, _destroy)
 
     @classmethod
@@ -74,7 +74,7 @@ class Series(Handle):
             raise Error(f"x has the shape {x.shape}, p {p.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()
         status = _fit(x.size, x.ctypes.data, p.ctypes.data, terms, ctypes.byref(handle))
-        check("series_fit", status, samples=x.size, terms=terms, x=f"{x.size} numbers")
+        check("series_fit", status, {"samples": x.size, "terms": terms, "x": f"{x.size} numbers"})
         series._adopt(handle, _destroy)
         return series
 
@@ -122,6 +122,21 @@ class Series(Handle):
         return real_part + 1j * imaginary_part
 
     def stress(self, f: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Stresses sxx, syy, txy for q = f p, in theta/A, tension positive; arguments as for ``potential``. Slow to converge at
-        the edges. ValueError outside the domain. Source: Eq. (32), (33)."""
+        """Stresses sxx, syy, txy for q = f p, in theta/A, tension positive, in the broadcast shape of the arguments. At the
+        edges they converge slowly.
+
+        Parameters
+        ----------
+        f : array_like
+            coefficient of friction, 0 <= f <= 1e6
+        x, y : array_like
+            a point, in b, finite, y >= 0; NaN gives NaN
+
+        Raises
+        ------
+        ValueError
+            outside the domain
+
+        Source: Eq. (32), (33).
+        """
         return _stress(self._address, f, x, y)

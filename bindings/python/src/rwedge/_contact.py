@@ -69,7 +69,7 @@ class Contact(Handle):
     def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> None:
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
-        check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), **self._parameters)
+        check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
         self._begin(handle, (0.0, 0.0))
 
     def _begin(self, handle: ctypes.c_void_p, loads: tuple[float, float]) -> None:
@@ -117,7 +117,7 @@ class Contact(Handle):
         """
         P, Q = real("P", P), real("Q", Q)
         with self._lock:
-            check("contact_load", _load(self._address, P, Q), P=P, Q=Q)
+            check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
             self._loads = P, Q
 
     def _value(self, read: Any) -> Any:
@@ -249,10 +249,12 @@ class Contact(Handle):
         ------
         ValueError
             outside the domain; when separated, as there is no stress
+
+        Loads scaled by the factor would not yield it exactly, as the contact grows: see ``yield_load``.
         """
         nu, k = real("nu", nu), real("k", k)
         factor, x, y = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
         with self._lock:
             status = _yield_factor(self._address, nu, k, *map(ctypes.byref, (factor, x, y)))
-        check("contact_yield_factor", status, nu=nu, k=k)
+        check("contact_yield_factor", status, {"nu": nu, "k": k})
         return YieldFactor(factor.value, x.value, y.value)

@@ -1,0 +1,60 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Tests the package: test.sh BUILD_FOLDER [PYTEST-ARGUMENTS...]. Everything goes into BUILD_FOLDER/python; what comes from
+# PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
+set -eu
+source=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$1"
+build=$(cd "$1" && pwd)
+shift
+folder=$build/python
+export PYTHONDONTWRITEBYTECODE=1 PIP_DISABLE_PIP_VERSION_CHECK=1
+export MPLCONFIGDIR="$folder/matplotlib" MYPY_CACHE_DIR="$folder/mypy"
+
+skip()
+{
+    echo "SKIPPED: $*"
+    exit 77
+}
+
+command -v python3 >/dev/null 2>&1 || skip "no python3"
+tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib"
+older='numpy==1.26.*'
+wanted="$(python3 --version) $tools $older"
+
+# fetch PIP-ARGUMENTS... - from PyPI, with another try for a bad line
+fetch()
+{
+    "$folder/venv/bin/pip" install --quiet "$@" >"$folder/pip.log" 2>&1 ||
+        "$folder/venv/bin/pip" install --quiet "$@" >"$folder/pip.log" 2>&1
+}
+
+mkdir -p "$folder"
+if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
+    rm -rf "$folder/venv" "$folder/older"
+    python3 -m venv "$folder/venv" >"$folder/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
+    # shellcheck disable=SC2086
+    fetch $tools || skip "pip cannot fetch $tools: $(tail -n 1 "$folder/pip.log")"
+    fetch --target "$folder/older" "$older" || echo "No NumPy 1.26 for $(python3 --version): only NumPy 2 is tested"
+    echo "$wanted" >"$folder/fetched"
+fi
+
+sh "$source/../private.sh" "$build"
+"$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
+    -C "build-dir=$folder/package" "$source"
+
+# pytest_of TESTS...
+pytest_of()
+{
+    echo "== NumPy $("$folder/venv/bin/python" -c 'import numpy; print(numpy.__version__)')"
+    RWEDGE_PRIVATE_PREFIX=$build/private/prefix "$folder/venv/bin/python" -m pytest -c "$source/pyproject.toml" \
+        --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@"
+}
+
+cd "$folder"
+export PATH="$folder/venv/bin:$PATH"
+pytest_of "$source/tests" "$@"
+if [ -d "$folder/older/numpy" ]; then
+    export PYTHONPATH="$folder/older"
+    pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_series.py" "$@"
+fi

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests share. test.sh says in the environment where the private build of the library is."""
+import csv
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rwedge
+
+PACKAGE = Path(__file__).resolve().parents[1]
+TOP = PACKAGE.parents[1]
+
+
+@pytest.fixture(scope="session")
+def private():
+    """Where the library's private build is installed."""
+    return Path(os.environ["RWEDGE_PRIVATE_PREFIX"])
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    """compiled(name, source, arguments...): what cc makes of a C source."""
+    folder = tmp_path_factory.mktemp("compiled")
+
+    def compile_it(name, source, *arguments):
+        subprocess.run(["cc", "-std=c99", "-O2", "-o", folder / name, source, *arguments], check=True)
+        return folder / name
+
+    return compile_it
+
+
+@pytest.fixture
+def table():
+    """table(name): the columns of tests/data/name.csv, as arrays."""
+
+    def read(name):
+        with open(TOP / "tests" / "data" / f"{name}.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        return {column: np.array([row[column] for row in rows]).astype(float) for column in rows[0] if column != "branch"}
+
+    return read
+
+
+@pytest.fixture(scope="session")
+def run():
+    """run(arguments..., **environment): what a Python process with these arguments prints."""
+
+    def run_it(*arguments, input=None, **environment):
+        done = subprocess.run([sys.executable, *map(str, arguments)], input=input, capture_output=True, text=True,
+                              env={**os.environ, **environment})
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    return run_it
+
+
+@pytest.fixture
+def contact():
+    """A contact in partial slip after a reversal."""
+    loaded = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+    loaded.load(2000, 300)
+    loaded.load(2000, -600)
+    return loaded

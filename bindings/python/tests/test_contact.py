@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts with a load history: values, copies, errors, threads."""
+import copy
+import gc
+import pickle
+import threading
+import weakref
+
+import numpy as np
+import pytest
+
+import rwedge
+
+THETA, A_ROUNDING, COMPLIANCE, FRICTION = 0.01, 0.5, 1.8e-5, 0.6
+
+
+def test_a_new_contact_is_separated():
+    contact = rwedge.Contact(THETA, A_ROUNDING, COMPLIANCE, FRICTION)
+    assert (contact.theta, contact.a, contact.A, contact.f) == (THETA, A_ROUNDING, COMPLIANCE, FRICTION)
+    assert contact.P == contact.Q == contact.half_width == contact.stick_half_width == contact.memory == 0
+    assert contact.dissipated_energy == 0
+
+
+def test_first_load_is_that_of_the_formulas():
+    contact = rwedge.Contact(THETA, A_ROUNDING, COMPLIANCE, FRICTION)
+    contact.load(2000)
+    contact.load(2000, 480)
+    b = rwedge.half_width(THETA, A_ROUNDING, COMPLIANCE, 2000)
+    alpha, scale = A_ROUNDING / b, THETA / COMPLIANCE
+    c = rwedge.stick_width(alpha, 480 / (FRICTION * 2000))
+    assert contact.half_width == b
+    assert contact.stick_half_width == pytest.approx(b * c, rel=1e-14)
+    x, y = np.linspace(-0.99, 0.99, 21), 0.3
+    p, q = contact.tractions(b * x)
+    np.testing.assert_allclose(p, scale * rwedge.pressure(alpha, x), rtol=1e-12)
+    np.testing.assert_allclose(q, FRICTION * scale * rwedge.shear(alpha, c, x), rtol=0, atol=1e-13 * scale)
+    for dimensional, natural in zip(contact.stresses(b * x, b * y), rwedge.stress(alpha, FRICTION, c, x, y)):
+        np.testing.assert_allclose(dimensional, scale * natural, rtol=0, atol=1e-12 * scale)
+
+
+def test_yield_factor_in_full_sliding_is_the_elastic_limit():
+    contact = rwedge.Contact(THETA, A_ROUNDING, COMPLIANCE, 0.1)
+    contact.load(2000, 200)
+    b = contact.half_width
+    limit, x, y = rwedge.yield_point(A_ROUNDING / b, 0.1, 0.3)
+    found = contact.yield_factor(nu=0.3, k=150)
+    assert found.factor == pytest.approx(limit * b * 150 / 2000, rel=1e-12)
+    assert (found.x, found.y) == pytest.approx((x * b, y * b), rel=1e-6)
+
+
+def test_a_cycle_dissipates_the_area_of_its_loop_and_costs_the_memory_of_one(contact):
+    contact.load(2000, 600)
+    start, memory = contact.dissipated_energy, contact.memory
+    for _ in range(100):
+        contact.load(2000, -600)
+        contact.load(2000, 600)
+        assert contact.memory == memory
+    one = (contact.dissipated_energy - start) / 100
+    assert one > 0
+    contact.load(2000, -600)
+    contact.load(2000, 600)
+    assert contact.dissipated_energy - start == pytest.approx(101 * one, rel=1e-12)
+
+
+def test_results_have_the_shape_of_the_points(contact):
+    x, y = np.linspace(-1, 1, 5)[:, None], np.linspace(0.1, 1, 7)
+    assert [s.shape for s in contact.stresses(x, y)] == [(5, 7)] * 3
+    assert [t.shape for t in contact.tractions(x)] == [(5, 1)] * 2
+    assert contact.slip([]).shape == (0,)
+    assert isinstance(contact.slip(0.1), float)
+    for i, j in np.ndindex(5, 7):
+        assert tuple(s[i, j] for s in contact.stresses(x, y)) == contact.stresses(x[i, 0], y[j])
+
+
+def test_nan_gives_nan(contact):
+    for values in (*contact.tractions([0.1, np.nan]), *contact.stresses([0.1, np.nan], 0.2), contact.slip([0.1, np.nan])):
+        assert np.isfinite(values[0]) and np.isnan(values[1])
+
+
+@pytest.mark.parametrize("twin_of", [copy.copy, copy.deepcopy, rwedge.Contact.copy])
+def test_a_copy_is_independent(contact, twin_of):
+    twin = twin_of(contact)
+    x = np.linspace(-1, 1, 9)
+    assert (np.array(twin.tractions(x)) == contact.tractions(x)).all()
+    assert repr(twin) == repr(contact)
+    twin.load(2000, 700)
+    assert contact.Q == -600 and twin.Q == 700
+    assert (twin.slip(x) != contact.slip(x)).any()
+    del contact
+    gc.collect()
+    assert twin.half_width > 0
+
+
+def test_repr_tells_parameters_and_loads(contact):
+    assert repr(contact) == "<rwedge.Contact theta=0.01, a=0.5, A=1.8e-05, f=0.6, at P=2000.0, Q=-600.0>"
+
+
+def test_it_is_freed_with_its_last_reference(contact):
+    twin = contact.copy()
+    finalizer = next(iter(f for f in weakref.finalize._registry if f.peek() and f.peek()[0] is twin))
+    del twin
+    assert not finalizer.alive
+
+
+def test_errors_leave_the_contact_as_it_was(contact):
+    state = repr(contact), contact.tractions(0.3), contact.dissipated_energy
+    with pytest.raises(rwedge.SlidingError, match="P = 2000.0, Q = 1300.0: the tangential force exceeds") as caught:
+        contact.load(2000, 1300)
+    assert isinstance(caught.value, ValueError) and caught.value.status == 6
+    with pytest.raises(rwedge.Error, match="P = -1.0.*P: finite, >= 0"):
+        contact.load(-1)
+    with pytest.raises(rwedge.Error, match="a size is out of range"):
+        contact.load(1e-7)
+    with pytest.raises(rwedge.Error, match=r"x = inf, y = 1.0: an argument is outside its domain"):
+        contact.stresses(np.inf, 1.0)
+    with pytest.raises(rwedge.Error, match=r"x\[1\] = 30.0: .*\|x\| <= b"):
+        contact.slip([0.1, 30.0])
+    with pytest.raises(ValueError, match="broadcast"):
+        contact.stresses([1, 2], [1, 2, 3])
+    with pytest.raises(rwedge.Error, match="nu = 0.7.*0 <= nu <= 0.5"):
+        contact.yield_factor(0.7, 300)
+    for wrong in ("2000", None, [1, 2]):
+        with pytest.raises(TypeError, match="P: "):
+            contact.load(wrong)
+    with pytest.raises(TypeError):
+        contact.tractions("here")
+    with pytest.raises(TypeError, match="cannot be pickled"):
+        pickle.dumps(contact)
+    assert state == (repr(contact), contact.tractions(0.3), contact.dissipated_energy)
+
+
+def test_bad_parameters():
+    with pytest.raises(rwedge.Error, match="theta = 2.0.*0 < theta < pi/2"):
+        rwedge.Contact(2, 1, 1e-5, 0.3)
+    with pytest.raises(TypeError, match="theta: must be real number, not str"):
+        rwedge.Contact("0.01", 1, 1e-5, 0.3)
+    with pytest.raises(rwedge.Error, match="does not exist"):
+        rwedge.Contact(0.01, 1, 1e-5, 0.3).yield_factor(0.3, 300)
+    sharp = rwedge.Contact(0.01, 0, 1e-5, 0.3)
+    sharp.load(1000)
+    with pytest.raises(rwedge.Error, match="x = 0.0"):
+        sharp.tractions(0.0)
+
+
+def test_one_contact_in_many_threads(contact):
+    """Loads and readings of one contact wait for each other: no reading sees half a load."""
+    x = np.linspace(-1, 1, 2000)
+    sums = {Q: contact.copy() for Q in (-600.0, 600.0)}
+    sums[600.0].load(2000, 600)
+    contact.load(2000, 600)
+    contact.load(2000, -600)
+    sums[-600.0].load(2000, 600)
+    sums[-600.0].load(2000, -600)
+    allowed = {contact_at.tractions(x)[1].tobytes() for contact_at in sums.values()}
+    seen, errors = set(), []
+
+    def read():
+        try:
+            for _ in range(50):
+                seen.add(contact.tractions(x)[1].tobytes())
+        except Exception as error:
+            errors.append(error)
+
+    readers = [threading.Thread(target=read) for _ in range(3)]
+    for reader in readers:
+        reader.start()
+    while any(reader.is_alive() for reader in readers):
+        contact.load(2000, 600)
+        contact.load(2000, -600)
+    assert not errors and seen <= allowed

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The examples run; the sweep by two processes stores the bits of the serial result; the README's session is as printed."""
+import doctest
+import struct
+
+import numpy as np
+import pytest
+
+import rwedge
+from conftest import PACKAGE
+
+
+def test_the_sweep_stores_the_bits_of_the_serial_result(tmp_path, run):
+    printed = run(PACKAGE / "examples/sweep.py", tmp_path / "limit.zarr", "--rows", 200, "--columns", 100, "--check")
+    assert printed.startswith("20000 points in ")
+    assert "\n0 differ from the serial result" in printed
+    zarr = pytest.importorskip("zarr")
+    stored = zarr.open_array(tmp_path / "limit.zarr", mode="r")
+    assert stored.shape == (200, 100) and stored.chunks == (50, 100)
+    assert stored[199, 99] == rwedge.elastic_limit(np.geomspace(1e-3, 1, 200)[199], 0.8, 0.3)
+
+
+def test_dask_takes_the_ufuncs_as_they_are():
+    da = pytest.importorskip("dask.array")
+    x = np.linspace(-1, 1, 1000)
+    lazy = rwedge.pressure(0.25, da.from_array(x, chunks=100))
+    assert isinstance(lazy, da.Array)
+    assert (lazy.compute() == rwedge.pressure(0.25, x)).all()
+
+
+def test_the_figure_is_drawn(tmp_path, run):
+    run(PACKAGE / "examples/figure4.py", tmp_path / "figure.png")
+    png = (tmp_path / "figure.png").read_bytes()
+    assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (770, 550)
+
+
+def test_the_readme_is_as_it_runs():
+    failed, tried = doctest.testfile(str(PACKAGE / "README.md"), module_relative=False, optionflags=doctest.ELLIPSIS)
+    assert tried > 15 and failed == 0

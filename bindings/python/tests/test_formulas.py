@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The formulas are ufuncs: right, broadcasting, quiet, picklable; the docstrings are the header's."""
+import ctypes
+import pickle
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import rwedge
+from rwedge._header import FUNCTIONS
+from rwedge._library import function
+
+UFUNCS = {name: value for name, value in vars(rwedge).items() if isinstance(value, np.ufunc)}
+INSIDE = {  # an argument list inside each domain
+    "compliance": (200e3, 0.3, 70e3, 0.33), "dundurs_beta": (200e3, 0.3, 70e3, 0.33), "load": (0.25,), "a_over_b": (4.5,),
+    "pressure": (0.25, 0.4), "peak_pressure": (0.25,), "transition_pressure": (0.25,), "coefficient": (0.25, 3),
+    "stick_width": (0.25, 0.4), "shear_ratio": (0.25, 0.4), "shear": (0.25, 0.4, 0.3), "stress": (0.25, 0.3, 0.4, 0.2, 0.1),
+    "max_tension": (0.25,), "elastic_limit": (0.25, 0.1, 0.3), "yield_point": (0.25, 0.1, 0.3),
+    "subsurface_yield": (0.25, 0.1, 0.3), "surface_yield": (0.25, 0.1, 0.3), "critical_friction": (0.25, 0.3),
+    "radius": (0.01, 2), "rounding": (0.01, 200), "half_width": (0.01, 2, 1.8e-5, 2000), "normal_load": (0.01, 2, 1.8e-5, 5),
+    "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300)}
+
+
+def results(name, *arguments):
+    """A tuple, however many there are."""
+    found = UFUNCS[name](*arguments)
+    return found if isinstance(found, tuple) else (found,)
+
+
+def by_ctypes(name, *arguments):
+    """The same from the C function, one call."""
+    outputs = [ctypes.c_double() for kind, _ in FUNCTIONS[name]["parameters"] if kind == "double *"]
+    value = function(name)(*arguments, *map(ctypes.byref, outputs))
+    return tuple(output.value for output in outputs) if outputs else (value,)
+
+
+def test_every_formula_of_the_header_is_a_ufunc():
+    numbers = {"double", "int32_t", "double *"}
+    formulas = {name for name, about in FUNCTIONS.items() if name not in ("strerror", "version")
+                and {kind for kind, _ in about["parameters"]} <= numbers}
+    assert UFUNCS.keys() == formulas == INSIDE.keys()
+
+
+@pytest.mark.parametrize("name, column", [("load", "load"), ("peak_pressure", "peak_pressure"),
+                                          ("transition_pressure", "transition_pressure"), ("max_tension", "max_tension")])
+def test_contact_law_is_that_of_the_reference(table, name, column):
+    reference = table("contact_law")
+    np.testing.assert_allclose(UFUNCS[name](reference["a_over_b"]), reference[column], rtol=1e-14)
+
+
+def test_elastic_limit_is_that_of_the_reference(table):
+    reference = table("elastic_limit")
+    limit = rwedge.elastic_limit(reference["a_over_b"], reference["f"], reference["nu"])
+    np.testing.assert_allclose(limit, reference["limit"], rtol=1e-12)
+
+
+def test_pressure_is_that_of_the_reference(table):
+    reference = table("pressure")
+    np.testing.assert_allclose(rwedge.pressure(reference["a_over_b"], reference["x_over_b"]), reference["p"], rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_ufunc_gives_the_bits_of_the_c_function(name):
+    assert results(name, *INSIDE[name]) == by_ctypes(name, *INSIDE[name])
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_broadcasts_over_strided_arrays_of_any_shape(name):
+    factors = np.linspace(0.9, 1, 24).reshape(2, 3, 4)[:, ::-1, ::2]
+    varied = [factors * value if isinstance(value, float) else value for value in INSIDE[name]]
+    varied[0] = np.asfortranarray(varied[0])
+    varied[-1] = np.asarray(varied[-1])[..., :1, :] if np.ndim(varied[-1]) else varied[-1]
+    together = results(name, *varied)
+    flat = np.broadcast_arrays(*varied)
+    for index in np.ndindex(flat[0].shape):
+        assert tuple(result[index] for result in together) == by_ctypes(name, *[a[index].item() for a in flat])
+
+
+def test_long_arrays_with_shared_arguments_are_those_point_by_point():
+    x, y = np.random.default_rng(1).uniform(-2, 2, (2, 1000))
+    y[::2] = abs(y[::2])
+    y[1::2] = 0
+    x[[3, 700]] = np.nan
+    together = rwedge.stress(0.25, 0.3, 0.4, x, y)
+    for i in range(len(x)):
+        np.testing.assert_array_equal([s[i] for s in together], rwedge.stress(0.25, 0.3, 0.4, x[i], y[i]))
+
+
+def test_out_and_where():
+    x, out = np.linspace(-1, 1, 11), np.full(11, 7.0)
+    where = abs(x) < 0.5
+    returned = rwedge.pressure(0.25, x, out=out, where=where)
+    assert returned is out
+    assert (out[~where] == 7).all() and (out[where] == rwedge.pressure(0.25, x[where])).all()
+
+
+def test_in_place_still_tells_a_nan_given_from_one_made():
+    x = np.array([0.3, np.nan])
+    expected = rwedge.pressure(0.25, x)
+    rwedge.pressure(0.25, x, out=x)
+    np.testing.assert_array_equal(x, expected)
+    with pytest.warns(RuntimeWarning, match="invalid value encountered in pressure"):
+        rwedge.pressure(x, np.array([np.inf, 0.1]), out=x)
+
+
+def test_integers_and_single_precision_are_taken_as_doubles():
+    assert rwedge.load(1) == rwedge.load(1.0)
+    assert rwedge.load(np.float32(0.25)) == rwedge.load(0.25)
+    assert rwedge.load(np.float32(0.25)).dtype == np.float64
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_nan_gives_nan_without_a_warning(name):  # pytest makes errors of warnings
+    for position, value in enumerate(INSIDE[name]):
+        if name == "coefficient" and position == 1:
+            continue  # an integer
+        arguments = [*INSIDE[name][:position], [value, np.nan], *INSIDE[name][position + 1:]]
+        for result in results(name, *arguments):
+            assert np.isfinite(result[0]) and np.isnan(result[1])
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_outside_the_domain_numpy_decides(name):
+    outside = (-1.0, *INSIDE[name][1:])
+    with pytest.warns(RuntimeWarning, match=f"invalid value encountered in {name}"):
+        assert np.isnan(results(name, *outside)).all()
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=name):
+        results(name, *outside)
+    with np.errstate(invalid="ignore"):
+        results(name, *outside)
+
+
+def test_a_warning_survives_numpys_buffers():
+    alpha = np.full(100_000, 0.25, dtype=np.float32)  # cast in blocks of 8192
+    alpha[5] = -1
+    with pytest.warns(RuntimeWarning, match="invalid"):
+        rwedge.load(alpha)
+
+
+def test_valid_calls_warn_of_nothing():
+    alpha = np.array([0, 5e-324, 1e-310, 1e-200, 1e-16, 3e-9, 0.25, 1, 2, 1e10, 1e160, 1.7e308])
+    with np.errstate(all="raise"):
+        rwedge.load(alpha)
+        rwedge.max_tension(alpha)
+        rwedge.peak_pressure(alpha[1:])
+        rwedge.pressure(alpha[:, None], np.linspace(0.01, 1, 50))
+        rwedge.coefficient(alpha[:, None], np.arange(100))
+        rwedge.stress(alpha[:, None], 0.3, 0.2, np.linspace(0.01, 1, 50), 1e-300)
+        rwedge.elastic_limit(alpha[5:, None], np.linspace(0, 2, 20), 0.3)
+        assert np.isnan(rwedge.subsurface_yield(0.25, 1e3, 0.3)).all()  # absent, not invalid
+        assert rwedge.yield_load(0.01, 2, 1e-5, 0, 0.5, 1e6) == np.inf
+
+
+def test_wrong_types_and_shapes():
+    with pytest.raises(TypeError):
+        rwedge.load("0.25")
+    with pytest.raises(TypeError):
+        rwedge.coefficient(0.25, 1.5)
+    with pytest.raises(ValueError, match="broadcast"):
+        rwedge.pressure([0.1, 0.2], [0.1, 0.2, 0.3])
+    with pytest.warns(RuntimeWarning, match="invalid"):
+        assert np.isnan(rwedge.coefficient(0.25, [-1, 2**31])).all()
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_pickles_by_name(name):
+    assert pickle.loads(pickle.dumps(UFUNCS[name])) is UFUNCS[name]
+
+
+def test_masked_arrays_keep_their_mask():
+    x = np.ma.masked_greater(np.linspace(0, 1, 5), 0.6)
+    p = rwedge.pressure(0.25, x)
+    assert (p.mask == x.mask).all() and (p.compressed() == rwedge.pressure(0.25, x.compressed())).all()
+
+
+def test_stresses_raises_and_names_the_point():
+    x = np.zeros((2, 3))
+    y = np.array([[1, 2, 3], [4, -5.0, 6]])
+    with pytest.raises(rwedge.Error, match=r"x\[1, 1\] = 0.0, y\[1, 1\] = -5.0: an argument is outside its domain.*y >= 0"):
+        rwedge.stresses(0.25, 0.3, 0, x, y)
+    y[1, 1] = np.nan
+    for raising, ufunc in zip(rwedge.stresses(0.25, 0.3, 0, x, y), rwedge.stress(0.25, 0.3, 0, x, y)):
+        np.testing.assert_array_equal(raising, ufunc)
+        assert np.isnan(raising[1, 1]) and np.isfinite(raising).sum() == 5
+
+
+def test_the_gil_is_released():
+    alpha, beats = np.full(40_000, 0.25), []
+    worker = threading.Thread(target=lambda: rwedge.elastic_limit(alpha, 0.1, 0.3))
+    worker.start()
+    while worker.is_alive():
+        beats.append(None)
+        time.sleep(0.001)
+    assert len(beats) > 20  # some 300 ms of C code; with the GIL held it would be one or two
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_docstring_says_what_the_header_says(name):
+    doc, about = UFUNCS[name].__doc__, FUNCTIONS[name]
+    inputs = [argument for kind, argument in about["parameters"] if kind != "double *"]
+    assert f"{name}({', '.join(inputs)})" in doc
+    for argument in inputs:
+        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0]}" in doc
+    assert f"Source: {about['source']}." in doc and about["source"]
+    assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
+    assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))

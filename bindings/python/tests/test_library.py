@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The shared library in its host: the bits of the C library, what it needs, other libraries beside it, documentation."""
+import inspect
+import re
+import subprocess
+
+import pytest
+
+import rwedge
+from conftest import PACKAGE, TOP
+from rwedge._header import FUNCTIONS
+from rwedge._library import library
+
+FIT = """
+import sys{first}
+import rwedge{then}
+x = [-0.8, -0.5, -0.1, 0.3, 0.6, 0.9]
+fitted = rwedge.Series.fit(x, [-1, -2, -3, -2.5, -1.5, -0.5], 4)
+print([a.hex() for a in fitted.coefficients.tolist()], rwedge.elastic_limit(0.25, 0.1, 0.3).hex())
+"""
+
+
+def test_version_is_that_of_the_header():
+    assert f'RWEDGE_VERSION "{rwedge.__version__}"' in (TOP / "include" / "rwedge.h").read_text()
+
+
+def test_door_prints_the_bits_of_the_c_library(compiled, private, run):
+    calls = subprocess.run(["sh", TOP / "tests/doors/calls.sh"], capture_output=True, text=True, check=True).stdout
+    door = compiled("door", TOP / "tests/doors/door.c", f"-I{private}/include", f"{private}/lib/librwedge.a", "-lm")
+    expected = subprocess.run([door], input=calls, capture_output=True, text=True, check=True).stdout
+    assert expected.count("\n") == calls.count("\n") > 900
+    assert run(PACKAGE / "tests/door.py", input=calls) == expected
+
+
+def test_it_needs_the_c_and_the_math_library_only():
+    needed = re.findall(r"NEEDED.*\[(.*)\]", subprocess.run(["readelf", "-d", library._name], capture_output=True, text=True,
+                                                            check=True).stdout)
+    assert set(needed) <= {"libc.so.6", "libm.so.6"}
+    symbols = subprocess.run(["nm", "-D", "--defined-only", library._name], capture_output=True, text=True, check=True).stdout
+    names = {line.split()[-1] for line in symbols.splitlines()}
+    assert {name for name in names if not name.startswith("rwedge_")} == set()
+    assert {"rwedge_" + name for name in FUNCTIONS} <= names
+
+
+@pytest.mark.parametrize("first, then", [("", ""), (", numpy, numpy.linalg", ""), ("", ", numpy.linalg")])
+def test_other_libraries_do_not_change_its_bits(tmp_path, run, first, then):
+    """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""
+    foreign = tmp_path / "foreign.so"
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", foreign, TOP / "tests/hostile/foreign.c"], check=True)
+    script = FIT.format(first=first, then=then)
+    assert run("-c", script, LD_PRELOAD=str(foreign)) == run("-c", FIT.format(first="", then=""))
+
+
+def documented():
+    """(function of the header, docstring of what calls it) for the objects."""
+    for kind in (rwedge.Contact, rwedge.Series):
+        for name in FUNCTIONS:
+            group, _, method = name.partition("_")
+            if group != kind.__name__.lower() or method in ("copy", "destroy"):
+                continue
+            member = {"create": kind, "coefficient": getattr(kind, "coefficients", None)}.get(method)
+            yield name, inspect.getdoc(member or getattr(kind, method))
+
+
+@pytest.mark.parametrize("name, doc", list(documented()))
+def test_docstrings_of_the_objects_have_what_the_header_says(name, doc):
+    """Sources, and the conditions on each argument."""
+    about = FUNCTIONS[name]
+    for source in re.findall(r"\(\d+\)|Sec\. [\d.]+|E\d|new", about["source"]):
+        assert source in doc
+    plain = doc.replace("\\|", "|")
+    for argument, domain in about["domains"].items():
+        if argument in ("contact", "copy", "series", "samples", "k") or (name, argument) == ("series_pressure", "x"):
+            continue
+        assert re.search(rf"\b{argument}\b", plain)
+        for condition in re.findall(r"finite|[-\w./|]+ (?:<=|>=|<|>) [-\w./^]+(?: (?:<=|<) [-\w./^]+)?", domain):
+            if condition != "|Q| <= f":
+                assert condition in plain, (argument, condition)
+
+
+USE = """
+import rwedge
+contact = rwedge.Contact(0.01, 2, 1e-5, 0.3)
+contact.load(P=1000)
+b: float = contact.half_width
+p, q = contact.tractions([0.1, 0.2])
+factor: float = contact.yield_factor(0.3, 300).factor
+limit = rwedge.elastic_limit([0.1, 0.2], 0.3, 0.3)
+contact.load()  # type: ignore[call-arg]
+rwedge.absent(1)  # type: ignore[attr-defined]
+"""
+
+
+def test_types_of_the_stub_are_those_of_the_package(run):
+    """The stub lists what is there; mypy knows right from wrong (where nothing is wrong it minds the "ignore")."""
+    for check in (["mypy.stubtest", "rwedge"], ["mypy", "--strict", "--no-warn-return-any", "-p", "rwedge"],
+                  ["mypy", "--strict", "-c", USE]):
+        assert "Success" in run("-m", *check)

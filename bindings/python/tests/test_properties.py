@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Properties over random arguments, edges and shapes (hypothesis)."""
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+import rwedge
+
+ALPHA = st.floats(1e-300, 100) | st.sampled_from([0.0, 1e-8, 1 - 2**-53, 1.0, 1e300])
+ANY = st.floats(allow_nan=True, allow_infinity=True)
+pytestmark = pytest.mark.filterwarnings("ignore:invalid value")
+
+
+@given(ALPHA, st.floats(0, 1))
+def test_stick_width_and_shear_ratio_are_inverse(alpha, c):
+    assert rwedge.stick_width(alpha, rwedge.shear_ratio(alpha, c)) == pytest.approx(c, rel=1e-6, abs=1e-6)
+
+
+@given(st.floats(1e-8, 1e8))
+def test_the_contact_law_and_its_inverse(alpha):
+    assert rwedge.a_over_b(rwedge.load(alpha) / alpha) == pytest.approx(alpha, rel=1e-13)
+
+
+@given(ANY, ANY)
+def test_pressure_is_a_pressure_or_nan_whatever_comes(alpha, x):
+    p = rwedge.pressure(alpha, x)
+    valid = 0 <= alpha < np.inf and np.isfinite(x) and not alpha == x == 0
+    assert p <= 0 if valid else np.isnan(p)
+
+
+@settings(max_examples=50)
+@given(arrays.mutually_broadcastable_shapes(num_shapes=5, max_dims=3, max_side=4), st.randoms(use_true_random=False))
+def test_stresses_of_any_shapes_are_those_point_by_point(shapes, random):
+    draw = [lambda: random.uniform(0, 2), lambda: random.uniform(0, 1), lambda: random.uniform(0, 1),
+            lambda: random.uniform(-3, 3), lambda: random.choice([0.0, random.uniform(0, 3), float("nan"), -1.0])]
+    arguments = [np.array([value() for _ in range(int(np.prod(shape)))]).reshape(shape)
+                 for value, shape in zip(draw, shapes.input_shapes)]
+    together, spread = rwedge.stress(*arguments), np.broadcast_arrays(*arguments)
+    assert together[0].shape == shapes.result_shape if shapes.result_shape else np.ndim(together[0]) == 0
+    for index in np.ndindex(shapes.result_shape):
+        alone = rwedge.stress(*(a[index] for a in spread))
+        np.testing.assert_array_equal([s[index] for s in together], alone)

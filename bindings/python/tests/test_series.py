@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The paper's series: against the closed forms, and fitted."""
+import numpy as np
+import pytest
+
+import rwedge
+
+X = np.linspace(-0.95, 0.95, 21)
+
+
+def test_coefficients_are_those_of_the_formula():
+    series = rwedge.Series(0.5, 41)
+    assert series.terms == 41
+    assert (series.coefficients[::2] == rwedge.coefficient(0.5, np.arange(21))).all()
+    assert (series.coefficients[1::2] == 0).all()
+
+
+def test_it_converges_to_the_closed_forms():
+    series = rwedge.Series(0.5, 2000)
+    np.testing.assert_allclose(series.pressure(X), rwedge.pressure(0.5, X), rtol=0, atol=series.residual)
+    for cut, closed in zip(series.stress(0.3, X, 0.2), rwedge.stress(0.5, 0.3, 0, X, 0.2)):
+        np.testing.assert_allclose(cut, closed, rtol=0, atol=1e-12)
+
+
+def test_potential_gives_the_mean_stress():
+    series = rwedge.Series(0.5, 400)
+    sxx, syy, _ = series.stress(0.3, X, 0.2)
+    np.testing.assert_allclose(4 * series.potential(0.3, X, 0.2).real, sxx + syy, rtol=1e-13)
+
+
+def test_fit_recovers_a_pressure():
+    x = np.cos(np.linspace(0, np.pi, 202)[1:-1])
+    p = -np.sqrt(1 - x**2) * (1.5 + 0.25 * 2 * x)  # U_0 = 1, U_1 = 2 x
+    fitted = rwedge.Series.fit(x, p, 3)
+    np.testing.assert_allclose(fitted.coefficients, [1.5, 0.25, 0], atol=1e-14)
+    assert fitted.residual < 1e-14
+    assert repr(fitted).startswith("<rwedge.Series of 3 terms, residual ")
+
+
+def test_nan_gives_nan_and_misuse_raises():
+    series = rwedge.Series(0.5, 20)
+    assert np.isnan(series.pressure([np.nan, 0.1])).tolist() == [True, False]
+    assert np.isnan(series.potential(0.3, np.nan, 1.0))
+    with pytest.raises(rwedge.Error, match="y = -1.0"):
+        series.stress(0.3, 0.0, -1.0)
+    with pytest.raises(rwedge.Error, match="x = inf"):
+        series.pressure(np.inf)
+    with pytest.raises(rwedge.Error, match="terms = 0.*1 <= terms"):
+        rwedge.Series(0.5, 0)
+    with pytest.raises(rwedge.Error, match="terms = 1099511627776: a size is out of range"):
+        rwedge.Series(0.5, 2**40)
+    with pytest.raises(TypeError):
+        rwedge.Series(0.5, 20.5)
+    with pytest.raises(rwedge.Error, match="do not determine"):
+        rwedge.Series.fit([0.1, 0.1, 0.1], [1, 1, 1], 2)
+    with pytest.raises(rwedge.Error, match="same length"):
+        rwedge.Series.fit([0.1, 0.2], [1, 1, 1], 2)
+    with pytest.raises(rwedge.Error, match="outside its domain"):
+        rwedge.Series.fit([0.1, 0.2, 1.5], [1, 1, 1], 2)

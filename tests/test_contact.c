@@ -270,6 +270,66 @@ static void a_steep_fall_of_the_load_is_refused(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* ---- Arguments ---- */
+
+static void missing_arrays_are_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.1, 0.5);
+    load(contact, 0.2, 0.05);
+    for (int missing = 0; missing < 6; missing++) {
+        double v[5] = {0.1, 0.2, 7, 8, 9}, *at[5];
+        for (int i = 0; i < 5; i++)
+            at[i] = i == missing ? NULL : &v[i];
+        rwedge_contact *there = missing == 5 ? NULL : contact;
+        assert_int_equal(rwedge_contact_stresses(there, 1, at[0], at[1], at[2], at[3], at[4]), RWEDGE_ENULL);
+        if (missing != 1 && missing != 4)
+            assert_int_equal(rwedge_contact_tractions(there, 1, at[0], at[2], at[3]), RWEDGE_ENULL);
+        if (missing != 1 && missing != 4 && missing != 3)
+            assert_int_equal(rwedge_contact_slip(there, 1, at[0], at[2]), RWEDGE_ENULL);
+        assert_true(v[2] == 7 && v[3] == 8 && v[4] == 9);
+    }
+    assert_int_equal(rwedge_contact_tractions(contact, 0, NULL, NULL, NULL), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, 0, NULL, NULL, NULL, NULL, NULL), RWEDGE_OK);
+    double factor = 7;
+    assert_int_equal(rwedge_contact_yield_factor(NULL, 0.3, 1, &factor, NULL, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, -1, &factor, NULL, NULL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_copy(contact, NULL), RWEDGE_ENULL);
+    assert_true(factor == 7);
+    rwedge_contact_destroy(contact);
+}
+
+/* theta/A is the unit of all stresses. */
+static void a_unit_of_stress_beyond_the_doubles_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.1, 1, 1e-310, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(1e-200, 1, 1e200, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_null(contact);
+}
+
+/* Of the load, of half-width, and of the rounding over the half-width: a sharp wedge has b = A P/(2 theta), a cylinder
+ * b^2 = (2/pi) A P a/theta. */
+static void sizes_beyond_the_range_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        double a, A, P;
+    } CASES[] = {
+        {1, 1, 1e-160},        {1, 1, 1e160},
+        {0, 1e-200, 1e-120},   {0, 1e200, 1e120},   /* b = 5e-320; 5e320 */
+        {1e200, 1e-226, 1e-140}, {1e-300, 1e100, 1}, /* b/a = 8e-283, whose square the stresses need; a/b = 2e-400 */
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        rwedge_contact *contact = NULL;
+        assert_int_equal(rwedge_contact_create(0.1, CASES[i].a, CASES[i].A, 0.5, &contact), RWEDGE_OK);
+        assert_int_equal(rwedge_contact_load(contact, CASES[i].P, 0), RWEDGE_ERANGE);
+        assert_true(rwedge_contact_half_width(contact) == 0);
+        rwedge_contact_destroy(contact);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -283,6 +343,9 @@ int main(void)
         cmocka_unit_test(what_slips_is_at_the_limit_and_slips_with_the_traction),
         cmocka_unit_test(pressing_without_slip_gives_no_slip),
         cmocka_unit_test(stresses_are_flamant_integrated_over_the_tractions),
+        cmocka_unit_test(missing_arrays_are_refused),
+        cmocka_unit_test(a_unit_of_stress_beyond_the_doubles_is_refused),
+        cmocka_unit_test(sizes_beyond_the_range_are_refused),
     };
     return RUN_CLAIMS("contact", tests);
 }

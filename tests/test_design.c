@@ -81,6 +81,12 @@ static void bad_design_arguments_are_not_numbers(void **state)
     assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, 0.3, 0));
 }
 
+static void nothing_has_no_size(void **state)
+{
+    (void)state;
+    assert_true(rwedge_radius(0.1, 0) == 0 && rwedge_rounding(0.1, 0) == 0);
+}
+
 /* ---- The yield factor of a state ---- */
 
 static double yield_factor(const rwedge_contact *contact, double nu, double k, double *x, double *y)
@@ -205,6 +211,7 @@ int main(void)
         cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
+        cmocka_unit_test(nothing_has_no_size),
     };
     return RUN_CLAIMS("design", tests);
 }

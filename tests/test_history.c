@@ -260,6 +260,14 @@ static void the_gap_opens_with_the_power_three_halves(void **state)
     }
 }
 
+static void inside_its_patch_the_gap_is_closed(void **state)
+{
+    (void)state;
+    rw_potential patch;
+    rw_potential_init(&patch, 0.3);
+    assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -274,6 +282,7 @@ int main(void)
         cmocka_unit_test(a_step_is_the_sum_of_its_parts),
         cmocka_unit_test(the_gap_beside_a_patch_is_that_of_its_flat_punches),
         cmocka_unit_test(the_gap_opens_with_the_power_three_halves),
+        cmocka_unit_test(inside_its_patch_the_gap_is_closed),
     };
     return RUN_CLAIMS("history", tests);
 }

@@ -264,6 +264,60 @@ static void bad_arguments_are_refused(void **state)
     rwedge_series_destroy(series);
 }
 
+static void missing_outputs_are_refused(void **state)
+{
+    (void)state;
+    rwedge_series *series = analytic(0.5, 4);
+    for (int missing = 0; missing < 3; missing++) {
+        double v[3] = {7, 8, 9}, *at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = i == missing ? NULL : &v[i];
+        assert_int_equal(rwedge_series_stress(series, 0, 0, 1, at[0], at[1], at[2]), RWEDGE_ENULL);
+        if (missing < 2)
+            assert_int_equal(rwedge_series_potential(series, 0, 0, 1, at[0], at[1]), RWEDGE_ENULL);
+        assert_true(v[0] == 7 && v[1] == 8 && v[2] == 9);
+    }
+    rwedge_series_destroy(series);
+}
+
+/* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)), and their sum from n = N on is that of 2/(pi n) up to
+ * n = 1/(2 alpha), all but: a logarithm. */
+static void the_smallest_tips_have_a_bound_too(void **state)
+{
+    (void)state;
+    for (int decade = 290; decade < 323; decade++) {
+        const double alpha = pow(10, -decade), N = 10;
+        rwedge_series *series = analytic(alpha, 20);
+        const double sum = 2 / PI * (-log(2 * alpha) - log(N)), bound = rwedge_series_residual(series);
+        assert_true(bound >= sum);
+        assert_close(bound, sum, 0.02);
+        rwedge_series_destroy(series);
+    }
+}
+
+/* Samples of any size: the fit is in proportion to them, and refused where its sums might overflow. The residual of a sample
+ * that no term fits, -sin(3t) for two terms, is its root mean square over Chebyshev's points, sqrt(1/2). */
+static void fits_scale_with_the_samples(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES];
+    chebyshev_points(x);
+    for (int exponent = -1060; exponent <= 1020; exponent += 40) {
+        const double unit = ldexp(1, exponent), rounding = exponent < -1000 ? ldexp(1, -1074 - exponent) : 0;
+        for (int i = 0; i < SAMPLES; i++)
+            p[i] = -unit * (sin(acos(x[i])) + sin(3 * acos(x[i])));
+        rwedge_series *series = NULL;
+        const int32_t status = rwedge_series_fit(SAMPLES, x, p, 2, &series);
+        assert_int_equal(status, exponent < 1000 ? RWEDGE_OK : RWEDGE_ENOCONV);
+        if (status != RWEDGE_OK)
+            continue;
+        assert_within(rwedge_series_coefficient(series, 0) / unit, 1, 1e-14 + 4 * rounding);
+        assert_within(rwedge_series_coefficient(series, 1) / unit, 0, 1e-14 + 4 * rounding);
+        assert_within(rwedge_series_residual(series) / unit, sqrt(0.5), 1e-13 + 4 * rounding);
+        rwedge_series_destroy(series);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +332,9 @@ int main(void)
         cmocka_unit_test(fit_approaches_the_closed_form),
         cmocka_unit_test(rank_deficiency_is_refused),
         cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(missing_outputs_are_refused),
+        cmocka_unit_test(the_smallest_tips_have_a_bound_too),
+        cmocka_unit_test(fits_scale_with_the_samples),
     };
     return RUN_CLAIMS("series", tests);
 }

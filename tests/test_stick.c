@@ -142,6 +142,13 @@ static void bad_arguments_are_not_numbers(void **state)
     assert_nan(rwedge_shear(0, 0, 0));
 }
 
+static void shear_is_even(void **state)
+{
+    (void)state;
+    for (double x = 0.05; x < 1.2; x += 0.1)
+        assert_close(rwedge_shear(0.3, 0.5, -x), rwedge_shear(0.3, 0.5, x), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +162,7 @@ int main(void)
         cmocka_unit_test(corrective_shear_is_elliptic_inside_the_rounding),
         cmocka_unit_test(sharp_wedge_sticks_at_its_apex),
         cmocka_unit_test(bad_arguments_are_not_numbers),
+        cmocka_unit_test(shear_is_even),
     };
     return RUN_CLAIMS("stick", tests);
 }

@@ -271,17 +271,25 @@ static void bad_arguments_leave_outputs_untouched(void **state)
         assert_int_equal(rwedge_surface_yield(alpha, f, nu, &limit, &x), RWEDGE_EDOMAIN);
         assert_true(limit == 7 && x == 8 && y == 9);
     }
-    double v[3] = {7, 8, 9};
-    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, NULL, &v[1], &v[2]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, &v[0], NULL, &v[2]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, &v[0], &v[1], NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_subsurface_yield(0.5, 0, 0.3, &v[0], &v[1], NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_surface_yield(0.5, 0, 0.3, &v[0], NULL), RWEDGE_ENULL);
-    assert_true(v[0] == 7 && v[1] == 8 && v[2] == 9);
     assert_nan(rwedge_critical_friction(-1, 0.3));
     assert_nan(rwedge_critical_friction(NAN, 0.3));
     assert_nan(rwedge_critical_friction(0.5, NAN));
     assert_nan(rwedge_critical_friction(0.5, 0.51));
+}
+
+static void missing_outputs_are_refused(void **state)
+{
+    (void)state;
+    for (int missing = 0; missing < 3; missing++) {
+        double v[3] = {7, 8, 9}, *at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = i == missing ? NULL : &v[i];
+        assert_int_equal(rwedge_yield_point(0.5, 0, 0.3, at[0], at[1], at[2]), RWEDGE_ENULL);
+        assert_int_equal(rwedge_subsurface_yield(0.5, 0, 0.3, at[0], at[1], at[2]), RWEDGE_ENULL);
+        if (missing < 2)
+            assert_int_equal(rwedge_surface_yield(0.5, 0, 0.3, at[0], at[1]), RWEDGE_ENULL);
+        assert_true(v[0] == 7 && v[1] == 8 && v[2] == 9);
+    }
 }
 
 int main(void)
@@ -304,6 +312,7 @@ int main(void)
         cmocka_unit_test(max_tension_is_the_largest),
         cmocka_unit_test(arrays_are_limits_one_by_one),
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
+        cmocka_unit_test(missing_outputs_are_refused),
     };
     return RUN_CLAIMS("strength", tests);
 }

@@ -300,6 +300,22 @@ static void bad_arguments_leave_outputs_untouched(void **state)
     assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, NULL, sxx, syy, txy), RWEDGE_ENULL);
 }
 
+static void missing_arrays_are_refused(void **state)
+{
+    (void)state;
+    for (int missing = 0; missing < 5; missing++) {
+        double v[5] = {0.1, 0.2, 7, 8, 9}, *at[5];
+        for (int i = 0; i < 5; i++)
+            at[i] = i == missing ? NULL : &v[i];
+        assert_int_equal(rwedge_stresses(0.5, 0.1, 0, 1, at[0], at[1], at[2], at[3], at[4]), RWEDGE_ENULL);
+        assert_true(v[2] == 7 && v[3] == 8 && v[4] == 9);
+    }
+    const double x = 0.1, y = 0.2;
+    double s[3] = {7, 8, 9};
+    assert_int_equal(rwedge_stresses(-1, 0.1, 0, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -321,6 +337,7 @@ int main(void)
         cmocka_unit_test(tiny_tips_are_alike),
         cmocka_unit_test(arrays_are_points_one_by_one),
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
+        cmocka_unit_test(missing_arrays_are_refused),
     };
     return RUN_CLAIMS("stress", tests);
 }

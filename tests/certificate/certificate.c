@@ -4,7 +4,7 @@
  *     certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv ...
  *
  * An entry is proved if the limit lies within T (1e-9) of what is stated. The enclosure of the limit that shows it reaches from
- * what the stated place gives to D (1e-12) below. Prints a line per a/b, each entry that is not proved, and a summary. Exit
+ * what the stated place gives to D (1e-13) below. Prints a line per a/b, each entry that is not proved, and a summary. Exit
  * status 0 if all are proved, 1 if not, 2 for an error in the command or a table. */
 #include "search.h"
 
@@ -162,7 +162,7 @@ int main(int argc, char **argv)
 {
     long jobs = 1;
     const char *list = NULL;
-    work w = {.wanted = {.tolerance = 1e-9, .gap = 1e-12}};
+    work w = {.wanted = {.tolerance = 1e-9, .gap = 1e-13}};
     int i = 1;
     for (; i + 1 < argc && strncmp(argv[i], "--", 2) == 0; i += 2) {
         if (strcmp(argv[i], "--jobs") == 0)

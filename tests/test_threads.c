@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every function may be called from any number of threads, and a handle may be read by many at a time: one to eight threads,
+ * each with all of the work and the same handles, give the bits that one gives. threads.sh runs this under the thread
+ * sanitizer too, which sees accesses that no result shows.
+ *
+ *     test_threads [NUMBERS]     how many arguments of each function */
+#define _POSIX_C_SOURCE 200809L
+
+#include "claims.h"
+#include "every_function.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { THREADS_MAX = 8, RESULTS_PER_NUMBER = 400 };
+static int numbers = 120;
+static shared_handles shared;
+
+/* The results of one thread, room for as many at each number. */
+typedef struct {
+    double *values;
+    int first, number; /* where the thread begins, and is */
+    int count;         /* of the results of this number */
+    pthread_barrier_t *start;
+} results;
+
+static void keep(void *context, const char *what, double value)
+{
+    (void)what;
+    results *r = context;
+    if (r->count < RESULTS_PER_NUMBER)
+        r->values[r->number * RESULTS_PER_NUMBER + r->count] = value;
+    r->count++;
+}
+
+static void *evaluate(void *context)
+{
+    results *r = context;
+    pthread_barrier_wait(r->start);
+    for (int i = 0; i < numbers; i++) {
+        r->number = (r->first + i) % numbers;
+        r->count = 0;
+        every_function(&shared, r->number, keep, r);
+    }
+    return NULL;
+}
+
+/* Threads begin at different numbers, so that different arguments meet. */
+static void run_threads(int count, results r[])
+{
+    pthread_t thread[THREADS_MAX];
+    pthread_barrier_t start;
+    assert_int_equal(pthread_barrier_init(&start, NULL, (unsigned)count), 0);
+    for (int i = 0; i < count; i++) {
+        r[i] = (results){.values = calloc((size_t)numbers * RESULTS_PER_NUMBER, sizeof(double)),
+                         .first = i * numbers / count,
+                         .start = &start};
+        assert_non_null(r[i].values);
+        assert_int_equal(pthread_create(&thread[i], NULL, evaluate, &r[i]), 0);
+    }
+    for (int i = 0; i < count; i++)
+        assert_int_equal(pthread_join(thread[i], NULL), 0);
+    pthread_barrier_destroy(&start);
+}
+
+static void assert_same_results(const results *expected, const results *actual)
+{
+    assert_in_range(actual->count, 1, RESULTS_PER_NUMBER);
+    assert_memory_equal(actual->values, expected->values, (size_t)numbers * RESULTS_PER_NUMBER * sizeof(double));
+}
+
+static void threads_give_the_bits_of_one(void **state)
+{
+    (void)state;
+    results alone, r[THREADS_MAX];
+    run_threads(1, &alone);
+    for (int count = 2; count <= THREADS_MAX; count++) {
+        run_threads(count, r);
+        for (int i = 0; i < count; i++) {
+            assert_same_results(&alone, &r[i]);
+            free(r[i].values);
+        }
+    }
+    free(alone.values);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        numbers = atoi(argv[1]);
+    if (numbers < 1 || !shared_create(&shared))
+        return 2;
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_give_the_bits_of_one)};
+    const int status = RUN_CLAIMS("threads", tests);
+    shared_destroy(&shared);
+    return status;
+}

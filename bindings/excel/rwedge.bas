@@ -1,0 +1,975 @@
+Attribute VB_Name = "rwedge"
+' SPDX-License-Identifier: GPL-3.0-or-later
+' Written by generate.py from include/rwedge.h and template.bas: change those, not this.
+'
+' rwedge for Excel, 64-bit, on Windows: worksheet functions RWEDGE_..., which call rwedge.dll. It is looked for in the folder
+' of the workbook or add-in that holds this module, and nowhere else.
+'
+' In a cell:  #NUM!    outside the domain, or no such equilibrium (the reason is in the Immediate window, Ctrl+G)
+'             #N/A     what was asked for does not exist for these arguments
+'             #VALUE!  not a number, or columns of different lengths
+'             #NAME?   rwedge.dll was not found: =RWEDGE_VERSION() says where it was looked for
+' Where the text below says that a function gives NaN, the cell shows #NUM!; so it does where a result is infinite. Of a rigid
+' body E is 1E+300, for lack of an infinity in cells. An empty cell is 0, as everywhere in Excel, but not in a range: #VALUE!.
+'
+' The header's introduction:
+'
+' rwedge: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+'
+' Source: M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded apex",
+' Int. J. Mech. Sci. 40 (1998) 977-988. "Eq. (n)" is that paper's numbering, "E1" ... its errata as listed in
+' lib/README.md, where every formula is written out; "new" marks what the paper does not have.
+'
+' Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge leaves the surface at the
+' small angle theta, its apex is rounded over |x| < a with radius R = a/theta, and the contact is |x| < b. The functions
+' of a/b use natural units: lengths in b, stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and
+' pressures are negative in compression; P, Q are positive forces per unit length; k is the yield stress in pure shear.
+' In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x = -b.
+'
+' Arguments that return everywhere, with their domain:
+'   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
+'   f      coefficient of friction, 0 <= f <= 1e6
+'   nu     Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+'   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
+'   x, y   a point, in b, finite, y >= 0
+'
+' Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
+' allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
+' RWEDGE_OK implies finite outputs. Nothing prints, exits, aborts, allocates (but _create, _fit, _copy and _load), sets
+' errno or keeps state between calls.
+'
+' Threads: every function may be called from any number of threads; a handle may be read by many at a time.
+' Output arrays may be the same as input arrays, but may not overlap them in part.
+'
+' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
+Option Explicit
+
+Private Enum rwedge_status
+    LIBRARY_MISSING = -2
+    NOT_A_COLUMN = -1
+    RWEDGE_OK = 0
+    RWEDGE_EDOMAIN = 1
+    RWEDGE_ENULL = 2
+    RWEDGE_ERANGE = 3
+    RWEDGE_ENOCONV = 4
+    RWEDGE_ENOMEM = 5
+    RWEDGE_ESLIDING = 6
+    RWEDGE_ERANK = 7
+    RWEDGE_EABSENT = 8
+End Enum
+
+Private Type one_double
+    value As Double
+End Type
+
+Private Type two_longs
+    low As Long
+    high As Long
+End Type
+
+Private Declare PtrSafe Function load_library Lib "kernel32" Alias "LoadLibraryW" (ByVal path As LongPtr) As LongPtr
+Private Declare PtrSafe Function text_length Lib "kernel32" Alias "lstrlenA" (ByVal text As LongPtr) As Long
+Private Declare PtrSafe Sub copy_bytes Lib "kernel32" Alias "RtlMoveMemory" ( _
+    ByRef target As Byte, ByVal source As LongPtr, ByVal count As LongPtr)
+
+Private Declare PtrSafe Function c_version Lib "rwedge.dll" Alias "rwedge_version" () As LongPtr
+Private Declare PtrSafe Function c_strerror Lib "rwedge.dll" Alias "rwedge_strerror" (ByVal status As Long) As LongPtr
+Private Declare PtrSafe Function c_compliance Lib "rwedge.dll" Alias "rwedge_compliance" ( _
+    ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Double
+Private Declare PtrSafe Function c_dundurs_beta Lib "rwedge.dll" Alias "rwedge_dundurs_beta" ( _
+    ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Double
+Private Declare PtrSafe Function c_load Lib "rwedge.dll" Alias "rwedge_load" (ByVal alpha As Double) As Double
+Private Declare PtrSafe Function c_a_over_b Lib "rwedge.dll" Alias "rwedge_a_over_b" (ByVal AP_over_theta_a As Double) As Double
+Private Declare PtrSafe Function c_pressure Lib "rwedge.dll" Alias "rwedge_pressure" ( _
+    ByVal alpha As Double, ByVal x As Double) As Double
+Private Declare PtrSafe Function c_peak_pressure Lib "rwedge.dll" Alias "rwedge_peak_pressure" (ByVal alpha As Double) As Double
+Private Declare PtrSafe Function c_transition_pressure Lib "rwedge.dll" Alias "rwedge_transition_pressure" ( _
+    ByVal alpha As Double) As Double
+Private Declare PtrSafe Function c_coefficient Lib "rwedge.dll" Alias "rwedge_coefficient" ( _
+    ByVal alpha As Double, ByVal n As Long) As Double
+Private Declare PtrSafe Function c_stick_width Lib "rwedge.dll" Alias "rwedge_stick_width" ( _
+    ByVal alpha As Double, ByVal Q_over_fP As Double) As Double
+Private Declare PtrSafe Function c_shear_ratio Lib "rwedge.dll" Alias "rwedge_shear_ratio" ( _
+    ByVal alpha As Double, ByVal c As Double) As Double
+Private Declare PtrSafe Function c_shear Lib "rwedge.dll" Alias "rwedge_shear" ( _
+    ByVal alpha As Double, ByVal c As Double, ByVal x As Double) As Double
+Private Declare PtrSafe Function c_stress Lib "rwedge.dll" Alias "rwedge_stress" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Double, ByVal y As Double, _
+    ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double) As Long
+Private Declare PtrSafe Function c_stresses Lib "rwedge.dll" Alias "rwedge_stresses" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal n As LongPtr, ByRef x As Double, _
+    ByRef y As Double, ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double) As Long
+Private Declare PtrSafe Function c_max_tension Lib "rwedge.dll" Alias "rwedge_max_tension" (ByVal alpha As Double) As Double
+Private Declare PtrSafe Function c_elastic_limit Lib "rwedge.dll" Alias "rwedge_elastic_limit" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_elastic_limits Lib "rwedge.dll" Alias "rwedge_elastic_limits" ( _
+    ByVal n As LongPtr, ByRef alpha As Double, ByRef f As Double, ByVal nu As Double, ByRef limit As Double) As Long
+Private Declare PtrSafe Function c_yield_point Lib "rwedge.dll" Alias "rwedge_yield_point" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal nu As Double, ByRef limit As Double, ByRef x As Double, _
+    ByRef y As Double) As Long
+Private Declare PtrSafe Function c_subsurface_yield Lib "rwedge.dll" Alias "rwedge_subsurface_yield" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal nu As Double, ByRef limit As Double, ByRef x As Double, _
+    ByRef y As Double) As Long
+Private Declare PtrSafe Function c_surface_yield Lib "rwedge.dll" Alias "rwedge_surface_yield" ( _
+    ByVal alpha As Double, ByVal f As Double, ByVal nu As Double, ByRef limit As Double, ByRef x As Double) As Long
+Private Declare PtrSafe Function c_critical_friction Lib "rwedge.dll" Alias "rwedge_critical_friction" ( _
+    ByVal alpha As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_radius Lib "rwedge.dll" Alias "rwedge_radius" ( _
+    ByVal theta As Double, ByVal a As Double) As Double
+Private Declare PtrSafe Function c_rounding Lib "rwedge.dll" Alias "rwedge_rounding" ( _
+    ByVal theta As Double, ByVal R As Double) As Double
+Private Declare PtrSafe Function c_half_width Lib "rwedge.dll" Alias "rwedge_half_width" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal P As Double) As Double
+Private Declare PtrSafe Function c_normal_load Lib "rwedge.dll" Alias "rwedge_normal_load" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal b As Double) As Double
+Private Declare PtrSafe Function c_yield_load Lib "rwedge.dll" Alias "rwedge_yield_load" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
+    ByVal k As Double) As Double
+Private Declare PtrSafe Function c_contact_create Lib "rwedge.dll" Alias "rwedge_contact_create" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByRef contact As LongPtr) As Long
+Private Declare PtrSafe Sub c_contact_destroy Lib "rwedge.dll" Alias "rwedge_contact_destroy" (ByVal contact As LongPtr)
+Private Declare PtrSafe Function c_contact_load Lib "rwedge.dll" Alias "rwedge_contact_load" ( _
+    ByVal contact As LongPtr, ByVal P As Double, ByVal Q As Double) As Long
+Private Declare PtrSafe Function c_contact_half_width Lib "rwedge.dll" Alias "rwedge_contact_half_width" ( _
+    ByVal contact As LongPtr) As Double
+Private Declare PtrSafe Function c_contact_stick_half_width Lib "rwedge.dll" Alias "rwedge_contact_stick_half_width" ( _
+    ByVal contact As LongPtr) As Double
+Private Declare PtrSafe Function c_contact_tractions Lib "rwedge.dll" Alias "rwedge_contact_tractions" ( _
+    ByVal contact As LongPtr, ByVal n As LongPtr, ByRef x As Double, ByRef p As Double, ByRef q As Double) As Long
+Private Declare PtrSafe Function c_contact_stresses Lib "rwedge.dll" Alias "rwedge_contact_stresses" ( _
+    ByVal contact As LongPtr, ByVal n As LongPtr, ByRef x As Double, ByRef y As Double, ByRef sxx As Double, _
+    ByRef syy As Double, ByRef txy As Double) As Long
+Private Declare PtrSafe Function c_contact_slip Lib "rwedge.dll" Alias "rwedge_contact_slip" ( _
+    ByVal contact As LongPtr, ByVal n As LongPtr, ByRef x As Double, ByRef slip As Double) As Long
+Private Declare PtrSafe Function c_contact_dissipated_energy Lib "rwedge.dll" Alias "rwedge_contact_dissipated_energy" ( _
+    ByVal contact As LongPtr) As Double
+Private Declare PtrSafe Function c_contact_yield_factor Lib "rwedge.dll" Alias "rwedge_contact_yield_factor" ( _
+    ByVal contact As LongPtr, ByVal nu As Double, ByVal k As Double, ByRef factor As Double, ByRef x As Double, _
+    ByRef y As Double) As Long
+Private Declare PtrSafe Function c_series_fit Lib "rwedge.dll" Alias "rwedge_series_fit" ( _
+    ByVal samples As LongPtr, ByRef x As Double, ByRef p As Double, ByVal terms As Long, ByRef series As LongPtr) As Long
+Private Declare PtrSafe Sub c_series_destroy Lib "rwedge.dll" Alias "rwedge_series_destroy" (ByVal series As LongPtr)
+Private Declare PtrSafe Function c_series_coefficient Lib "rwedge.dll" Alias "rwedge_series_coefficient" ( _
+    ByVal series As LongPtr, ByVal k As Long) As Double
+Private Declare PtrSafe Function c_series_residual Lib "rwedge.dll" Alias "rwedge_series_residual" ( _
+    ByVal series As LongPtr) As Double
+Private Declare PtrSafe Function c_series_pressure Lib "rwedge.dll" Alias "rwedge_series_pressure" ( _
+    ByVal series As LongPtr, ByVal x As Double) As Double
+Private Declare PtrSafe Function c_series_potential Lib "rwedge.dll" Alias "rwedge_series_potential" ( _
+    ByVal series As LongPtr, ByVal f As Double, ByVal x As Double, ByVal y As Double, ByRef re As Double, _
+    ByRef im As Double) As Long
+Private Declare PtrSafe Function c_series_stress Lib "rwedge.dll" Alias "rwedge_series_stress" ( _
+    ByVal series As LongPtr, ByVal f As Double, ByVal x As Double, ByVal y As Double, ByRef sxx As Double, _
+    ByRef syy As Double, ByRef txy As Double) As Long
+
+' ---- What the functions below share --------------------------------------------------------------------------------
+
+Private Function library_path() As String
+    library_path = ThisWorkbook.path & "\rwedge.dll"
+End Function
+
+' Windows knows a library by its file's name once it is loaded: loaded from its full path first, "rwedge.dll" in the
+' declarations above is that one, whatever the current folder is.
+Private Function find_library() As Long
+    Static handle As LongPtr
+    If handle = 0 Then handle = load_library(StrPtr(library_path()))
+    If handle = 0 Then find_library = LIBRARY_MISSING Else find_library = RWEDGE_OK
+End Function
+
+Private Function text_at(ByVal address As LongPtr) As String
+    Dim bytes() As Byte, length As Long
+    length = text_length(address)
+    If length = 0 Then Exit Function
+    ReDim bytes(0 To length - 1)
+    copy_bytes bytes(0), address, length
+    text_at = StrConv(bytes, vbUnicode)
+End Function
+
+Private Function failure(ByVal status As Long) As Variant
+    Select Case status
+        Case LIBRARY_MISSING
+            failure = CVErr(xlErrName)
+        Case NOT_A_COLUMN
+            failure = CVErr(xlErrValue)
+        Case Else
+            Debug.Print "rwedge: " & text_at(c_strerror(status))
+            If status = RWEDGE_EABSENT Then failure = CVErr(xlErrNA) Else failure = CVErr(xlErrNum)
+    End Select
+End Function
+
+' A number for a cell. NaN and infinity are told by their bits: Basic's comparisons with them may raise an error.
+Private Function finite(ByVal value As Double) As Variant
+    Dim number As one_double, bits As two_longs
+    number.value = value
+    LSet bits = number
+    If (bits.high And &H7FF00000) = &H7FF00000 Then finite = CVErr(xlErrNum) Else finite = value
+End Function
+
+Private Function is_number(ByVal item As Variant) As Boolean
+    Select Case VarType(item)
+        Case vbDouble, vbSingle, vbInteger, vbLong, vbByte, vbCurrency, vbDecimal
+            is_number = True
+    End Select
+End Function
+
+' The numbers of a range, an array or a single number, of which there must be n, or any number of them where n is 0.
+Private Function read_list(ByVal given As Variant, ByRef list() As Double, ByRef n As Long) As Long
+    Dim item As Variant, count As Long
+    read_list = NOT_A_COLUMN
+    If IsObject(given) Then
+        If given.Areas.count > 1 Then Exit Function
+        given = given.Value2
+    End If
+    If Not IsArray(given) Then given = Array(given)
+    For Each item In given
+        If Not is_number(item) Then Exit Function
+        count = count + 1
+    Next item
+    If count = 0 Or (n > 0 And n <> count) Then Exit Function
+    n = count
+    ReDim list(0 To n - 1)
+    count = 0
+    For Each item In given
+        list(count) = item
+        count = count + 1
+    Next item
+    read_list = RWEDGE_OK
+End Function
+
+' n rows; each list is a column.
+Private Function table_of(ByVal n As Long, ParamArray lists() As Variant) As Variant
+    Dim table() As Variant, i As Long, j As Long
+    ReDim table(1 To n, 1 To UBound(lists) + 1)
+    For j = 0 To UBound(lists)
+        For i = 1 To n
+            table(i, j + 1) = lists(j)(i - 1)
+        Next i
+    Next j
+    table_of = table
+End Function
+
+' A contact before its loads P, Q, of which there are n; to be freed by who asked for it.
+Private Function contact_before(ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, _
+        ByRef P() As Double, ByRef Q() As Double, ByRef n As Long, ByRef contact As LongPtr) As Long
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(P_history, P, n)
+    If status = RWEDGE_OK Then status = read_list(Q_history, Q, n)
+    If status = RWEDGE_OK Then status = c_contact_create(theta, a, compliance, f, contact)
+    contact_before = status
+End Function
+
+' A contact after its loads, for the functions below.
+Private Function contact_after(ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByRef contact As LongPtr) As Long
+    Dim P() As Double, Q() As Double, n As Long, i As Long, status As Long
+    status = contact_before(theta, a, compliance, f, P_history, Q_history, P, Q, n, contact)
+    For i = 0 To n - 1
+        If status = RWEDGE_OK Then status = c_contact_load(contact, P(i), Q(i))
+    Next i
+    contact_after = status
+End Function
+
+' A series fitted to samples of a pressure, for the functions below; to be freed by who asked for it.
+Private Function series_through(ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, _
+        ByRef series As LongPtr) As Long
+    Dim x() As Double, p() As Double, n As Long, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(x_samples, x, n)
+    If status = RWEDGE_OK Then status = read_list(p_samples, p, n)
+    If status = RWEDGE_OK Then status = c_series_fit(n, x(0), p(0), terms, series)
+    series_through = status
+End Function
+
+' ---- Worksheet functions ---------------------------------------------------------------------------------------------
+
+' The version of the library; or where it was looked for and is not.
+Public Function RWEDGE_VERSION() As String
+Attribute RWEDGE_VERSION.VB_Description = "The version of rwedge.dll; or where it was looked for and is not."
+    If find_library() = RWEDGE_OK Then
+        RWEDGE_VERSION = text_at(c_version())
+    Else
+        RWEDGE_VERSION = "not found: " & library_path()
+    End If
+End Function
+
+' A contact through its history of loads: half-width, half-width of the stick zone and energy dissipated so far, a row for each
+' load. From a load on that cannot be (|Q| > f P, for one), the rows show its error.
+'   P_history, Q_history  columns of as many normal and tangential forces per unit length
+'   and as for RWEDGE_HALF_WIDTH
+Public Function RWEDGE_CONTACT_HISTORY(ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, _
+        ByVal f As Double, ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_HISTORY.VB_Description = "Half-width, half-width of the stick zone and energy dissipated so far, a row for each load of a history of P and Q."
+    Dim P() As Double, Q() As Double, n As Long, i As Long, j As Long, status As Long, contact As LongPtr, table() As Variant
+    status = contact_before(theta, a, compliance, f, P_history, Q_history, P, Q, n, contact)
+    If contact = 0 Then
+        RWEDGE_CONTACT_HISTORY = failure(status)
+        Exit Function
+    End If
+    ReDim table(1 To n, 1 To 3)
+    For i = 1 To n
+        If status = RWEDGE_OK Then status = c_contact_load(contact, P(i - 1), Q(i - 1))
+        If status = RWEDGE_OK Then
+            table(i, 1) = finite(c_contact_half_width(contact))
+            table(i, 2) = finite(c_contact_stick_half_width(contact))
+            table(i, 3) = finite(c_contact_dissipated_energy(contact))
+        Else
+            For j = 1 To 3
+                table(i, j) = failure(status)
+            Next j
+        End If
+    Next i
+    c_contact_destroy contact
+    RWEDGE_CONTACT_HISTORY = table
+End Function
+
+' ---- Materials ----------------------------------------------------------------------------------------------------
+
+' Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                                       Eq. (2)
+'   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
+'   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
+' NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
+Public Function RWEDGE_COMPLIANCE(ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Variant
+Attribute RWEDGE_COMPLIANCE.VB_Description = "Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_COMPLIANCE = finite(c_compliance(E1, nu1, E2, nu2))
+    Else
+        RWEDGE_COMPLIANCE = failure(status)
+    End If
+End Function
+
+' Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is
+' exact where it is 0 (elastically similar bodies).                               Dundurs (1969), see lib/README.md
+'   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged; |beta| <= 1/2 for nu >= 0
+' NaN outside the domain. Error below 4 epsilon, absolutely.
+Public Function RWEDGE_DUNDURS_BETA(ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Variant
+Attribute RWEDGE_DUNDURS_BETA.VB_Description = "Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is exact where it is 0 (elastically similar bodies)."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_DUNDURS_BETA = finite(c_dundurs_beta(E1, nu1, E2, nu2))
+    Else
+        RWEDGE_DUNDURS_BETA = failure(status)
+    End If
+End Function
+
+' ---- Contact law --------------------------------------------------------------------------------------------------
+
+' Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz.
+'                                                                                                Eq. (7), (11), (13), (15)
+' NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b().
+Public Function RWEDGE_LOAD(ByVal alpha As Double) As Variant
+Attribute RWEDGE_LOAD.VB_Description = "Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz. NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b()."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_LOAD = finite(c_load(alpha))
+    Else
+        RWEDGE_LOAD = failure(status)
+    End If
+End Function
+
+' The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included.
+'                                                                                                   Eq. (7), (11), inverse
+'   AP_over_theta_a  > 0, finite
+' NaN outside the domain. Relative error below 1e-14.
+Public Function RWEDGE_A_OVER_B(ByVal AP_over_theta_a As Double) As Variant
+Attribute RWEDGE_A_OVER_B.VB_Description = "The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_A_OVER_B = finite(c_a_over_b(AP_over_theta_a))
+    Else
+        RWEDGE_A_OVER_B = failure(status)
+    End If
+End Function
+
+' ---- Pressure -----------------------------------------------------------------------------------------------------
+
+' Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.                              Eq. (8), (12), (14)
+' NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite.
+' Relative error below 1e-12, up to the zeros at x = +-1.
+Public Function RWEDGE_PRESSURE(ByVal alpha As Double, ByVal x As Double) As Variant
+Attribute RWEDGE_PRESSURE.VB_Description = "Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1. NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite. Relative error below 1e-12, up to the zeros at x = +-1."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_PRESSURE = finite(c_pressure(alpha, x))
+    Else
+        RWEDGE_PRESSURE = failure(status)
+    End If
+End Function
+
+' Magnitude of the peak pressure, at x = 0, as A p0/theta.                                                 Eq. (10), (16)
+' NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+Public Function RWEDGE_PEAK_PRESSURE(ByVal alpha As Double) As Variant
+Attribute RWEDGE_PEAK_PRESSURE.VB_Description = "Magnitude of the peak pressure, at x = 0, as A p0/theta. NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_PEAK_PRESSURE = finite(c_peak_pressure(alpha))
+    Else
+        RWEDGE_PEAK_PRESSURE = failure(status)
+    End If
+End Function
+
+' Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is
+' not inside the contact.                                                                                          Eq. (9)
+' NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+Public Function RWEDGE_TRANSITION_PRESSURE(ByVal alpha As Double) As Variant
+Attribute RWEDGE_TRANSITION_PRESSURE.VB_Description = "Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is not inside the contact. NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_TRANSITION_PRESSURE = finite(c_transition_pressure(alpha))
+    Else
+        RWEDGE_TRANSITION_PRESSURE = failure(status)
+    End If
+End Function
+
+' Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
+'   n  >= 0
+' NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
+' (relatively) of a zero of b_n, below 1e-22 of the values around.
+Public Function RWEDGE_COEFFICIENT(ByVal alpha As Double, ByVal n As Long) As Variant
+Attribute RWEDGE_COEFFICIENT.VB_Description = "Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x)."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_COEFFICIENT = finite(c_coefficient(alpha, n))
+    Else
+        RWEDGE_COEFFICIENT = failure(status)
+    End If
+End Function
+
+' ---- Partial slip -------------------------------------------------------------------------------------------------
+
+' Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P.           Eq. (25)
+'   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
+' NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
+Public Function RWEDGE_STICK_WIDTH(ByVal alpha As Double, ByVal Q_over_fP As Double) As Variant
+Attribute RWEDGE_STICK_WIDTH.VB_Description = "Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_STICK_WIDTH = finite(c_stick_width(alpha, Q_over_fP))
+    Else
+        RWEDGE_STICK_WIDTH = failure(status)
+    End If
+End Function
+
+' Q/(fP) from the half-width of the stick zone.                                                                  Eq. (25)
+' NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1).
+Public Function RWEDGE_SHEAR_RATIO(ByVal alpha As Double, ByVal c As Double) As Variant
+Attribute RWEDGE_SHEAR_RATIO.VB_Description = "Q/(fP) from the half-width of the stick zone. NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1)."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_SHEAR_RATIO = finite(c_shear_ratio(alpha, c))
+    Else
+        RWEDGE_SHEAR_RATIO = failure(status)
+    End If
+End Function
+
+' Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips);
+' 0 for |x| >= 1.                                                                                      Eq. (23), (26), (27)
+' NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|).
+Public Function RWEDGE_SHEAR(ByVal alpha As Double, ByVal c As Double, ByVal x As Double) As Variant
+Attribute RWEDGE_SHEAR.VB_Description = "Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips); 0 for |x| >= 1. NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|)."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_SHEAR = finite(c_shear(alpha, c, x))
+    Else
+        RWEDGE_SHEAR = failure(status)
+    End If
+End Function
+
+' ---- Interior stresses --------------------------------------------------------------------------------------------
+
+' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
+'   sxx, syy, txy  each receives one number
+' RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+' Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point.
+' In a cell: the row sxx, syy, txy.
+Public Function RWEDGE_STRESS( _
+        ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Double, ByVal y As Double) As Variant
+Attribute RWEDGE_STRESS.VB_Description = "Stresses at the point (x, y), in theta/A, tension positive; closed form."
+    Dim sxx As Double, syy As Double, txy As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_stress(alpha, f, c, x, y, sxx, syy, txy)
+    If status = RWEDGE_OK Then
+        RWEDGE_STRESS = Array(sxx, syy, txy)
+    Else
+        RWEDGE_STRESS = failure(status)
+    End If
+End Function
+
+' The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain.
+' In a cell: a row for each point: sxx, syy, txy.
+Public Function RWEDGE_STRESSES( _
+        ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Variant, ByVal y As Variant) As Variant
+Attribute RWEDGE_STRESSES.VB_Description = "As RWEDGE_STRESS at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain."
+    Dim x_list() As Double, y_list() As Double, sxx() As Double, syy() As Double, txy() As Double, n As Long, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(x, x_list, n)
+    If status = RWEDGE_OK Then status = read_list(y, y_list, n)
+    If status = RWEDGE_OK Then
+        ReDim sxx(0 To n - 1), syy(0 To n - 1), txy(0 To n - 1)
+        status = c_stresses(alpha, f, c, n, x_list(0), y_list(0), sxx(0), syy(0), txy(0))
+    End If
+    If status = RWEDGE_OK Then
+        RWEDGE_STRESSES = table_of(n, sxx, syy, txy)
+    Else
+        RWEDGE_STRESSES = failure(status)
+    End If
+End Function
+
+' ---- Strength -----------------------------------------------------------------------------------------------------
+
+' Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz.   Eq. (38); new
+' NaN outside the domain. Relative error below 1e-14.
+Public Function RWEDGE_MAX_TENSION(ByVal alpha As Double) As Variant
+Attribute RWEDGE_MAX_TENSION.VB_Description = "Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz. NaN outside the domain. Relative error below 1e-14."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_MAX_TENSION = finite(c_max_tension(alpha))
+    Else
+        RWEDGE_MAX_TENSION = failure(status)
+    End If
+End Function
+
+' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
+'                                                                                                             Figs. 3 to 5
+' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+' In this section alpha is 0 or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found.
+' NaN outside the domain. Relative error below 1e-12.
+Public Function RWEDGE_ELASTIC_LIMIT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_ELASTIC_LIMIT = finite(c_elastic_limit(alpha, f, nu))
+    Else
+        RWEDGE_ELASTIC_LIMIT = failure(status)
+    End If
+End Function
+
+' The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain.
+' In a cell: a row for each point: limit.
+Public Function RWEDGE_ELASTIC_LIMITS(ByVal alpha As Variant, ByVal f As Variant, ByVal nu As Double) As Variant
+Attribute RWEDGE_ELASTIC_LIMITS.VB_Description = "As RWEDGE_ELASTIC_LIMIT for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain."
+    Dim alpha_list() As Double, f_list() As Double, limit() As Double, n As Long, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(alpha, alpha_list, n)
+    If status = RWEDGE_OK Then status = read_list(f, f_list, n)
+    If status = RWEDGE_OK Then
+        ReDim limit(0 To n - 1)
+        status = c_elastic_limits(n, alpha_list(0), f_list(0), nu, limit(0))
+    End If
+    If status = RWEDGE_OK Then
+        RWEDGE_ELASTIC_LIMITS = table_of(n, limit)
+    Else
+        RWEDGE_ELASTIC_LIMITS = failure(status)
+    End If
+End Function
+
+' The elastic limit and where it yields: y = 0 is at the surface.                                                  Fig. 5
+' For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
+' In a cell: the row limit, x, y.
+Public Function RWEDGE_YIELD_POINT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yields: y = 0 is at the surface. For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed."
+    Dim limit As Double, x As Double, y As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_yield_point(alpha, f, nu, limit, x, y)
+    If status = RWEDGE_OK Then
+        RWEDGE_YIELD_POINT = Array(limit, x, y)
+    Else
+        RWEDGE_YIELD_POINT = failure(status)
+    End If
+End Function
+
+' Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
+' is smooth in alpha, f and nu, so that each can be interpolated.                                            Fig. 4; new
+'
+' Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
+' RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+' In a cell: the row limit, x, y.
+Public Function RWEDGE_SUBSURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated."
+    Dim limit As Double, x As Double, y As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_subsurface_yield(alpha, f, nu, limit, x, y)
+    If status = RWEDGE_OK Then
+        RWEDGE_SUBSURFACE_YIELD = Array(limit, x, y)
+    Else
+        RWEDGE_SUBSURFACE_YIELD = failure(status)
+    End If
+End Function
+
+' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
+' 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+' In a cell: the row limit, x.
+Public Function RWEDGE_SURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL."
+    Dim limit As Double, x As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_surface_yield(alpha, f, nu, limit, x)
+    If status = RWEDGE_OK Then
+        RWEDGE_SURFACE_YIELD = Array(limit, x)
+    Else
+        RWEDGE_SURFACE_YIELD = failure(status)
+    End If
+End Function
+
+' Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
+' (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
+'   alpha  > 0 (the sharp wedge yields at its apex: 0)
+' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root.
+Public Function RWEDGE_CRITICAL_FRICTION(ByVal alpha As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md)."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_CRITICAL_FRICTION = finite(c_critical_friction(alpha, nu))
+    Else
+        RWEDGE_CRITICAL_FRICTION = failure(status)
+    End If
+End Function
+
+' ---- Dimensional quantities ---------------------------------------------------------------------------------------
+
+' From here to the series, any consistent set of units. Arguments that return:
+'   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+'   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
+'   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
+'   f      coefficient of friction, finite, >= 0
+'   k      yield stress in pure shear, stress, finite, > 0
+'   P, Q   normal and tangential force per unit length
+' The functions that return a double give NaN outside the domain.
+
+' Radius of the rounding, R = a/theta, length.                                                                  Sec. 2
+Public Function RWEDGE_RADIUS(ByVal theta As Double, ByVal a As Double) As Variant
+Attribute RWEDGE_RADIUS.VB_Description = "Radius of the rounding, R = a/theta, length."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_RADIUS = finite(c_radius(theta, a))
+    Else
+        RWEDGE_RADIUS = failure(status)
+    End If
+End Function
+
+' Half-width of the rounding from its radius, a = R theta, length.                                              Sec. 2
+'   R  radius, length, finite, >= 0
+Public Function RWEDGE_ROUNDING(ByVal theta As Double, ByVal R As Double) As Variant
+Attribute RWEDGE_ROUNDING.VB_Description = "Half-width of the rounding from its radius, a = R theta, length."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_ROUNDING = finite(c_rounding(theta, R))
+    Else
+        RWEDGE_ROUNDING = failure(status)
+    End If
+End Function
+
+' Half-width b of the contact under the load P, length.                                       Eq. (7), (11), (15), inverse
+'   P  finite, >= 0; 0 gives 0
+' Relative error below 1e-14. Inverse: rwedge_normal_load().
+Public Function RWEDGE_HALF_WIDTH( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal P As Double) As Variant
+Attribute RWEDGE_HALF_WIDTH.VB_Description = "Half-width b of the contact under the load P, length."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_HALF_WIDTH = finite(c_half_width(theta, a, compliance, P))
+    Else
+        RWEDGE_HALF_WIDTH = failure(status)
+    End If
+End Function
+
+' The load P whose contact has the half-width b, force/length.                                        Eq. (7), (11), (15)
+'   b  length, finite, >= 0; 0 gives 0
+' Relative error below 1e-14. Inverse: rwedge_half_width().
+Public Function RWEDGE_NORMAL_LOAD( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal b As Double) As Variant
+Attribute RWEDGE_NORMAL_LOAD.VB_Description = "The load P whose contact has the half-width b, force/length."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_NORMAL_LOAD = finite(c_normal_load(theta, a, compliance, b))
+    Else
+        RWEDGE_NORMAL_LOAD = failure(status)
+    End If
+End Function
+
+' The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
+' contact grows with P, so that a/b in the elastic limit depends on it: a root.                             Figs. 3 to 5
+'   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
+' nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+' Relative error below 1e-11.
+Public Function RWEDGE_YIELD_LOAD( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
+        ByVal k As Double) As Variant
+Attribute RWEDGE_YIELD_LOAD.VB_Description = "The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a root."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_YIELD_LOAD = finite(c_yield_load(theta, a, compliance, f, nu, k))
+    Else
+        RWEDGE_YIELD_LOAD = failure(status)
+    End If
+End Function
+
+' Half-width b of the contact, length; 0 when separated; NaN for NULL.                         Eq. (7), (11), (15), inverse
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_HALF_WIDTH( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contact, length; 0 when separated; NaN for NULL."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_HALF_WIDTH = finite(c_contact_half_width(contact))
+    Else
+        RWEDGE_CONTACT_HALF_WIDTH = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
+' after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL.                  Eq. (25); new
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_STICK_HALF_WIDTH( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_STICK_HALF_WIDTH = finite(c_contact_stick_half_width(contact))
+    Else
+        RWEDGE_CONTACT_STICK_HALF_WIDTH = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
+' Q > 0. Both are 0 for |x| >= b.                                                        Eq. (8), (12), (14), (22) to (27)
+'   x     length, finite
+'   p, q  each receives n numbers
+' RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
+' in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: a row for each point: p, q.
+Public Function RWEDGE_CONTACT_TRACTIONS( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal x As Variant) As Variant
+Attribute RWEDGE_CONTACT_TRACTIONS.VB_Description = "Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under Q > 0. Both are 0 for |x| >= b."
+    Dim x_list() As Double, p() As Double, q() As Double, n As Long, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = read_list(x, x_list, n)
+    If status = RWEDGE_OK Then
+        ReDim p(0 To n - 1), q(0 To n - 1)
+        status = c_contact_tractions(contact, n, x_list(0), p(0), q(0))
+    End If
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_TRACTIONS = table_of(n, p, q)
+    Else
+        RWEDGE_CONTACT_TRACTIONS = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
+'   x, y           length, finite, y >= 0
+'   sxx, syy, txy  each receives n numbers
+' RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
+' domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: a row for each point: sxx, syy, txy.
+Public Function RWEDGE_CONTACT_STRESSES( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal x As Variant, ByVal y As Variant) As Variant
+Attribute RWEDGE_CONTACT_STRESSES.VB_Description = "Stresses at n points (x, y) of the half-plane, tension positive."
+    Dim x_list() As Double, y_list() As Double, sxx() As Double, syy() As Double, txy() As Double, n As Long
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = read_list(x, x_list, n)
+    If status = RWEDGE_OK Then status = read_list(y, y_list, n)
+    If status = RWEDGE_OK Then
+        ReDim sxx(0 To n - 1), syy(0 To n - 1), txy(0 To n - 1)
+        status = c_contact_stresses(contact, n, x_list(0), y_list(0), sxx(0), syy(0), txy(0))
+    End If
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_STRESSES = table_of(n, sxx, syy, txy)
+    Else
+        RWEDGE_CONTACT_STRESSES = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
+' since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat. 0 where a
+' point has stuck ever since. In full sliding the rigid displacement is not determined by the loads; the slip is then the
+' least that the loads need, with which the centre of the contact is on the verge of slip.        Eq. (17) to (21); new
+'   x     length, |x| <= b: points outside have no partner
+'   slip  receives n numbers
+' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+' Error below 1e-13 f theta b.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: a row for each point: slip.
+Public Function RWEDGE_CONTACT_SLIP( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal x As Variant) As Variant
+Attribute RWEDGE_CONTACT_SLIP.VB_Description = "Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat."
+    Dim x_list() As Double, slip() As Double, n As Long, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = read_list(x, x_list, n)
+    If status = RWEDGE_OK Then
+        ReDim slip(0 To n - 1)
+        status = c_contact_slip(contact, n, x_list(0), slip(0))
+    End If
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_SLIP = table_of(n, slip)
+    Else
+        RWEDGE_CONTACT_SLIP = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
+' integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
+' falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
+' NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that
+' slip reaches an older layer.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_DISSIPATED_ENERGY.VB_Description = "Energy dissipated by friction since the contact was created, per unit thickness (a force): the time integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never falls."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_DISSIPATED_ENERGY = finite(c_contact_dissipated_energy(contact))
+    Else
+        RWEDGE_CONTACT_DISSIPATED_ENERGY = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
+' half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load().
+'   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+'   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
+'   x, y    where the maximum is, length; each may be NULL
+' It is the global maximum that is searched for, from each edge of slip that is remembered, at every scale; a millisecond
+' for a first load, and its time grows with the square of rwedge_contact_memory().
+' RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
+' finite number. Relative error below 1e-12.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row factor, x, y.
+Public Function RWEDGE_CONTACT_YIELD_FACTOR( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal nu As Double, ByVal k As Double) As Variant
+Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load()."
+    Dim factor As Double, x As Double, y As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_yield_factor(contact, nu, k, factor, x, y)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_YIELD_FACTOR = Array(factor, x, y)
+    Else
+        RWEDGE_CONTACT_YIELD_FACTOR = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' a_k; 0 for k >= terms; NaN for k < 0 or NULL.
+' In a cell: the series is made of x_samples, p_samples, terms.
+Public Function RWEDGE_SERIES_COEFFICIENT( _
+        ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal k As Long) As Variant
+Attribute RWEDGE_SERIES_COEFFICIENT.VB_Description = "a_k; 0 for k >= terms; NaN for k < 0 or NULL."
+    Dim series As LongPtr, status As Long
+    status = series_through(x_samples, p_samples, terms, series)
+    If status = RWEDGE_OK Then
+        RWEDGE_SERIES_COEFFICIENT = finite(c_series_coefficient(series, k))
+    Else
+        RWEDGE_SERIES_COEFFICIENT = failure(status)
+    End If
+    If series <> 0 Then c_series_destroy series
+End Function
+
+' Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
+' k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
+' sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL.
+' In a cell: the series is made of x_samples, p_samples, terms.
+Public Function RWEDGE_SERIES_RESIDUAL(ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long) As Variant
+Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum)."
+    Dim series As LongPtr, status As Long
+    status = series_through(x_samples, p_samples, terms, series)
+    If status = RWEDGE_OK Then
+        RWEDGE_SERIES_RESIDUAL = finite(c_series_residual(series))
+    Else
+        RWEDGE_SERIES_RESIDUAL = failure(status)
+    End If
+    If series <> 0 Then c_series_destroy series
+End Function
+
+' The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                                               Eq. (29)
+' In a cell: the series is made of x_samples, p_samples, terms.
+Public Function RWEDGE_SERIES_PRESSURE( _
+        ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal x As Double) As Variant
+Attribute RWEDGE_SERIES_PRESSURE.VB_Description = "The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL."
+    Dim series As LongPtr, status As Long
+    status = series_through(x_samples, p_samples, terms, series)
+    If status = RWEDGE_OK Then
+        RWEDGE_SERIES_PRESSURE = finite(c_series_pressure(series, x))
+    Else
+        RWEDGE_SERIES_PRESSURE = failure(status)
+    End If
+    If series <> 0 Then c_series_destroy series
+End Function
+
+' Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1).  Eq. (30), (34), E2, E3
+' RWEDGE_EDOMAIN, RWEDGE_ENULL.
+' In a cell: the series is made of x_samples, p_samples, terms.
+' In a cell: the row re, im.
+Public Function RWEDGE_SERIES_POTENTIAL( _
+        ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal f As Double, _
+        ByVal x As Double, ByVal y As Double) As Variant
+Attribute RWEDGE_SERIES_POTENTIAL.VB_Description = "Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1)."
+    Dim re As Double, im As Double, series As LongPtr, status As Long
+    status = series_through(x_samples, p_samples, terms, series)
+    If status = RWEDGE_OK Then status = c_series_potential(series, f, x, y, re, im)
+    If status = RWEDGE_OK Then
+        RWEDGE_SERIES_POTENTIAL = Array(re, im)
+    Else
+        RWEDGE_SERIES_POTENTIAL = failure(status)
+    End If
+    If series <> 0 Then c_series_destroy series
+End Function
+
+' Stresses for q = f p.                                                                                    Eq. (32), (33)
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges: slowly.
+' In a cell: the series is made of x_samples, p_samples, terms.
+' In a cell: the row sxx, syy, txy.
+Public Function RWEDGE_SERIES_STRESS( _
+        ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal f As Double, _
+        ByVal x As Double, ByVal y As Double) As Variant
+Attribute RWEDGE_SERIES_STRESS.VB_Description = "Stresses for q = f p."
+    Dim sxx As Double, syy As Double, txy As Double, series As LongPtr, status As Long
+    status = series_through(x_samples, p_samples, terms, series)
+    If status = RWEDGE_OK Then status = c_series_stress(series, f, x, y, sxx, syy, txy)
+    If status = RWEDGE_OK Then
+        RWEDGE_SERIES_STRESS = Array(sxx, syy, txy)
+    Else
+        RWEDGE_SERIES_STRESS = failure(status)
+    End If
+    If series <> 0 Then c_series_destroy series
+End Function

@@ -1,0 +1,86 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The module for Excel and the DLL, as far as they can be tested without Excel: the module against the header and the DLL; the DLL
+# under Wine, called directly and as Basic's declarations say, against the library of this machine.    test.sh FOLDER
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+mkdir -p "$1/excel"
+folder=$(cd "$1" && pwd)
+work=$folder/excel
+
+skip() { echo "SKIPPED: $*"; exit 77; }
+fail() { echo "FAILED: $*"; exit 1; }
+
+for command in x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran apt-get dpkg-source cmake python3 timeout; do
+    command -v "$command" >/dev/null || skip "$command is not here"
+done
+wine=$(PATH=$PATH:/usr/lib/wine command -v wine64) || skip "wine64 is not here"
+server=$(PATH=$PATH:/usr/lib/wine command -v wineserver || PATH=$PATH:/usr/lib/wine command -v wineserver64)
+sh "$here/windows/sources.sh" "$work/sources" >"$work/log" 2>&1 ||
+    skip "the sources of GSL, LAPACK and musl cannot be fetched: $(tail -n 1 "$work/log")"
+sh "$here/windows/build.sh" "$work"
+sh "$top/bindings/private.sh" "$folder"
+cd "$work"
+dll=windows/bin/rwedge.dll
+
+# The module is what the generator writes, and fits the header and the DLL.
+python3 "$here/generate.py" "$top/include/rwedge.h" "$here/template.bas" >rwedge.bas
+cmp rwedge.bas "$here/rwedge.bas" || fail "write it again: generate.py include/rwedge.h template.bas > rwedge.bas"
+echo '#include <rwedge.h>' >header.c
+x86_64-w64-mingw32-gcc -Iwindows/include -aux-info prototypes -c header.c -o header.o
+x86_64-w64-mingw32-objdump -p $dll >tables
+python3 "$here/check.py" rwedge.bas prototypes tables
+# ... and the check sees what it is for.
+faults=0
+while read -r fault; do
+    sed "$fault" rwedge.bas >faulty.bas
+    ! cmp -s rwedge.bas faulty.bas || fail "no fault in: $fault"
+    ! python3 "$here/check.py" faulty.bas prototypes tables >/dev/null || fail "not noticed: $fault"
+    faults=$((faults + 1))
+done <"$here/test/faults"
+echo "all of $faults planted faults are noticed"
+
+# It needs nothing that Windows lacks, and no mathematics of Windows' own.
+[ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "the DLL needs other DLLs"
+sed -n '/DLL Name: msvcrt/,/^$/s/^.*[0-9]  *_*\([a-z0-9]*\)$/\1/p' tables | sort >imported
+x86_64-w64-mingw32-nm dependencies/libm.a | sed -n 's/.* T //p' | sort >mathematics
+[ -s imported ] && [ -s mathematics ] || fail "the imports cannot be read"
+[ -z "$(comm -12 imported mathematics)" ] || fail "taken from msvcrt.dll:" "$(comm -12 imported mathematics)"
+
+# Wine in a prefix of its own, without a display, never longer than a minute.
+end_wine()
+{
+    WINEPREFIX=$work/wine "$server" -k 2>/dev/null || true
+    rm -rf "$work/wine"
+}
+on_windows()
+{
+    env -u DISPLAY HOME="$work" WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=;winemenubuilder.exe=' \
+        timeout -k 5 60 "$wine" "$@"
+}
+end_wine
+trap end_wine EXIT
+on_windows wineboot -i >log 2>&1 || fail "wine does not start: $(tail -n 1 log)"
+x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
+x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$here/test/errors.c" -o windows/bin/errors.exe -Lwindows/lib -lrwedge
+x86_64-w64-mingw32-gcc -std=c99 -O2 "$here/test/declared_door.c" -o windows/bin/declared_door.exe -loleaut32
+sh "$top/tests/doors/calls.sh" >calls
+on_windows windows/bin/errors.exe
+on_windows windows/bin/door.exe <calls | tr -d '\r' >answers-windows
+on_windows windows/bin/declared_door.exe $dll rwedge.bas <calls | tr -d '\r' >answers-declared
+on_windows windows/bin/declared_door.exe $dll rwedge.bas time | tr -d '\r' >time
+cat time
+! grep -q ANOTHER time || fail "DispCallFunc gives other results"
+
+# The library of this machine, with its own libm and with that of the DLL.
+[ -f linux/libm.a ] || sh "$here/windows/libm.sh" sources linux
+prefix=$folder/private/prefix
+cc -std=c99 -O2 -I"$prefix/include" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
+cc -std=c99 -O2 -I"$prefix/include" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm
+linux/door <calls >answers-linux
+linux/door-same <calls >answers-same
+cmp answers-same answers-windows || fail "Windows and Linux differ, with the same libm"
+cmp answers-windows answers-declared || fail "called as Basic declares them, the functions give something else"
+echo "$(wc -l <answers-windows) calls: the same bits on Windows, by Basic's declarations, and here with the same libm"
+echo "with this machine's libm, $(python3 "$here/test/compare.py" answers-linux answers-windows 1e-12)"

@@ -34,6 +34,7 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
+have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
 [ $compilers = no ] || wish command:gcc=gcc command:clang=clang
 
 passed=0 failed=0 skipped=0
@@ -105,6 +106,9 @@ if [ $sanitize = yes ]; then
 fi
 if [ $campaign = yes ]; then
     step "survey of the strength" build/tests/strength_survey 50000 2026
+    step "certificate of the tables" build/tests/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
+    step "certificate of the whole range" \
+        sh tests/certificate/wide.sh build/tests/certificate/certificate build/cli/rwedge "$(processors)"
 fi
 
 cat "$skips"

@@ -1,0 +1,48 @@
+% SPDX-License-Identifier: GPL-3.0-or-later
+function folder = build_rwedge(prefix, folder)
+%BUILD_RWEDGE  Builds rwedge for this MATLAB or GNU Octave.
+%   build_rwedge(PREFIX, FOLDER) compiles rwedge_mex.c and writes the functions and classes, with help texts from rwedge.h,
+%   into FOLDER, which is all that need be on the path. PREFIX is where rwedge is installed, built with
+%   RWEDGE_PRIVATE_DEPS=ON (so that its static library needs no other): include/rwedge.h and lib/librwedge.a.
+%   The default of PREFIX is three folders up, where an installed copy of this file finds it; of FOLDER, ./rwedge.
+here = fileparts(mfilename('fullpath'));
+if nargin < 1
+    prefix = fullfile(here, '..', '..', '..');
+end
+if nargin < 2
+    folder = fullfile(pwd, 'rwedge');
+end
+if ~exist(folder, 'dir')
+    mkdir(folder);
+end
+header = fullfile(prefix, 'include', 'rwedge.h');
+library = fullfile(prefix, 'lib', 'librwedge.a');
+for needed = {header, library}
+    if ~exist(needed{1}, 'file')
+        error('rwedge:build', '%s is missing: is rwedge installed at %s?', needed{1}, prefix);
+    end
+end
+compile(fullfile(here, 'rwedge_mex.c'), fullfile(prefix, 'include'), library, folder);
+write_functions(header, here, folder);
+end
+
+function compile(source, include, library, folder)
+if exist('OCTAVE_VERSION', 'builtin')
+    % mkoctfile leaves the object file where it is called
+    back = cd(folder);
+    restore = onCleanup(@() cd(back));
+    status = system(sprintf('mkoctfile --mex -I"%s" "%s" "%s" -o rwedge_mex.%s', absolute(include, back), ...
+        absolute(source, back), absolute(library, back), mexext()));
+    if status ~= 0
+        error('rwedge:build', 'mkoctfile failed');
+    end
+else
+    mex(['-I' include], source, library, '-outdir', folder, '-output', 'rwedge_mex');
+end
+end
+
+function path = absolute(path, base)
+if isempty(regexp(path, '^([/\\]|[A-Za-z]:)', 'once'))
+    path = fullfile(base, path);
+end
+end

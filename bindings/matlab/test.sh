@@ -1,0 +1,78 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The MATLAB interface in GNU Octave, linked with the private build, and rwedge.h as loadlibrary and clib read it.
+#     test.sh BUILD-FOLDER
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$here/../..
+for tool in octave-cli mkoctfile; do
+    command -v $tool >/dev/null 2>&1 || { echo "SKIPPED: $tool is not installed"; exit 77; }
+done
+sh "$top/bindings/private.sh" "$1"
+prefix=$(cd "$1/private/prefix" && pwd)
+rm -rf "$1/matlab"
+mkdir -p "$1/matlab"
+cd "$1/matlab"
+
+fail()
+{
+    echo "FAILED: $1"
+    exit 1
+}
+
+octave()
+{
+    octave-cli --no-init-file --no-history --path "$here" --path "$PWD/rwedge" "$@"
+}
+
+sh "$here/check_header.sh" "$prefix/include/rwedge.h"
+# each of these must be refused
+violations=0
+while read -r violation; do
+    { sed '$d' "$prefix/include/rwedge.h"; echo "$violation"; echo '#endif'; } >violated.h
+    if sh "$here/check_header.sh" violated.h >refused.txt 2>&1; then
+        fail "the check of the header takes $violation"
+    fi
+    grep -q REFUSED refused.txt || fail "the check of the header fails otherwise: $(cat refused.txt)"
+    violations=$((violations + 1))
+done <<'END'
+RWEDGE_API double rwedge_v(double (*function)(double));
+RWEDGE_API long double rwedge_v(double x);
+RWEDGE_API double rwedge_v(long double x);
+RWEDGE_API double rwedge_v(double _Complex x);
+RWEDGE_API double rwedge_v(int32_t n, ...);
+RWEDGE_API double rwedge_v(unsigned n);
+RWEDGE_API double rwedge_v(uint64_t n);
+RWEDGE_API double rwedge_v(double **x);
+RWEDGE_API double rwedge_v(double ***x);
+RWEDGE_API double rwedge_v(rwedge_contact contact);
+RWEDGE_API rwedge_contact rwedge_v(double x);
+RWEDGE_API rwedge_contact *rwedge_v(double x);
+RWEDGE_API double *rwedge_v(double x);
+RWEDGE_API double rwedge_v(double x[3][3]);
+RWEDGE_API double rwedge_v(const char **text);
+RWEDGE_API double rwedge_v();
+RWEDGE_API extern double rwedge_v;
+typedef double (*rwedge_v)(double);
+typedef struct { double x; } rwedge_v;
+struct rwedge_v { unsigned x : 4; };
+union rwedge_v { double x; int32_t n; };
+static double rwedge_v(double x) { return x; }
+#define RWEDGE_V(x) (x)
+END
+echo "$violations violations of it refused"
+
+octave --eval "build_rwedge('$prefix', '$PWD/rwedge');" >/dev/null
+
+sh "$top/tests/doors/calls.sh" >calls.csv
+cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+./door_in_c <calls.csv >expected.csv
+octave "$here/door.m" <calls.csv >answers.csv
+cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
+echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
+
+octave "$here/example.m" >example.txt
+grep -q "^ -28.8 *4.0370e-04" example.txt || fail "the example's slip is not that of tests/data/example_fretting.txt"
+
+cc -O2 -I"$prefix/include" "$here/loop.c" "$prefix/lib/librwedge.a" -lm -o loop
+LOOP_NS=$(./loop) RWEDGE_HEADER=$prefix/include/rwedge.h octave "$here/test_rwedge.m"

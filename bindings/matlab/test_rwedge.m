@@ -1,0 +1,220 @@
+% SPDX-License-Identifier: GPL-3.0-or-later
+% The functions and classes as their users meet them: shapes, errors, NaN, handles, and what a call costs. LOOP_NS in the
+% environment is what a load takes in a loop in C, in ns.
+1;
+
+function claim(what, holds)
+    global failures
+    if ~holds
+        failures = failures + 1;
+        printf('FAILED: %s\n', what);
+    end
+end
+
+% The call ends with the error of that identifier, and its message has all these words.
+function refused(identifier, words, call)
+    try
+        call();
+        claim([func2str(call) ' is refused'], false);
+    catch err
+        claim([func2str(call) ': ' err.identifier], strcmp(err.identifier, ['rwedge:' identifier]));
+        for word = words
+            claim([err.message ': has ' word{1}], ~isempty(strfind(err.message, word{1})));
+        end
+    end
+end
+
+function leaves_by_error()
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    c.load(1000, 601);
+end
+
+function shapes()
+    alpha = reshape(0.1:0.1:2.4, 2, 3, 4);
+    claim('the shape of the argument', isequal(size(rwedge_load(alpha)), [2 3 4]));
+    claim('a row, a column', isrow(rwedge_load(1:3)) && iscolumn(rwedge_load((1:3)')));
+    claim('empty', isequal(size(rwedge_load(zeros(0, 3))), [0 3]) && isempty(rwedge_pressure([], 0.3)));
+    for i = [1 7 24]
+        claim('a scalar goes with every element', isequal(rwedge_shear(alpha, 0.2, 0.5)(i), rwedge_shear(alpha(i), 0.2, 0.5)));
+    end
+    [limit, x, y] = rwedge_yield_point(alpha, 0.1, 0.3);
+    [limit1, x1, y1] = rwedge_yield_point(alpha(5), 0.1, 0.3);
+    claim('several results', isequal([limit(5) x(5) y(5)], [limit1 x1 y1]) && isequal(size(y), [2 3 4]));
+    claim('the limit of the yield point', isequal(limit, rwedge_elastic_limit(alpha, 0.1, 0.3)));
+    p = linspace(-1.5, 1.5, 100);
+    [sxx, syy, txy] = rwedge_stress(0.3, 0.2, 0.5, p, abs(p));
+    for i = 1:100
+        [a, b, c] = rwedge_stress(0.3, 0.2, 0.5, p(i), abs(p(i)));
+        claim('an array of stresses is that of its points', isequal([a b c], [sxx(i) syy(i) txy(i)]));
+    end
+    claim('one output', isequal(rwedge_stress(0.3, 0.2, 0.5, p, 0.1 + 0 * p)(3), rwedge_stress(0.3, 0.2, 0.5, p(3), 0.1)));
+    refused('size', {'rwedge_pressure', 'argument 2'}, @() rwedge_pressure(1:3, 1:2));
+    refused('size', {'argument 2'}, @() rwedge_pressure(1:3, (1:3)'));
+end
+
+function errors()
+    claim('NaN gives NaN', isnan(rwedge_load(NaN)) && isnan(rwedge_elastic_limit(0.3, NaN, 0.3)));
+    claim('outside the domain, NaN', isequaln(rwedge_load([-1 1]), [NaN rwedge_load(1)]));
+    claim('no whole number, NaN', isnan(rwedge_coefficient(0.3, 1.5)) && isnan(rwedge_coefficient(0.3, 1e10)));
+    refused('domain', {'rwedge_stress', 'outside its domain', 'y = -1', '>= 0', 'element 2'}, ...
+        @() rwedge_stress(0.3, 0.2, 0, 0, [1 -1]));
+    refused('domain', {'y = NaN'}, @() rwedge_stress(0.3, 0.2, 0, [0 0], [1 NaN]));
+    refused('domain', {'f = 2000000', '0 to 1e6'}, @() rwedge_stress(0.3, 2e6, 0, 0, 1));
+    refused('domain', {'alpha = 0, f = 0.2'}, @() rwedge_stress(0, 0.2, 0, 0, 0)); % the apex: none alone is to blame
+    refused('domain', {'nu = 0.6', '0 to 0.5'}, @() rwedge_yield_point(0.3, 0.2, 0.6));
+    refused('domain', {'alpha = 1e-15', '1e-14'}, @() rwedge_yield_point(1e-15, 0.2, 0.3));
+    refused('domain', {'theta = 2', 'pi/2'}, @() rwedge_contact(2, 0.5, 1.8e-5, 0.6));
+    refused('domain', {'terms = 2.5'}, @() rwedge_series(0.3, 2.5));
+    refused('range', {'rwedge_series'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
+    refused('rank', {'rwedge_series_fit'}, @() rwedge_series.fit([0.1 0.1 0.1], [1 1 1], 3));
+    refused('class', {'argument 1', 'int8'}, @() rwedge_load(int8(1)));
+    refused('class', {'single'}, @() rwedge_load(single(1)));
+    refused('class', {'char'}, @() rwedge_load('1'));
+    refused('class', {'complex'}, @() rwedge_load(1 + 2i));
+    refused('class', {'sparse'}, @() rwedge_load(sparse([1 0 2])));
+    refused('arguments', {'no such function'}, @() rwedge_mex('nothing'));
+    refused('arguments', {'takes 2 arguments'}, @() rwedge_mex('pressure', 1));
+    [limit, x] = rwedge_surface_yield(0.3, [0 0.1], 0.5);
+    claim('an absent branch is NaN, a sweep goes on', isequal(isnan([limit; x]), [true false; true false]));
+end
+
+function contacts()
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    refused('absent', {'contact_yield_factor'}, @() c.yield_factor(0.3, 300));
+    c.load(1000, 300);
+    refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
+    refused('domain', {'P = -1', '>= 0'}, @() c.load(-1, 0));
+    refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
+    refused('handle', {'no such contact'}, @() rwedge_contact().load(1, 0));
+    refused('handle', {'no such contact'}, @() rwedge_mex('contact_load', 1e6, 1, 0));
+    x = [0 0.3; -0.2 0.5] * c.half_width();
+    [p, q] = c.tractions(x);
+    claim('the shape of x', isequal(size(p), [2 2]) && isequal(size(q), [2 2]));
+    [~, q1] = c.tractions(x(2));
+    claim('a traction of an array', q1 == q(2));
+    d = c.copy();
+    same = c;
+    d.load(1000, -500);
+    [~, after] = c.tractions(x);
+    claim('a copy is independent', isequal(after, q));
+    same.load(1000, -500);
+    [~, after] = c.tractions(x);
+    claim('an assignment is the same contact', ~isequal(after, q));
+    step = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    step.load(1000, 0);
+    step.load(1000, 300);
+    step.load(1000, -500);
+    all = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    all.load(1000, [0 300 -500]);
+    claim('a vector of loads is a history', all.dissipated_energy() == step.dissipated_energy() && ...
+        all.memory() == step.memory());
+    [factor, x, y] = all.yield_factor(0.3, 300);
+    claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
+    delete(all);
+    refused('handle', {'any more'}, @() all.half_width());
+end
+
+function lives()
+    before = rwedge_mex('alive');
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    d = c;
+    s = rwedge_series(0.3, 5);
+    claim('two alive', rwedge_mex('alive') == before + 2);
+    clear c
+    claim('held by d', rwedge_mex('alive') == before + 2);
+    clear d s
+    claim('none left by clear', rwedge_mex('alive') == before);
+    try
+        leaves_by_error();
+    catch
+    end
+    claim('none left by an error', rwedge_mex('alive') == before);
+    try
+        rwedge_contact(0.01, -1, 1, 1);
+    catch
+    end
+    claim('none made by a constructor that fails', rwedge_mex('alive') == before);
+    many = cell(1, 100);
+    for i = 1:100
+        many{i} = rwedge_contact(0.01, 0.5, 1.8e-5, i / 100);
+        many{i}.load(1000, 0);
+    end
+    claim('a hundred, each its own', rwedge_mex('alive') == before + 100 && many{3}.half_width() == many{97}.half_width());
+    clear -f rwedge_mex % it holds objects: it must stay
+    claim('objects outlive clear -f', many{50}.half_width() > 0 && rwedge_mex('alive') == before + 100);
+    many = [];
+    claim('none left', rwedge_mex('alive') == before);
+end
+
+% p = -sqrt(1-x^2) (2 U_0 - U_1) is fitted as it is.
+function series()
+    x = cos(pi * ((1:40) - 0.5) / 40);
+    p = -sqrt(1 - x.^2) .* (2 - 2 * x);
+    s = rwedge_series.fit(x, p, 3);
+    claim('coefficients', all(abs(s.coefficient(0:2) - [2 -1 0]) < 1e-13) && s.terms() == 3);
+    claim('pressure', all(abs(s.pressure(x) - p) < 1e-13) && s.residual() < 1e-13);
+    [~, syy] = s.stress(0.3, 0.2, 0);
+    claim('pressure is -syy', abs(syy - s.pressure(0.2)) < 1e-13);
+    [re, im] = s.potential(0.3, 0.2, 0.5);
+    claim('potential', isfinite(re + im));
+end
+
+function texts(header)
+    claim('version', ~isempty(regexp(rwedge_version(), '^\d+\.\d+\.\d+$', 'once')));
+    claim('text of a status', strcmp(rwedge_strerror(1), 'an argument is outside its domain'));
+    folder = tempname();
+    mkdir(folder);
+    names = write_functions(header, fileparts(which('write_functions')), folder);
+    claim('every function of the header is served', size(names, 1) > 40);
+    for i = 1:size(names, 1)
+        method = regexp(names{i, 1}, '^rwedge_(?:contact|series)_(\w+)$', 'tokens', 'once');
+        if isempty(method)
+            claim([names{i, 1} ' exists'], exist(names{i, 2}) == 2);
+            text = fileread(fullfile(folder, [names{i, 2} '.m']));
+            claim([names{i, 2} ' has a help text'], numel(strfind(text, [char(10) '%   '])) > 0);
+            claim([names{i, 2} ' is as built'], isequal(text, fileread(which(names{i, 2}))));
+        elseif ~any(strcmp(method{1}, {'create', 'destroy'}))
+            claim([names{i, 1} ' is a method'], any(strcmp(methods(names{i, 2}), method{1})));
+        end
+    end
+    confirm_recursive_rmdir(false, 'local');
+    rmdir(folder, 's');
+end
+
+% The fastest of five.
+function seconds = time_of(work)
+    seconds = Inf;
+    for i = 1:5
+        before = cputime();
+        work();
+        seconds = min(seconds, cputime() - before);
+    end
+end
+
+function many_calls(n)
+    for i = 1:n
+        rwedge_load(0.3);
+    end
+end
+
+function costs()
+    in_c = str2double(getenv('LOOP_NS'));
+    alpha = linspace(1e-6, 1.2, 1e6);
+    array = 1e3 * time_of(@() rwedge_load(alpha));
+    one = 1e6 * time_of(@() many_calls(1e4)) / 1e4;
+    printf('a call %.1f us; a load in an array of 10^6 %.1f ns, in a loop in C %.1f ns: ratio %.1f\n', one, array, in_c, ...
+        array / in_c);
+    claim('a load in an array costs no more than 5 of a loop in C', array < 5 * in_c);
+    claim('a call costs no more than 100 us', one < 100);
+end
+
+global failures
+failures = 0;
+shapes();
+errors();
+contacts();
+lives();
+series();
+texts(getenv('RWEDGE_HEADER'));
+costs();
+exit(double(failures > 0));

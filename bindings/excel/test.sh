@@ -40,6 +40,15 @@ while read -r fault; do
     faults=$((faults + 1))
 done <"$here/test/faults"
 echo "all of $faults planted faults are noticed"
+# A reader of Basic: no other is to be had without Office.
+checker=$work/vbalidator
+if [ -x "$checker/bin/vbalidator" ] || python3 -m pip -q install --target "$checker" vbalidator==1.7.0 >log 2>&1; then
+    PYTHONPATH=$checker "$checker/bin/vbalidator" --host excel --strict --define 'Win64=True,VBA7=True' --output vbalidator.json \
+        rwedge.bas >log || { cat log; fail "vbalidator finds fault"; }
+    grep '^Errors' log
+else
+    echo "NOT RUN: vbalidator, which pip cannot install here"
+fi
 
 # It needs nothing that Windows lacks, and no mathematics of Windows' own.
 [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "the DLL needs other DLLs"
@@ -47,6 +56,11 @@ sed -n '/DLL Name: msvcrt/,/^$/s/^.*[0-9]  *_*\([a-z0-9]*\)$/\1/p' tables | sort
 x86_64-w64-mingw32-nm dependencies/libm.a | sed -n 's/.* T //p' | sort >mathematics
 [ -s imported ] && [ -s mathematics ] || fail "the imports cannot be read"
 [ -z "$(comm -12 imported mathematics)" ] || fail "taken from msvcrt.dll:" "$(comm -12 imported mathematics)"
+# Nor may Excel's mode of the x87 (53 bits) matter: it is not used. (fninit is in the start-up of programs, not of a DLL.)
+x86_64-w64-mingw32-objdump -d --no-show-raw-insn $dll >code
+grep -q addsd code || fail "the code cannot be read"
+x87=$(awk -F '\t' '$2 ~ /^f[a-z]/ { split($2, word, " "); print word[1] }' code | grep -v '^fninit$' | sort -u)
+[ -z "$x87" ] || fail "the DLL uses the x87:" "$x87"
 
 # Wine in a prefix of its own, without a display, never longer than a minute.
 end_wine()

@@ -319,6 +319,7 @@ static void sizes_beyond_the_range_are_refused(void **state)
     } CASES[] = {
         {1, 1, 1e-160},        {1, 1, 1e160},
         {0, 1e-200, 1e-120},   {0, 1e200, 1e120},   /* b = 5e-320; 5e320 */
+        {0, 1e170, 1e135},                          /* b = 5e305: points around it would be beyond */
         {1e200, 1e-226, 1e-140}, {1e-300, 1e100, 1}, /* b/a = 8e-283, whose square the stresses need; a/b = 2e-400 */
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
@@ -328,6 +329,32 @@ static void sizes_beyond_the_range_are_refused(void **state)
         assert_true(rwedge_contact_half_width(contact) == 0);
         rwedge_contact_destroy(contact);
     }
+}
+
+/* Q falls short of sliding by 1e-14: c = 1e-14 b is below the smallest that a traction is evaluated for. */
+static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
+{
+    (void)state;
+    const double f = 0.5, P = 1e-140;
+    rwedge_contact *contact = NULL, *sliding = NULL;
+    assert_int_equal(rwedge_contact_create(0.1, 0, 1e-140, f, &contact), RWEDGE_OK);
+    load(contact, P, 0);
+    assert_int_equal(rwedge_contact_copy(contact, &sliding), RWEDGE_OK);
+    load(contact, P, f * P * (1 - 1e-14));
+    load(sliding, P, f * P);
+    const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
+    assert_close(c, 1e-14 * b, 1e-2);
+    for (double x = b / 2; x > c; x /= 7)
+        assert_close(shear(contact, x), f * pressure(contact, x), 1e-13);
+    assert_true(fabs(shear(contact, c / 2)) <= f * fabs(pressure(contact, c / 2)));
+    const double x = b / 3, y = b / 4;
+    double s[3], expected[3];
+    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(sliding, 1, &x, &y, &expected[0], &expected[1], &expected[2]), RWEDGE_OK);
+    for (int i = 0; i < 3; i++)
+        assert_close(s[i], expected[i], 1e-13);
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(sliding);
 }
 
 int main(void)
@@ -346,6 +373,7 @@ int main(void)
         cmocka_unit_test(missing_arrays_are_refused),
         cmocka_unit_test(a_unit_of_stress_beyond_the_doubles_is_refused),
         cmocka_unit_test(sizes_beyond_the_range_are_refused),
+        cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_is_none),
     };
     return RUN_CLAIMS("contact", tests);
 }

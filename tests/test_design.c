@@ -49,6 +49,8 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
+    assert_true(rwedge_yield_load(1e-300, 1, 1e300, 0.1, 0.3, 1e300) == HUGE_VAL); /* A k/theta = 1e900 */
 }
 
 static void bad_design_arguments_are_not_numbers(void **state)
@@ -85,6 +87,23 @@ static void nothing_has_no_size(void **state)
 {
     (void)state;
     assert_true(rwedge_radius(0.1, 0) == 0 && rwedge_rounding(0.1, 0) == 0);
+}
+
+/* Sizes whose exponents are at the ends of a double's, exact powers of two. */
+static void sizes_reach_the_ends_of_the_doubles(void **state)
+{
+    (void)state;
+    const double least = ldexp(1, -1074), most = ldexp(1, 1023);
+    assert_true(rwedge_rounding(0.5, 2 * least) == least);
+    assert_true(rwedge_rounding(0.5, least) == 0);
+    assert_true(rwedge_rounding(0.5, most) == most / 2);
+    assert_true(rwedge_rounding(1, nextafter(HUGE_VAL, 0)) == nextafter(HUGE_VAL, 0));
+    assert_true(rwedge_radius(0.5, least) == 2 * least);
+    assert_true(rwedge_radius(0.5, most / 2) == most);
+    assert_nan(rwedge_radius(0.5, most));
+    assert_true(rwedge_rounding(ldexp(1, -1000), ldexp(1, -1000)) == 0);
+    for (int exponent = -1022; exponent < 1023; exponent++)
+        assert_true(rwedge_radius(0.5, ldexp(1, exponent)) == ldexp(1, exponent + 1));
 }
 
 /* ---- The yield factor of a state ---- */
@@ -199,6 +218,18 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
     rwedge_contact_destroy(contact);
 }
 
+static void a_factor_beyond_the_doubles_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.1, 1e100, 1e100, 0.5, &contact), RWEDGE_OK);
+    load(contact, 1, 0); /* stresses below 1e-101 */
+    double factor = 7;
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e300, &factor, NULL, NULL), RWEDGE_ERANGE);
+    assert_true(factor == 7);
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -212,6 +243,8 @@ int main(void)
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
         cmocka_unit_test(nothing_has_no_size),
+        cmocka_unit_test(sizes_reach_the_ends_of_the_doubles),
+        cmocka_unit_test(a_factor_beyond_the_doubles_is_refused),
     };
     return RUN_CLAIMS("design", tests);
 }

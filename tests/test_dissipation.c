@@ -91,6 +91,58 @@ static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
     }
 }
 
+/* A cylinder's radius is a/theta: with a hundred orders of magnitude more of a and as many less of A, as here, the load that
+ * would fill the rounding is beyond the doubles. The widths stay, and the energies fall with A. */
+static void no_rounding_is_too_large(void **state)
+{
+    (void)state;
+    const double much = 1e200, f = 0.5, P = 0.16;
+    rwedge_contact *usual = create(2, f), *large = NULL;
+    assert_int_equal(rwedge_contact_create(THETA, 2 * much, A / much, f, &large), RWEDGE_OK);
+    for (int i = 0; i < 5; i++) {
+        const double Q = i == 0 ? 0 : (i % 2 ? 0.6 : -0.5) * f * P;
+        load(usual, P, Q);
+        load(large, P, Q);
+        assert_close(rwedge_contact_half_width(large), rwedge_contact_half_width(usual), 1e-14);
+        assert_within(much * rwedge_contact_dissipated_energy(large), rwedge_contact_dissipated_energy(usual),
+                      1e-13 * rwedge_contact_dissipated_energy(usual));
+    }
+    rwedge_contact_destroy(usual);
+    rwedge_contact_destroy(large);
+}
+
+/* In units in which a reversal dissipates some percent of the largest double, or more than it: the load that would exceed
+ * it is refused and leaves all as it was. */
+static void energy_does_not_overflow(void **state)
+{
+    (void)state;
+    const double f = 0.5;
+    rwedge_contact *unit = create(0.1, f);
+    load(unit, 0.2, 0.05);
+    load(unit, 0.2, -0.05);
+    const double reversal = rwedge_contact_dissipated_energy(unit);
+    for (int octaves = 1020; octaves <= 1026; octaves += 6) {
+        const int energy = octaves - ilogb(reversal), length = 560;
+        rwedge_contact *contact = NULL;
+        const double L = ldexp(1, length), S = ldexp(1, energy - 2 * length);
+        assert_int_equal(rwedge_contact_create(THETA, 0.1 * L, A / S, f, &contact), RWEDGE_OK);
+        int32_t status = RWEDGE_OK;
+        int loads = 0;
+        double before = 0, width = 0;
+        for (; status == RWEDGE_OK && loads < 100; loads++) {
+            before = rwedge_contact_dissipated_energy(contact);
+            width = rwedge_contact_stick_half_width(contact);
+            status = rwedge_contact_load(contact, 0.2 * S * L, (loads % 2 ? -0.05 : 0.05) * S * L);
+        }
+        assert_int_equal(status, RWEDGE_ERANGE);
+        assert_true(octaves == 1020 ? loads > 8 && loads < 40 : loads == 2);
+        assert_true(rwedge_contact_dissipated_energy(contact) == before);
+        assert_true(rwedge_contact_stick_half_width(contact) == width);
+        rwedge_contact_destroy(contact);
+    }
+    rwedge_contact_destroy(unit);
+}
+
 /* ---- Memory ---- */
 
 static void cycle_often(double P_low)
@@ -174,6 +226,8 @@ int main(void)
         cmocka_unit_test(equal_cycles_change_nothing),
         cmocka_unit_test(slip_is_continuous_where_its_front_meets_a_corner),
         cmocka_unit_test(separation_forgets_all_but_the_energy),
+        cmocka_unit_test(no_rounding_is_too_large),
+        cmocka_unit_test(energy_does_not_overflow),
     };
     return RUN_CLAIMS("dissipation", tests);
 }

@@ -63,6 +63,15 @@ static void every_status_has_a_text(void **state)
     assert_string_equal(rwedge_version(), RWEDGE_VERSION);
 }
 
+static void a_compliance_beyond_the_doubles_is_no_number(void **state)
+{
+    (void)state;
+    assert_nan(rwedge_compliance(1, 0.3, 1e-320, 0.3));
+    assert_nan(rwedge_compliance(1.5e-308, 0, 1.5e-308, 0)); /* 2/E + 2/E = 2.7e308 */
+    assert_close(rwedge_compliance(3e-308, 0, 3e-308, 0), 4 / 3e-308, 4 * DBL_EPSILON);
+    assert_nan(rwedge_dundurs_beta(1e-320, 0.3, 1, 0.3));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -70,6 +79,7 @@ int main(void)
         cmocka_unit_test(beta_is_dundurs),
         cmocka_unit_test(bad_materials_are_not_numbers),
         cmocka_unit_test(every_status_has_a_text),
+        cmocka_unit_test(a_compliance_beyond_the_doubles_is_no_number),
     };
     return RUN_CLAIMS("material", tests);
 }

@@ -318,6 +318,20 @@ static void fits_scale_with_the_samples(void **state)
     }
 }
 
+static void no_pressure_is_fitted_by_none(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES] = {0};
+    chebyshev_points(x);
+    rwedge_series *series = NULL;
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 5, &series), RWEDGE_OK);
+    for (int32_t k = 0; k < 5; k++)
+        assert_true(rwedge_series_coefficient(series, k) == 0);
+    assert_true(rwedge_series_residual(series) == 0);
+    rwedge_series_destroy(series);
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, (1 << 24) + 1, &series), RWEDGE_ERANGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -335,6 +349,7 @@ int main(void)
         cmocka_unit_test(missing_outputs_are_refused),
         cmocka_unit_test(the_smallest_tips_have_a_bound_too),
         cmocka_unit_test(fits_scale_with_the_samples),
+        cmocka_unit_test(no_pressure_is_fitted_by_none),
     };
     return RUN_CLAIMS("series", tests);
 }

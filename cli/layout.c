@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "layout.h"
 
+#include "ahead.h"
 #include "message.h"
 #include "progress.h"
 
@@ -32,23 +33,13 @@ static bool not_computed(const table *which, const double value[], int32_t statu
     return false;
 }
 
-static bool compute(const plan *what, const double value[], cell row[])
-{
-    const int32_t status = what->table->row(value, row);
-    progress_step();
-    return status == RWEDGE_OK ? true : not_computed(what->table, value, status);
-}
+/* ---- What is computed ahead ---- */
 
-static bool write_row(const plan *what, records *rows, const double value[])
-{
+typedef struct {
+    double value[VARIABLE_COUNT];
+    int32_t status;
     cell row[COLUMNS_MAX];
-    if (!compute(what, value, row))
-        return false;
-    for (int i = 0; i < what->table->column_count; i++)
-        rows->format->value(rows, what->table->column[i], row[i]);
-    rows->format->end_row(rows);
-    return records_go_on(rows);
-}
+} computed;
 
 /* The combination of index i; the last axis runs fastest. */
 static void set_combination(const plan *what, int64_t i, double value[])
@@ -61,15 +52,46 @@ static void set_combination(const plan *what, int64_t i, double value[])
     }
 }
 
-static bool write_long(const plan *what, records *rows, double value[])
+/* The same for a grid: along its rows. */
+static void set_grid_combination(const plan *what, int64_t i, double value[])
+{
+    const range *across = &what->axis[what->table->across];
+    if (table_depends_on(what->table, NU))
+        value[NU] = range_value(&what->axis[NU], 0); /* the only one, unless it is across */
+    value[A_OVER_B] = range_value(&what->axis[A_OVER_B], i / across->count);
+    value[what->table->across] = range_value(across, i % across->count);
+}
+
+static void compute(const void *of_plan, int64_t i, void *result)
+{
+    const plan *what = of_plan;
+    computed *to = result;
+    (what->grid ? set_grid_combination : set_combination)(what, i, to->value);
+    to->status = what->table->row(to->value, to->row);
+}
+
+/* The next in order; NULL, with the reason said, where it could not be computed. */
+static const computed *next_computed(const plan *what, ahead *work)
+{
+    const computed *next = ahead_next(work);
+    progress_step();
+    return next->status == RWEDGE_OK || not_computed(what->table, next->value, next->status) ? next : NULL;
+}
+
+/* ---- Layouts ---- */
+
+static bool write_long(const plan *what, records *rows, ahead *work)
 {
     const int64_t size = plan_size(what);
-    for (int64_t i = 0; i < size; i++) {
-        set_combination(what, i, value);
-        if (!write_row(what, rows, value))
+    for (int64_t i = 0; i < size && records_go_on(rows); i++) {
+        const computed *one = next_computed(what, work);
+        if (one == NULL)
             return false;
+        for (int k = 0; k < what->table->column_count; k++)
+            rows->format->value(rows, what->table->column[k], one->row[k]);
+        rows->format->end_row(rows);
     }
-    return true;
+    return records_go_on(rows);
 }
 
 static void write_long_header(const plan *what, records *rows)
@@ -96,46 +118,43 @@ static void write_grid_header(const plan *what, records *rows)
     rows->format->end_header(rows);
 }
 
-static bool write_grid_row(const plan *what, records *rows, double value[])
+static bool write_grid_row(const plan *what, records *rows, double a_over_b, ahead *work)
 {
-    const int across = what->table->across;
-    rows->format->value(rows, what->table->column[what->quantity], cell_number(value[A_OVER_B]));
-    for (int64_t i = 0; i < what->axis[across].count && records_go_on(rows); i++) {
-        cell row[COLUMNS_MAX];
+    rows->format->value(rows, what->table->column[what->quantity], cell_number(a_over_b));
+    for (int64_t i = 0; i < what->axis[what->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
-        value[across] = range_value(&what->axis[across], i);
-        if (!compute(what, value, row))
+        const computed *one = next_computed(what, work);
+        if (one == NULL)
             return false;
         name_across(what, rows, i, name);
-        rows->format->value(rows, name, row[what->quantity]);
+        rows->format->value(rows, name, one->row[what->quantity]);
     }
     rows->format->end_row(rows);
     return records_go_on(rows);
 }
 
-static bool write_grid(const plan *what, records *rows, double value[])
+static bool write_grid(const plan *what, records *rows, ahead *work)
 {
-    if (table_depends_on(what->table, NU))
-        value[NU] = range_value(&what->axis[NU], 0); /* the only one, unless it is across */
-    for (int64_t i = 0; i < what->axis[A_OVER_B].count; i++) {
-        value[A_OVER_B] = range_value(&what->axis[A_OVER_B], i);
-        if (!write_grid_row(what, rows, value))
+    for (int64_t i = 0; i < what->axis[A_OVER_B].count; i++)
+        if (!write_grid_row(what, rows, range_value(&what->axis[A_OVER_B], i), work))
             return false;
-    }
     return true;
 }
 
 bool plan_write(void *plan_to_write, records *rows, bool show_progress)
 {
     const plan *what = plan_to_write;
-    double value[VARIABLE_COUNT] = {0};
+    ahead *work = ahead_start(what->threads, plan_size(what), sizeof(computed), compute, what);
+    if (work == NULL)
+        return false;
     progress_start(show_progress, plan_size(what), what->grid ? "values" : "rows");
     rows->format->begin(rows);
     if (what->grid)
         write_grid_header(what, rows);
     else
         write_long_header(what, rows);
-    const bool done = what->grid ? write_grid(what, rows, value) : write_long(what, rows, value);
+    const bool done = (what->grid ? write_grid : write_long)(what, rows, work);
+    ahead_stop(work);
     rows->format->end(rows);
     progress_erase();
     return records_are_sound(rows) && (done || rows->out->error != 0); /* that, output_finish() says */

@@ -11,6 +11,7 @@ typedef struct {
     range axis[VARIABLE_COUNT]; /* those that the table depends on */
     bool grid;
     int quantity; /* the column that a grid shows */
+    int threads;
 } plan;
 
 /* How many values it computes. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "table.h"
 
+#include "ahead.h"
 #include "layout.h"
 #include "message.h"
 #include "output_options.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_VARIABLE = OPTION_OWN, OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT, OPTION_QUANTITY };
+enum { OPTION_VARIABLE = OPTION_OWN, OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT, OPTION_QUANTITY, OPTION_THREADS };
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + A_OVER_B,
@@ -20,6 +21,8 @@ static const struct poptOption options[] = {
     {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
      "A row for each combination, or a/b down and the second variable across (default long)", "long|grid"},
     {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows", "COLUMN"},
+    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
+     "Threads that compute; the table is the same for any N (default: one for each processor)", "N"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -176,10 +179,20 @@ static int read_quantity(const arguments *given, plan *what)
     return usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, what->table->name, allowed);
 }
 
+static int read_threads(const arguments *given, plan *what)
+{
+    const char *text = given->value[OPTION_THREADS];
+    int64_t threads = ahead_processors();
+    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &threads))
+        return usage_error("--threads %s: must be a whole number from 1 to %d", text, AHEAD_THREADS_MAX);
+    what->threads = (int)threads;
+    return STATUS_DONE;
+}
+
 static int read_plan(const arguments *given, plan *what)
 {
     static int (*const steps[])(const arguments *, plan *) = {choose_table, read_variables, check_tips,
-                                                                           read_layout, read_quantity};
+                                                                   read_layout,  read_quantity,  read_threads};
     int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++)
         status = steps[i](given, what);

@@ -17,7 +17,7 @@ refuses "rwedge table: elastic: unknown table; allowed: $tables" table elastic
 refuses "rwedge table: contact-law: unexpected; allowed: one table, and options" $limit contact-law
 
 # Options that do not exist, lack a value, or have one too many.
-options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity"
+options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity, --threads"
 common="--help, --format, --digits, --decimal-comma, --output, --quiet"
 refuses "rwedge table: --mu: unknown option; allowed: $options, $common" $limit --mu 0.3
 refuses "rwedge table: -x: unknown option; allowed: $options, $common" $limit -x

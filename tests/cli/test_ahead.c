@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Results computed ahead arrive in order, each once, whatever the number of threads; and may be left where they are. Run under
+ * the thread sanitizer by tests/threads.sh too. */
+#include "ahead.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* Takes longer for some, so that blocks become ready out of order. */
+static void square(const void *context, int64_t i, void *result)
+{
+    volatile int64_t waste = 0;
+    for (int64_t k = 0; k < i % 7 * *(const int *)context; k++)
+        waste = waste + k;
+    *(int64_t *)result = i * i;
+}
+
+static void results_come_in_order(void **state)
+{
+    (void)state;
+    static const int64_t counts[] = {0, 1, 31, 32, 33, 100, 1000, 5000};
+    const int slowness = 100;
+    for (int threads = 1; threads <= 8; threads++)
+        for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+            ahead *work = ahead_start(threads, counts[k], sizeof(int64_t), square, &slowness);
+            assert_non_null(work);
+            for (int64_t i = 0; i < counts[k]; i++)
+                assert_true(*(const int64_t *)ahead_next(work) == i * i);
+            ahead_stop(work);
+        }
+}
+
+static void work_may_be_left(void **state)
+{
+    (void)state;
+    const int slowness = 10;
+    for (int taken = 0; taken < 200; taken += 13) {
+        ahead *work = ahead_start(4, INT64_MAX / 2, sizeof(int64_t), square, &slowness);
+        assert_non_null(work);
+        for (int64_t i = 0; i < taken; i++)
+            assert_true(*(const int64_t *)ahead_next(work) == i * i);
+        ahead_stop(work);
+    }
+    ahead_stop(NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(results_come_in_order), cmocka_unit_test(work_may_be_left)};
+    return cmocka_run_group_tests_name("ahead", tests, NULL, NULL);
+}

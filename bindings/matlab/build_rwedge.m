@@ -28,21 +28,12 @@ end
 
 function compile(source, include, library, folder)
 if exist('OCTAVE_VERSION', 'builtin')
-    % mkoctfile leaves the object file where it is called
-    back = cd(folder);
-    restore = onCleanup(@() cd(back));
-    status = system(sprintf('mkoctfile --mex -I"%s" "%s" "%s" -o rwedge_mex.%s', absolute(include, back), ...
-        absolute(source, back), absolute(library, back), mexext()));
+    status = system(sprintf('mkoctfile --mex -I"%s" "%s" "%s" -o "%s"', include, source, library, ...
+        fullfile(folder, ['rwedge_mex.' mexext()])));
     if status ~= 0
         error('rwedge:build', 'mkoctfile failed');
     end
 else
     mex(['-I' include], source, library, '-outdir', folder, '-output', 'rwedge_mex');
-end
-end
-
-function path = absolute(path, base)
-if isempty(regexp(path, '^([/\\]|[A-Za-z]:)', 'once'))
-    path = fullfile(base, path);
 end
 end

@@ -3,8 +3,8 @@
 # rwedge.h keeps to the C that MATLAB's loadlibrary and clib both take, by MathWorks' pages "Limitations to Shared Library
 # Support", "Pass Arguments to Shared C Library Functions" and "Limitations to C/C++ Support". What is allowed is listed, and
 # all else refused: opaque structs, one enum of status codes, and functions
-#     of    double, int32_t, size_t, and pointers and arrays of double; [const] OPAQUE *; OPAQUE ** (lib.pointer for loadlibrary;
-#           for clib only as a parameter, and of a class: these functions are named, see README.md)
+#     of    double, int32_t, size_t, and pointers and arrays of double; [const] OPAQUE *; OPAQUE ** (a lib.pointer for
+#           loadlibrary; for clib only as a parameter, and of a class: these functions are named, see README.md)
 #     to    double, int32_t, size_t, const char *, or nothing.
 # That leaves out callbacks, variadic functions, struct, union, complex and long double, bit-fields, other unsigned types, and
 # macros with arguments.    check_header.sh HEADER

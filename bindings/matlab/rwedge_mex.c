@@ -434,7 +434,7 @@ static mxArray *series_create(const mxArray *const arguments[])
 {
     static const quantity *const of[] = {&alpha, &terms};
     double v[2];
-    rwedge_series *series;
+    rwedge_series *series = NULL;
     all_scalars("series", 2, arguments, v);
     handle *slot = slot_or_fail("series");
     const int32_t status = is_int32(v[1]) ? rwedge_series_create(v[0], (int32_t)v[1], &series) : RWEDGE_EDOMAIN;
@@ -448,7 +448,7 @@ static mxArray *series_fit(const mxArray *const arguments[])
     static const quantity *const of[] = {&terms};
     const double *samples[2];
     double count;
-    rwedge_series *series;
+    rwedge_series *series = NULL;
     take("series_fit", 2, arguments, samples);
     all_scalars("series_fit", 1, arguments + 2, &count);
     if (!same_size(arguments[0], arguments[1]))

@@ -62,7 +62,36 @@ static double rwedge_v(double x) { return x; }
 END
 echo "$violations violations of it refused"
 
-octave --eval "build_rwedge('$prefix', '$PWD/rwedge');" >/dev/null
+# as installed, and as a program of the C Matrix API: nothing but what MATLAB has too is called
+mkdir -p installed/share/rwedge/matlab
+ln -s "$prefix/include" "$prefix/lib" installed/
+cp "$here"/*.m "$here"/*.in "$here/rwedge_mex.c" installed/share/rwedge/matlab
+octave-cli --no-init-file --no-history --path installed/share/rwedge/matlab --eval 'build_rwedge();' >/dev/null
+cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
+    -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
+nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
+cat >known.txt <<'END'
+mexAtExit
+mexErrMsgIdAndTxt
+mexLock
+mexUnlock
+mxCreateDoubleMatrix
+mxCreateDoubleScalar
+mxCreateNumericArray
+mxCreateString
+mxDestroyArray
+mxGetClassName
+mxGetDimensions
+mxGetNumberOfDimensions
+mxGetNumberOfElements
+mxGetPr
+mxGetScalar
+mxGetString
+mxIsComplex
+mxIsDouble
+mxIsSparse
+END
+diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
 sh "$top/tests/doors/calls.sh" >calls.csv
 cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c

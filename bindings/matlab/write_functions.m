@@ -123,7 +123,7 @@ else
     shared = common.natural;
 end
 for i = 1:size(shared, 1)
-    if any(ismember(shared{i, 1}, d.inputs)) && ~any(ismember(shared{i, 1}, [here{:, 1}]))
+    if any(ismember(shared{i, 1}, d.inputs)) && ~any(ismember(shared{i, 1}, [here{:, 1}, {''}]))
         lines{end + 1} = shared{i, 2}; %#ok<AGROW>
     end
 end

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Holds the module for Excel against the library: check.py rwedge.bas PROTOTYPES EXPORTS
 
-PROTOTYPES is what the C compiler itself makes of the header (gcc -aux-info), EXPORTS what the DLL's export table says (objdump -p): neither
-comes from the generator, whose mistakes are to be found.
+PROTOTYPES is what the C compiler itself makes of the header (gcc -aux-info), EXPORTS what the DLL's export table says
+(objdump -p): neither comes from the generator, whose mistakes are to be found.
 """
 import re
 import sys
@@ -17,6 +17,9 @@ PASSED = {
     "const struct *": "ByVal LongPtr", "struct *": "ByVal LongPtr", "struct **": "ByRef LongPtr",
 }
 RETURNED = {"double": "Double", "int32_t": "Long", "size_t": "LongPtr", "const char *": "LongPtr", "void": None}
+
+DECLARATION = (r'Private Declare PtrSafe (Function|Sub) (c_\w+) Lib "rwedge\.dll" Alias "(\w+)" '
+               r"\((.*)\)(?: As (\w+))?")
 
 problems = []
 
@@ -44,7 +47,7 @@ def check_declarations(module, declared_in_c, exported):
     """name in Basic: number of arguments."""
     declared = {}
     for line in re.findall(r"^.*\bDeclare\b.*$", module, re.M):
-        match = re.fullmatch(r'Private Declare PtrSafe (Function|Sub) (c_\w+) Lib "rwedge\.dll" Alias "(\w+)" \((.*)\)(?: As (\w+))?', line)
+        match = re.fullmatch(DECLARATION, line)
         if not match:
             expect(re.match(r'Private Declare PtrSafe (Function|Sub) \w+ Lib "kernel32" ', line), f"not understood: {line}")
             continue
@@ -80,7 +83,8 @@ def check_code(module, declared):
     called = set()
     for match in re.finditer(r"\b(c_\w+)( \w+$|\()", code, re.M):
         count = arguments_of_call(code[match.end() - 1:]) if match[2] == "(" else 1
-        expect(declared.get(match[1]) == count, f"{match[1]}: called with {count} arguments, declared with {declared.get(match[1])}")
+        wanted = declared.get(match[1])
+        expect(wanted == count, f"{match[1]}: called with {count} arguments, declared with {wanted}")
         called.add(match[1])
     expect(called == set(declared), f"declared but never called: {set(declared) - called}")
     for name, body in re.findall(r"^(?:Public|Private) (?:Function|Sub) (\w+)(.*?)^End (?:Function|Sub)", code, re.S | re.M):

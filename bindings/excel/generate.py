@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the module for Excel from the header: generate.py ../../include/rwedge.h template.bas > rwedge.bas
 
-Each function of the header becomes a declaration (c_..., private) and a worksheet function (RWEDGE_...). What has one result gives
-a number; what has several, a row; what takes arrays, columns. A handle is never seen: its functions take the history, or the
-samples, that it is made of.
+Each function of the header becomes a declaration (c_..., private) and a worksheet function (RWEDGE_...). What has one
+result gives a number; what has several, a row; what takes arrays, columns. A handle is never seen: its functions take the
+history, or the samples, that it is made of.
 """
 import re
 import sys
@@ -80,13 +80,19 @@ def functions(header):
             comments = []
 
 
+def filled(items, width):
+    """Lines of items with commas between them, none of them broken."""
+    lines = textwrap.wrap(", ".join(i.replace(" ", "\0") for i in items), width, break_on_hyphens=False)
+    return [x.replace("\0", " ") for x in lines]
+
+
 def wrapped(start, items, end, indent=8):
     """start(items)end, over as many lines as it takes."""
     line = f"{start}({', '.join(items)}){end}"
     if len(line) <= WIDTH:
         return line
-    lines = textwrap.wrap(", ".join(i.replace(" ", "\0") for i in items), WIDTH - indent - max(2, len(end) + 1), break_on_hyphens=False)
-    return f"{start}( _\n" + " _\n".join(" " * indent + x.replace("\0", " ") for x in lines) + f"){end}"
+    lines = filled(items, WIDTH - indent - max(2, len(end) + 1))
+    return f"{start}( _\n" + " _\n".join(" " * indent + x for x in lines) + f"){end}"
 
 
 def names(parameters):
@@ -140,8 +146,8 @@ def statements(f, name, handle):
     lines += ["If status = RWEDGE_OK Then", f"    {name} = {result}", "Else", f"    {name} = failure(status)", "End If"]
     if handle:
         lines.append(f"If {handle} <> 0 Then c_{handle}_destroy {handle}")
-    dims = textwrap.wrap(", ".join(v.replace(" ", "\0") for v in variables + ["status As Long"]), WIDTH - 8)
-    return [f"    {line}" for line in ["Dim " + d.rstrip(",").replace("\0", " ") for d in dims] + lines]
+    dims = ["Dim " + line.rstrip(",") for line in filled(variables + ["status As Long"], WIDTH - 8)]
+    return [f"    {line}" for line in dims + lines]
 
 
 def cell_name(f):
@@ -179,7 +185,7 @@ def main():
     start = header.index("/* ---- Materials")
     declared = [f for f in functions(header) if f.name not in NOT_DECLARED]
     offered = [f for f in functions(header[start:]) if f.name not in NOT_DECLARED | NOT_IN_CELLS]
-    module = (template.replace("{introduction}", "\n".join(("' " + line[3:]).rstrip() for line in ("   " + introduction).split("\n")))
+    module = (template.replace("{introduction}", re.sub("(?m)^ \\*", "'", "' " + introduction))
               .replace("{statuses}", "\n".join(f"    {s}" for s in statuses))
               .replace("{declares}", "\n".join(declaration(f) for f in declared))
               .replace("{functions}", "\n\n".join(map(worksheet_function, offered, offered[:1] + offered))))

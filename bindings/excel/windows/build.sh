@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds rwedge.dll for 64-bit Windows, GSL, LAPACK and libm inside, and installs it into FOLDER/windows/ (bin/rwedge.dll, lib/, include/).
-# Quiet, unless it fails. It needs gcc-mingw-w64-x86-64, gfortran-mingw-w64-x86-64, dpkg-dev and a minute the first time.
+# Builds rwedge.dll for 64-bit Windows, GSL, LAPACK and libm inside, and installs it into FOLDER/windows/ (bin/rwedge.dll,
+# lib/, include/). Quiet, unless it fails. It needs gcc-mingw-w64-x86-64, gfortran-mingw-w64-x86-64, dpkg-dev, and half a
+# minute the first time.
 #     build.sh FOLDER
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

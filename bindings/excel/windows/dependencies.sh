@@ -44,7 +44,7 @@ compile la_constants # the modules of those routines that are Fortran 90
 compile la_xisnan
 compile dgelsd
 before=0 now=1
-while [ $now -gt $before ]; do
+while [ "$now" -gt "$before" ]; do
     before=$now
     for routine in $(undefined); do
         [ -f "lapack-objects/$routine.o" ] || compile "$routine"

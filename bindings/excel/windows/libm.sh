@@ -24,7 +24,8 @@ EOF
 # the square root is an instruction: x86_64/ has it
 for file in "$math"/*.c "$math"/x86_64/sqrt.c; do
     case $file in *l.c | */fma.c) continue ;; esac # long double; needs more of musl
-    "${prefix}gcc" -std=gnu99 -O2 -ffp-contract=off -fno-builtin -w -D_GNU_SOURCE -include libm-objects/musl.h -I"$math/../internal" \
-        -idirafter "$math/../../arch/generic" -idirafter libm-objects/headers -c "$file" -o "libm-objects/$(basename "$file" .c).o"
+    "${prefix}gcc" -std=gnu99 -O2 -ffp-contract=off -fno-builtin -w -D_GNU_SOURCE -include libm-objects/musl.h \
+        -I"$math/../internal" -idirafter "$math/../../arch/generic" -idirafter libm-objects/headers \
+        -c "$file" -o "libm-objects/$(basename "$file" .c).o"
 done
 "${prefix}ar" rcs libm.a libm-objects/*.o

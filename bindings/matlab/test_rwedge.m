@@ -159,11 +159,40 @@ function series()
     claim('potential', isfinite(re + im));
 end
 
+% Called with the number of arguments of the header, it gives the number of results, and with one more of either it refuses.
+function holds = takes_and_gives(name, contact, series)
+    [function_name, server, inputs, outputs] = name{:};
+    first = {strrep(function_name, 'rwedge_', '')};
+    if strcmp(server, 'rwedge_contact')
+        first{2} = contact.number;
+    elseif strcmp(server, 'rwedge_series')
+        first{2} = series.number;
+    end
+    arguments = num2cell(0.3 * ones(1, inputs + 1));
+    holds = ends_with(outputs, [first arguments(1:inputs)], '') && ends_with(outputs, [first arguments], 'rwedge:arguments');
+    if ~any(strcmp(function_name, {'rwedge_version', 'rwedge_strerror'})) && outputs > 0
+        holds = holds && ends_with(outputs + 1, [first arguments(1:inputs)], 'rwedge:arguments');
+    end
+end
+
+function holds = ends_with(outputs, arguments, identifier)
+    r = cell(1, outputs);
+    try
+        [r{:}] = rwedge_mex(arguments{:});
+        holds = isempty(identifier);
+    catch err
+        holds = strcmp(err.identifier, identifier);
+    end
+end
+
 function texts(header)
     claim('version', ~isempty(regexp(rwedge_version(), '^\d+\.\d+\.\d+$', 'once')));
     claim('text of a status', strcmp(rwedge_strerror(1), 'an argument is outside its domain'));
     folder = tempname();
     mkdir(folder);
+    contact = rwedge_contact(0.01, 0.5, 1.8e-5, 2);
+    contact.load(1000, 300);
+    series = rwedge_series(0.3, 5);
     names = write_functions(header, fileparts(which('write_functions')), folder);
     claim('every function of the header is served', size(names, 1) > 40);
     for i = 1:size(names, 1)
@@ -175,6 +204,9 @@ function texts(header)
             claim([names{i, 2} ' is as built'], isequal(text, fileread(which(names{i, 2}))));
         elseif ~any(strcmp(method{1}, {'create', 'destroy'}))
             claim([names{i, 1} ' is a method'], any(strcmp(methods(names{i, 2}), method{1})));
+        end
+        if isempty(regexp(names{i, 1}, '^rwedge_(stresses|elastic_limits|.*_(create|copy|destroy|fit))$', 'once'))
+            claim([names{i, 1} ' takes and gives what the header says'], takes_and_gives(names(i, :), contact, series));
         end
     end
     confirm_recursive_rmdir(false, 'local');

@@ -1,9 +1,10 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
 function names = write_functions(header, templates, folder)
 %WRITE_FUNCTIONS  Writes the functions and classes of rwedge into FOLDER: each a call of rwedge_mex, with the comment of
-%   rwedge.h as its help text. NAMES are the functions of the header, with what serves each.
+%   rwedge.h as its help text. NAMES are the functions of the header, what serves each, and
+%   its numbers of arguments and results.
 [declared, common] = read_header(header);
-names = cell(0, 2);
+names = cell(0, 4);
 methods = struct('contact', '', 'series', '');
 for i = 1:numel(declared)
     d = declared(i);
@@ -20,7 +21,7 @@ for i = 1:numel(declared)
             methods.(family) = [methods.(family) method_text(d, family)];
         end
     end
-    names(end + 1, :) = {['rwedge_' d.name], server}; %#ok<AGROW>
+    names(end + 1, :) = {['rwedge_' d.name], server, numel(d.inputs), numel(d.outputs)}; %#ok<AGROW>
 end
 for family = {'contact', 'series'}
     text = fileread(fullfile(templates, ['rwedge_' family{1} '.m.in']));

@@ -56,7 +56,6 @@ static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
                       theta = {"theta", 0, 1.5707963267948963, true, "> 0 and < pi/2"},
                       a = {"a", 0, DBL_MAX, false, "finite and >= 0"},
                       A = {"A", 0, DBL_MAX, true, "finite and > 0"},
-                      any_f = {"f", 0, DBL_MAX, false, "finite and >= 0"},
                       k = {"k", 0, DBL_MAX, true, "finite and > 0"},
                       P = {"P", 0, DBL_MAX, false, "finite and >= 0"},
                       Q = {"Q", -DBL_MAX, DBL_MAX, false, "finite"},
@@ -298,8 +297,8 @@ static const function functions[] = {
     {"series_coefficient", SERIES, 1, 1, series_coefficient, NULL, {0}, NULL, 0},
     {"series_residual", SERIES, 0, 1, series_residual, NULL, {0}, NULL, 0},
     {"series_pressure", SERIES, 1, 1, series_pressure, NULL, {0}, NULL, 0},
-    {"series_potential", SERIES, 3, 2, NULL, series_potential, {&any_f, &x, &y}, NULL, 0},
-    {"series_stress", SERIES, 3, 3, NULL, series_stress, {&any_f, &x, &y}, NULL, 0},
+    {"series_potential", SERIES, 3, 2, NULL, series_potential, {&f, &x, &y}, NULL, 0},
+    {"series_stress", SERIES, 3, 3, NULL, series_stress, {&f, &x, &y}, NULL, 0},
 };
 
 /* ---- Arrays ------------------------------------------------------------------------------------------------------- */
@@ -408,7 +407,7 @@ static void all_scalars(const char *name, int count, const mxArray *const argume
 
 static mxArray *contact_create(const mxArray *const arguments[])
 {
-    static const quantity *const of[] = {&theta, &a, &A, &any_f};
+    static const quantity *const of[] = {&theta, &a, &A, &f};
     double v[4];
     rwedge_contact *contact;
     all_scalars("contact", 4, arguments, v);

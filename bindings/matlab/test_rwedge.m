@@ -64,6 +64,7 @@ function errors()
     refused('domain', {'nu = 0.6', '0 to 0.5'}, @() rwedge_yield_point(0.3, 0.2, 0.6));
     refused('domain', {'alpha = 1e-15', '1e-14'}, @() rwedge_yield_point(1e-15, 0.2, 0.3));
     refused('domain', {'theta = 2', 'pi/2'}, @() rwedge_contact(2, 0.5, 1.8e-5, 0.6));
+    refused('domain', {'f = 2000000', '0 to 1e6'}, @() rwedge_contact(0.01, 0.5, 1.8e-5, 2e6));
     refused('domain', {'terms = 2.5'}, @() rwedge_series(0.3, 2.5));
     refused('range', {'rwedge_series'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
     refused('rank', {'rwedge_series_fit'}, @() rwedge_series.fit([0.1 0.1 0.1], [1 1 1], 3));

@@ -5,7 +5,8 @@
  *
  * Both reduce their quotient to |s| <= 0.2 and sum the one series of atanh and atan. Each is also offered divided by a
  * parameter `over`, whose reciprocal is `per`: where the quotient is near 1, or the angle small, that is accurate relatively
- * however small the parameter, and with over = per = 0 it is the limit. The error is below 3 units of the last digit. */
+ * however small the parameter, and with over = per = 0 it is the limit. The error is below 3 units of the last digit,
+ * and below 4 where it is divided. */
 #ifndef RW_LOGARITHM_H
 #define RW_LOGARITHM_H
 

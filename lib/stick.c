@@ -31,13 +31,16 @@ static double load_lost_on_flank(double alpha, double c)
     return lost * asin(alpha) + alpha * d * (1 - c) - c * c * asin_excess(alpha * d / c);
 }
 
+/* Below it alpha^2 is nothing beside 1; and products of alpha and 1-c might underflow. */
+static const double SHARP = 1e-100;
+
 double rwedge_shear_ratio(double alpha, double c)
 {
     if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c))
         return NAN;
     if (alpha >= 1)
         return (1 - c) * (1 + c);
-    if (alpha == 0)
+    if (alpha < SHARP)
         return 1 - c;
     const double whole = rwedge_load(alpha);
     if (c >= alpha)

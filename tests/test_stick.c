@@ -122,6 +122,16 @@ static void sharp_wedge_sticks_at_its_apex(void **state)
     assert_close(rwedge_shear(1e-12, 0.5, 1e-3), rwedge_shear(0, 0.5, 1e-3), 1e-12);
 }
 
+/* Its terms once underflowed. */
+static void the_smallest_tips_slip_like_the_sharp_wedge(void **state)
+{
+    (void)state;
+    const double lost = 0x1p-52;
+    assert_close(rwedge_shear_ratio(5e-300, 1 - lost), lost, 1e-15);
+    assert_close(rwedge_shear_ratio(1e-100, 1 - lost), lost, 1e-15);
+    assert_close(rwedge_shear_ratio(5e-300, 0.25), 0.75, 1e-15);
+}
+
 static void bad_arguments_are_not_numbers(void **state)
 {
     (void)state;
@@ -161,6 +171,7 @@ int main(void)
         cmocka_unit_test(shear_is_limited_by_friction),
         cmocka_unit_test(corrective_shear_is_elliptic_inside_the_rounding),
         cmocka_unit_test(sharp_wedge_sticks_at_its_apex),
+        cmocka_unit_test(the_smallest_tips_slip_like_the_sharp_wedge),
         cmocka_unit_test(bad_arguments_are_not_numbers),
         cmocka_unit_test(shear_is_even),
     };

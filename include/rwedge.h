@@ -188,7 +188,7 @@ RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
  *   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
  *   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
  *   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
- *   f      coefficient of friction, finite, >= 0
+ *   f      coefficient of friction, 0 <= f <= 1e6
  *   k      yield stress in pure shear, stress, finite, > 0
  *   P, Q   normal and tangential force per unit length
  * The functions that return a double give NaN outside the domain. */
@@ -321,8 +321,9 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
 /* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.                Sec. 4 of the paper
  *   samples  number of samples, >= terms, samples * terms <= 2^27
  *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
- * RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double (repeated or clustered
- * points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+ * RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits
+ * of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
+ * RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
                                      rwedge_series **series);
 

@@ -44,6 +44,12 @@ try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -W
 try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
 try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/main.c"
 
+if command -v gfortran >/dev/null 2>&1; then
+    try "Fortran compiles the module" gfortran -std=f2008 -Wall -Wextra -pedantic -Werror -J"$work" -c -o "$work/module.o" \
+        "$prefix/include/rwedge.f90"
+fi
+[ -f "$prefix/share/rwedge/matlab/build_rwedge.m" ] || { echo "FAILED: no MATLAB folder installed"; exit 1; }
+
 try "the private build is there" sh "$source/bindings/private.sh" "$build"
 try "find_package configures with it" cmake -S "$consumer" -B "$work/private" \
     -DCMAKE_PREFIX_PATH="$build/private/prefix" -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON -DCMAKE_DISABLE_FIND_PACKAGE_LAPACK=ON

@@ -31,6 +31,8 @@ require library:cmocka=libcmocka-dev command:c++=g++
 wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
     command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
     command:localedef=locales command:python3=python3 "command:soffice=libreoffice-calc-nogui python3-uno"
+# the languages that the library is called from
+wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread

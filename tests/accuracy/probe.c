@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "probe.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { FIRST_BITS = 128, MOST_BITS = 1 << 14 };
+
+/* What the radius of the reference may add to a figure: a ten-thousandth of epsilon, or of the figure. */
+static const double NEGLIGIBLE = 1e-4;
+
+/* Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014: splitmix64. */
+static uint64_t mixed(uint64_t v)
+{
+    v = (v ^ (v >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    v = (v ^ (v >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return v ^ (v >> 31);
+}
+
+double uniform(probe *call)
+{
+    call->random += UINT64_C(0x9e3779b97f4a7c15);
+    return ldexp((double)(mixed(call->random) >> 11), -53);
+}
+
+double between(probe *call, double lo, double hi)
+{
+    return lo + (hi - lo) * uniform(call);
+}
+
+double log_between(probe *call, double lo, double hi)
+{
+    return exp(between(call, log(lo), log(hi)));
+}
+
+bool chance(probe *call, double probability)
+{
+    return uniform(call) < probability;
+}
+
+double either_sign(probe *call, double value)
+{
+    return chance(call, 0.5) ? value : -value;
+}
+
+/* ---- Arguments ---- */
+
+double argument(probe *call, const char *name, double value)
+{
+    if (call->arguments < ARGUMENTS_MAX) {
+        call->name[call->arguments] = name;
+        call->value[call->arguments++] = value;
+    }
+    return value;
+}
+
+double near(probe *call, double mark)
+{
+    return mark + either_sign(call, mark * log_between(call, 1e-17, 1));
+}
+
+double some_rounded_alpha(probe *call)
+{
+    const double kind = uniform(call);
+    if (kind < 0.3)
+        return log_between(call, 1e-8, 1);
+    if (kind < 0.5)
+        return 1 - uniform(call);
+    if (kind < 0.7)
+        return 1 - log_between(call, 1e-16, 1);
+    if (kind < 0.75)
+        return near(call, 1);
+    if (kind < 0.85)
+        return log_between(call, 1, 100);
+    if (kind < 0.93)
+        return log_between(call, 1e-20, 1e-6);
+    if (kind < 0.95)
+        return log_between(call, 1e-300, 1e-20);
+    if (kind < 0.97)
+        return log_between(call, 1, 1e300);
+    static const double EXACT[] = {1, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.5, 0.1, 1e-8, 0.7071067811865476, 2};
+    return EXACT[(int)(8 * uniform(call))];
+}
+
+double some_alpha(probe *call)
+{
+    return chance(call, 0.01) ? 0 : some_rounded_alpha(call);
+}
+
+double some_fraction(probe *call, double mark)
+{
+    const double kind = uniform(call);
+    double v = kind < 0.3    ? uniform(call)
+               : kind < 0.45 ? log_between(call, 1e-16, 1)
+               : kind < 0.5  ? log_between(call, 1e-300, 1)
+               : kind < 0.75 ? 1 - log_between(call, 1e-16, 1)
+               : kind < 0.95 ? near(call, mark)
+               : kind < 0.97 ? 0
+               : kind < 0.98 ? mark
+                             : 1;
+    return fmax(0, fmin(1, v));
+}
+
+/* One of the marks of the surface. */
+static double some_mark(probe *call, double alpha, double c)
+{
+    const double kind = uniform(call);
+    return kind < 0.3 ? fmin(alpha, 1) : kind < 0.5 ? c : 1;
+}
+
+double some_place(probe *call, double alpha, double c)
+{
+    const double kind = uniform(call);
+    double x = kind < 0.25   ? uniform(call)
+               : kind < 0.4  ? fmin(alpha, 1) * uniform(call)
+               : kind < 0.5  ? log_between(call, 1e-17, 1)
+               : kind < 0.55 ? log_between(call, 1, 1e4)
+               : kind < 0.56 ? 0
+               : kind < 0.6  ? some_mark(call, alpha, c)
+                             : near(call, some_mark(call, alpha, c));
+    return either_sign(call, x);
+}
+
+void some_point(probe *call, double alpha, double c, double *x, double *y)
+{
+    const double kind = uniform(call);
+    if (kind < 0.2) { /* next to the contact */
+        *x = between(call, -1.5, 1.5);
+        *y = between(call, 0, 1.5);
+    } else if (kind < 0.35) { /* the surface */
+        *x = some_place(call, alpha, c);
+        *y = 0;
+    } else if (kind < 0.5) { /* next to the surface */
+        *x = some_place(call, alpha, c);
+        *y = log_between(call, 1e-18, 1);
+    } else if (kind < 0.6) { /* the far field */
+        const double r = log_between(call, 1, chance(call, 0.02) ? 1e260 : 1e4), angle = between(call, 0, 3.14159);
+        *x = r * cos(angle);
+        *y = r * sin(angle);
+    } else { /* around a mark, at every scale */
+        const double mark = chance(call, 0.3) ? 0 : either_sign(call, some_mark(call, alpha, c));
+        const double least = mark == 0 && chance(call, 0.1) ? 1e-300 : 1e-17;
+        const double r = log_between(call, least, 2) * (mark == 0 && chance(call, 0.5) ? fmin(alpha, 1) : 1);
+        const double angle = between(call, 0, 3.14159);
+        *x = mark + r * cos(angle);
+        *y = r * sin(angle);
+    }
+    argument(call, "x", *x);
+    argument(call, "y", *y);
+}
+
+double some_friction(probe *call)
+{
+    const double kind = uniform(call);
+    return kind < 0.1 ? 0 : kind < 0.7 ? uniform(call) : kind < 0.85 ? log_between(call, 1e-12, 1) : log_between(call, 0.1, 1e6);
+}
+
+double some_poisson(probe *call)
+{
+    const double kind = uniform(call);
+    return kind < 0.6    ? between(call, 0, 0.5)
+           : kind < 0.8  ? 0.3
+           : kind < 0.85 ? 0
+           : kind < 0.9  ? 0.5
+                         : 0.5 - log_between(call, 1e-16, 0.5);
+}
+
+/* ---- Errors ---- */
+
+void error_over(arb_t error, double result, const arb_t exact, const arb_t scale, slong prec)
+{
+    arb_t difference;
+    arb_init(difference);
+    arb_set_d(difference, result);
+    arb_sub(difference, difference, exact, prec);
+    if (arb_is_zero(difference)) {
+        arb_zero(error);
+    } else {
+        arb_div(error, difference, scale, prec);
+        arb_abs(error, error);
+    }
+    arb_clear(difference);
+}
+
+void relative_error(arb_t error, double result, const arb_t exact, slong prec)
+{
+    error_over(error, result, exact, exact, prec);
+}
+
+static bool is_told(const arb_t error)
+{
+    const double radius = mag_get_d(arb_radref(error));
+    if (!arb_is_finite(error))
+        return false;
+    const double middle = fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR));
+    return radius <= NEGLIGIBLE * fmax(DBL_EPSILON, middle);
+}
+
+static double upper_bound(const arb_t error)
+{
+    arf_t bound;
+    arf_init(bound);
+    arb_get_ubound_arf(bound, error, 64);
+    const double upper = arf_get_d(bound, ARF_RND_UP);
+    arf_clear(bound);
+    return fmax(0, upper);
+}
+
+double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
+{
+    *call = (probe){.random = mixed(mixed(seed) + index)};
+    for (const char *c = claim->function; *c; c++)
+        call->random = mixed(call->random + (unsigned char)*c);
+    while (!claim->draw(call)) {
+        probe_release(call);
+        *call = (probe){.random = call->random};
+    }
+    arb_t error;
+    arb_init(error);
+    slong prec = FIRST_BITS;
+    do
+        claim->judge(error, call, prec);
+    while (!is_told(error) && (prec *= 2) <= MOST_BITS);
+    const double upper = is_told(error) ? upper_bound(error) : HUGE_VAL;
+    arb_clear(error);
+    return upper;
+}
+
+void probe_release(probe *call)
+{
+    if (call->object)
+        call->release(call->object);
+    call->object = 0;
+}

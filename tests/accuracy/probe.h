@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One call of one function at random arguments, and how far its result is from the exact one. A row of the report draws a
+ * call and judges it: the judge computes the error in balls, so that the exact error is within what it returns, and is
+ * asked again with more bits until nothing of the figure is the reference's own. */
+#ifndef PROBE_H
+#define PROBE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "balls.h"
+
+enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 8, LOADS_MAX = 12 };
+
+typedef struct {
+    uint64_t random;                        /* state of the random numbers */
+    int arguments;                          /* how many were drawn, with their names and values */
+    const char *name[ARGUMENTS_MAX];
+    double value[ARGUMENTS_MAX];
+    int loads;                              /* of a history */
+    double P[LOADS_MAX], Q[LOADS_MAX];
+    double result[RESULTS_MAX];             /* of the library */
+    void *object;                           /* that the judge needs, and how it is freed */
+    void (*release)(void *object);
+} probe;
+
+typedef struct {
+    const char *function, *domain;
+    const char *measure;             /* what the error is relative to */
+    double promised;                 /* bound of the error in that measure; 0 where the header has none */
+    const char *promise;             /* as the header says it */
+    double part;                     /* of the calls asked for; below 1 where a call is costly */
+    bool (*draw)(probe *call);       /* false: these arguments have no result; draw again */
+    void (*judge)(arb_t error, const probe *call, slong prec); /* not negative */
+} row;
+
+/* The error of the call number `index` of a row; HUGE_VAL where no number of bits could tell it. */
+double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call);
+void probe_release(probe *call);
+
+/* Records an argument; returns it. */
+double argument(probe *call, const char *name, double value);
+
+/* ---- Random numbers ---- */
+
+double uniform(probe *call);                                /* [0, 1) */
+double between(probe *call, double lo, double hi);
+double log_between(probe *call, double lo, double hi);      /* 0 < lo < hi */
+bool chance(probe *call, double probability);
+double either_sign(probe *call, double value);
+
+/* ---- Arguments, with their edges over-sampled ---- */
+
+double some_alpha(probe *call);                             /* 0 and 1e-300 to 1e300, dense next to 1 */
+double some_rounded_alpha(probe *call);                     /* not 0 */
+double some_fraction(probe *call, double mark);             /* [0, 1], dense next to 0, 1 and the mark */
+double some_place(probe *call, double alpha, double c);     /* on the surface: next to 0, +-alpha, +-c, +-1 */
+void some_point(probe *call, double alpha, double c, double *x, double *y); /* of the half-plane */
+double some_friction(probe *call);
+double some_poisson(probe *call);
+double near(probe *call, double mark);                      /* from a factor of 2 to the next double */
+
+/* ---- Errors ---- */
+
+/* |result - exact|/scale. */
+void error_over(arb_t error, double result, const arb_t exact, const arb_t scale, slong prec);
+
+/* The relative error; 0 where both are 0. */
+void relative_error(arb_t error, double result, const arb_t exact, slong prec);
+
+#endif

@@ -40,6 +40,12 @@ static int unknown_option(const syntax *grammar, const char *option)
     return usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
+/* popt goes on without what it could not store: an option would be missed by nobody. */
+static bool is_out_of_memory(void)
+{
+    return errno == ENOMEM;
+}
+
 static int bad_option(const syntax *grammar, poptContext context, int error)
 {
     const char *option = poptBadOption(context, POPT_BADOPTION_NOALIAS);
@@ -62,7 +68,7 @@ static int show_help(const syntax *grammar, poptContext context)
     return STATUS_DONE;
 }
 
-/* Another value of an option that may be repeated, on a line of its own. */
+/* Another value of an option that may be repeated, on a line of its own. Whether there was memory is seen afterwards. */
 static int append(char **lines, char *value)
 {
     const size_t before = strlen(*lines), length = strlen(value);
@@ -73,7 +79,7 @@ static int append(char **lines, char *value)
         *lines = longer;
     }
     free(value);
-    return longer != NULL ? STATUS_DONE : failure("out of memory");
+    return STATUS_DONE;
 }
 
 static int keep(arguments *given, const syntax *grammar, int number, char *value)
@@ -89,25 +95,29 @@ static int keep(arguments *given, const syntax *grammar, int number, char *value
     }
     if (given->value[number] == NULL)
         given->value[number] = value != NULL ? value : calloc(1, 1);
-    return given->value[number] != NULL ? STATUS_DONE : failure("out of memory");
+    return STATUS_DONE;
+}
+
+static int read_options(arguments *given, const syntax *grammar)
+{
+    int number, status = STATUS_DONE;
+    while (status == STATUS_DONE && (number = poptGetNextOpt(given->context)) > 0 && !is_out_of_memory()) {
+        char *value = poptGetOptArg(given->context);
+        status = is_out_of_memory() ? STATUS_FAILED : keep(given, grammar, number, value);
+    }
+    if (is_out_of_memory())
+        return failure("out of memory");
+    return status == STATUS_DONE && number < -1 ? bad_option(grammar, given->context, number) : status;
 }
 
 bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status)
 {
     *given = (arguments){0};
-    *status = STATUS_DONE;
     unsetenv("POSIXLY_CORRECT"); /* for popt these mean that no option may follow an operand, such as a table's name */
     unsetenv("POSIX_ME_HARDER");
+    errno = 0;
     given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
-    if (given->context == NULL) {
-        *status = failure("out of memory");
-        return false;
-    }
-    int number;
-    while ((number = poptGetNextOpt(given->context)) > 0 && *status == STATUS_DONE)
-        *status = keep(given, grammar, number, poptGetOptArg(given->context));
-    if (*status == STATUS_DONE && number < -1)
-        *status = bad_option(grammar, given->context, number);
+    *status = given->context == NULL ? failure("out of memory") : read_options(given, grammar);
     if (*status != STATUS_DONE)
         return false;
     if (given->value[OPTION_HELP] != NULL) {
@@ -115,7 +125,9 @@ bool arguments_read(arguments *given, const syntax *grammar, int argc, const cha
         return false;
     }
     given->operand = poptGetArgs(given->context);
-    return true;
+    if (is_out_of_memory())
+        *status = failure("out of memory");
+    return *status == STATUS_DONE;
 }
 
 void arguments_free(arguments *given)

@@ -181,6 +181,15 @@ static void restart(csv_input *in)
     start_parser(in, separator);
 }
 
+/* The parser's own memory: no fault of the row. */
+static bool is_out_of_memory(csv_input *in)
+{
+    const bool out = csv_error(&in->parser) == CSV_ENOMEM;
+    if (out)
+        stop(in, "out of memory");
+    return out;
+}
+
 /* Pushes one line, or as much of it as the block has. */
 static csv_event push(csv_input *in)
 {
@@ -191,6 +200,8 @@ static csv_event push(csv_input *in)
     in->begin += length;
     const bool ends = bytes[length - 1] == '\n' || bytes[length - 1] == '\r';
     const bool malformed = !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
+    if (malformed && is_out_of_memory(in))
+        return CSV_FAILED;
     count_line(in, bytes, length);
     if (malformed || in->skipping) {
         in->skipping = !ends;
@@ -213,6 +224,8 @@ static csv_event finish(csv_input *in)
         return CSV_MALFORMED;
     }
     if (csv_fini(&in->parser, take_cell, end_row, in) != 0) {
+        if (is_out_of_memory(in))
+            return CSV_FAILED;
         restart(in);
         return CSV_MALFORMED;
     }

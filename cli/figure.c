@@ -196,7 +196,10 @@ static bool draw(const work *what, output *out)
         what->which->draw(&what->of, &what->rows, on);
         if (what->no_title)
             on->title[0] = '\0';
-        drawn = gnuplot_draw(on, what->format, &picture);
+        if (on->outlines.failed)
+            failure("out of memory");
+        else
+            drawn = gnuplot_draw(on, what->format, &picture);
     }
     if (drawn)
         output_write(out, picture.data, picture.length);

@@ -4,6 +4,7 @@
  * written here, and the numbers are those of the other formats, whose grammar is JSON's too. */
 #include "records.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,12 +12,13 @@
 
 static void put_text(records *rows, const char *text)
 {
+    errno = 0;
     json_t *string = json_string(text);
     char *encoded = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
     if (encoded != NULL)
         output_text(rows->out, encoded);
     else
-        rows->problem = "a text is not UTF-8, which JSON needs";
+        rows->problem = errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs";
     free(encoded);
     json_decref(string);
 }

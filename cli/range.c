@@ -72,11 +72,12 @@ static const char *rounded_range(const triple *numbers, range *values)
 {
     const double start = numbers->value[START], stop = numbers->value[STOP], step = numbers->value[STEP];
     const double steps = (stop - start) / step, nearest = floor(steps + 0.5);
-    if (!(steps < (double)RANGE_VALUES_MAX))
-        return too_many;
     const double rounding = 4 * DBL_EPSILON * (fabs(start) + fabs(stop));
     const bool hit = fabs(start + nearest * step - stop) <= rounding;
-    values->count = (int64_t)(hit ? nearest : floor(steps)) + 1;
+    const double last = hit ? nearest : floor(steps);
+    if (!(last < (double)RANGE_VALUES_MAX))
+        return too_many;
+    values->count = (int64_t)last + 1;
     values->first = start;
     values->step = step;
     values->last = hit ? stop : start + (double)(values->count - 1) * step;

@@ -12,13 +12,26 @@
 static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 enum { ENDING_COUNT = sizeof ending / sizeof ending[0] };
 
+/* A library that fails, as libxlsxwriter does where memory is short: the unfinished file goes too. */
+static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE};
+enum { CRASH_COUNT = sizeof crashes / sizeof crashes[0] };
+
 /* Changed only while signals are held back. */
 static const char *volatile file_to_remove;
 static const char *volatile last_words;
 
 static const char *name_of(int number)
 {
-    return number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : number == SIGHUP ? "SIGHUP" : "SIGQUIT";
+    switch (number) {
+    case SIGINT: return "SIGINT";
+    case SIGTERM: return "SIGTERM";
+    case SIGHUP: return "SIGHUP";
+    case SIGQUIT: return "SIGQUIT";
+    case SIGABRT: return "SIGABRT";
+    case SIGFPE: return "SIGFPE";
+    case SIGBUS: return "SIGBUS";
+    default: return "SIGSEGV";
+    }
 }
 
 static void say(const char *text)
@@ -62,6 +75,11 @@ void signals_install(void)
         struct sigaction before;
         if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             sigaction(ending[i], &end, NULL);
+    }
+    for (int i = 0; i < CRASH_COUNT; i++) {
+        struct sigaction before; /* not the default under a sanitizer, which has more to say */
+        if (sigaction(crashes[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+            sigaction(crashes[i], &end, NULL);
     }
 }
 

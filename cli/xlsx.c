@@ -28,8 +28,12 @@ bool xlsx_available(void)
     return true;
 }
 
+/* Where memory is short, or the folder of its temporary files full, the library leaves things out, and only some of its
+ * functions say so: errno does. */
 static void keep(xlsx *book, lxw_error error)
 {
+    if (error == LXW_NO_ERROR && (errno == ENOMEM || errno == ENOSPC || errno == EIO || errno == EINTR || errno == EFBIG))
+        error = errno == ENOMEM ? LXW_ERROR_MEMORY_MALLOC_FAILED : LXW_ERROR_CREATING_TMPFILE;
     if (book->error == LXW_NO_ERROR)
         book->error = error;
 }
@@ -142,6 +146,7 @@ static void release(xlsx *book)
 
 xlsx *xlsx_begin(const char *title, bool in_order)
 {
+    errno = 0;
     xlsx *book = calloc(1, sizeof *book);
     if (book != NULL && open_workbook(book, in_order)) {
         set_properties(book, title);
@@ -182,6 +187,7 @@ static bool copy(FILE *from, output *out)
 
 const char *xlsx_finish(xlsx *book, output *out)
 {
+    errno = 0;
     keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
     if (problem == NULL && !copy(book->spool, out))

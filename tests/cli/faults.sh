@@ -1,57 +1,158 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every system call that writes a file fails once, each time it is made: the old file or the new one is there, whole,
-# the status is not 0, a line says why, and no unfinished file is left.
+# Every system call of a run on its files fails once, each time it is made, or a signal comes with it: the old file or the
+# whole new one is there, the status is not 0 where it is the old one, a line says why, and no unfinished file is left (but
+# after SIGKILL). libxlsxwriter writes its parts to temporary files and does not look at what becomes of that: a single
+# failure there may lose cells; a disk that stays full does not.
+#
+#     faults.sh PROGRAM REFERENCES [MOST]    of the calls of one kind in a command at most so many (default 2; 0: all)
+most=${3:-2}
 . "$(dirname "$0")/claims.sh"
 
 strace -o /dev/null true 2>/dev/null || skip "strace cannot trace here"
 ASAN_OPTIONS=detect_leaks=0 # which cannot be done under strace
 export ASAN_OPTIONS
-table="table max-tension --a-over-b 1 --friction 0:1:0.0003"
-"$rwedge" $table >new || exit 1
 echo old >old
 mkdir files
+printf 'a,P,f,note\n2,2000,0.3,"x, y"\n1,100,0.1,b\n' >in.csv
+runs=0 excuse= lost=0
+trace() { # how to inject, or nothing; the command follows
+    calls=openat,read,pread64,write,pwrite64,writev,lseek,fsync,fdatasync,ftruncate,rename,renameat,unlink,close,fchmod
+    strace -o trace -e "trace=$calls,readlink,access,fcntl,pipe2" "$@"
+}
 
-# inject CALL ERROR N: a run in which the Nth such call, counted from the first on the unfinished file, fails.
-inject() {
-    called="rwedge $table -o files/t.csv, $1 number $3 fails with $2"
-    cp old files/t.csv
+# Calls before this one are the loader's: main() looks at the standard streams first.
+first_of_main() { # call: how many of them the loader made
+    awk -v call="$1(" '/^fcntl\(0, F_GETFD/ { exit } index($0, call) == 1 { n++ } END { print n + 0 }' plain
+}
+
+# The file is the old one or the new one; what else holds depends on the status.
+judge() { # kind of fault
+    left=$(find files -name '.rwedge-*' | wc -l | tr -d ' ')
+    [ "$1" = KILL ] && rm -f files/.rwedge-*
+    [ "$1" = KILL ] || same "no unfinished file" 0 "$left"
+    state=neither
+    cmp -s files/t new && state=new
+    cmp -s files/t old && state=old
+    case $1.$status$excuse in
+    *.0.excused) [ $state = new ] || lost=$((lost + 1)) ;;
+    KILL.137* | TERM.143* | INT.130* | HUP.129*) same "the file is whole" yes "$([ $state != neither ] && echo yes)" ;;
+    *.0) same "done: the file is the new one" new "$state" ;;
+    *.1*)
+        same "not done: the file is whole" yes "$([ $state != neither ] && echo yes)"
+        same "a line says why" "1 line" "$(grep -c '^rwedge' err) line"
+        ;;
+    *) same "status" "0, 1 or that of the signal" "$status" ;;
+    esac
+    grep -q 'as it was before' err && same "as it was before" old "$state"
+    return 0
+}
+
+inject() { # call, fault as strace has it, its kind, number; the command follows
+    call=$1 fault=$2 kind=$3 number=$4
+    shift 4
+    called="rwedge $* -o files/t, $call number $number: $fault"
+    cp old files/t
     status=0
-    strace -o trace -e "trace=$1" -e "inject=$1:error=$2:when=$3" "$rwedge" $table -o files/t.csv >out 2>err ||
-        status=$?
-    same "the call was reached" 1 "$(grep -c INJECTED trace)"
-    same "files" t.csv "$(ls -A files)"
+    trace -e "inject=$call:$fault:when=$number" "$rwedge" "$@" -o files/t >out 2>err || status=$?
+    same "the call was reached" yes "$(grep -q -e INJECTED -e '+++ killed' -e "--- SIG$kind" trace && echo yes)"
+    judge "$kind"
+    runs=$((runs + 1))
 }
 
-# fails CALL ERROR N TEXT STATE: what it says, and which file is there after it, "old" or "new".
-fails() {
-    inject "$1" "$2" "$3"
+# Each call of main(), or some of them in equal steps, the first and the last among them.
+numbers() { # first last
+    awk -v a="$1" -v b="$2" -v most="$most" 'BEGIN {
+        n = b - a + 1; m = most == 0 || n < most ? n : most
+        for (i = 0; i < m; i++) print a + (m > 1 ? int(i * (n - 1) / (m - 1)) : 0) }'
+}
+
+every() { # the command
+    rm -f files/t
+    trace "$rwedge" "$@" -o files/t >out 2>err
+    cp files/t new
+    mv trace plain
+    before=$runs
+    for call in openat read pread64 write pwrite64 writev lseek fsync fdatasync ftruncate rename renameat unlink close fchmod \
+        readlink access pipe2; do
+        loaders=$(first_of_main "$call")
+        all=$(grep -c "^$call(" plain)
+        [ "$all" -gt "$loaders" ] || continue
+        case $call in
+        read | write | pwrite64 | writev) faults="error=EIO error=ENOSPC error=EINTR signal=KILL signal=TERM" ;;
+        fsync | rename | close | openat)
+            faults="error=EIO error=ENOSPC error=EINTR signal=KILL signal=TERM signal=INT signal=HUP"
+            ;;
+        *) faults="error=EIO signal=TERM" ;;
+        esac
+        for number in $(numbers $((loaders + 1)) "$all"); do
+            for fault in $faults; do
+                kind=${fault#*=}
+                inject "$call" "$fault" "$kind" "$number" "$@"
+            done
+        done
+    done
+    echo "$((runs - before)) runs of rwedge $*"
+}
+
+bodies="--E1 200e3 --nu1 0.3 --theta 0.01"
+every table max-tension --a-over-b 1 --friction 0:1:0.0003
+every solve $bodies --k 300 --input in.csv
+every solve $bodies --k 300 --input in.csv --format json
+[ "$most" -gt 0 ] && [ "$most" -lt 20 ] || every field --a-over-b 0.3 --f 0.3 --format vtk
+if "$rwedge" workbook -o book.xlsx 2>/dev/null; then
+    excuse=.excused # libxlsxwriter does not look at what becomes of its temporary files
+    every solve $bodies --k 300 --input in.csv --format xlsx
+    excuse=
+    echo "$lost losses of libxlsxwriter where one write of its own failed and the next did not"
+fi
+if command -v gnuplot >/dev/null 2>&1 && { [ "$most" -eq 0 ] || [ "$most" -ge 20 ]; }; then
+    every figure 4
+fi
+echo "$runs runs in all"
+
+# A disk that is full and stays so.
+if [ -f book.xlsx ]; then
+    for number in $(seq 1 4 40); do
+        called="rwedge solve ... --format xlsx, full from write number $number on"
+        cp old files/t
+        status=0
+        strace -o trace -e trace=write -e "inject=write:error=ENOSPC:when=$number+" \
+            "$rwedge" solve $bodies --k 300 --input in.csv --format xlsx -o files/t >out 2>err || status=$?
+        grep -q INJECTED trace || break
+        status_is 1
+        same "the file is the old one" "" "$(cmp files/t old 2>&1)"
+    done
+fi
+
+# What is said of the file.
+table="table max-tension --a-over-b 1 --friction 0:1:0.0003"
+says() { # call error number text state
+    cp old files/t
+    "$rwedge" $table >new
+    called="rwedge $table -o files/t, $1 number $3 fails with $2"
+    status=0
+    strace -o trace -e "trace=$1" -e "inject=$1:error=$2:when=$3" "$rwedge" $table -o files/t >out 2>err || status=$?
     status_is 1
-    message_is "rwedge table: files/t.csv: $4"
-    same "the file is the $5 one" "" "$(cmp files/t.csv "$5" 2>&1)"
+    message_is "rwedge table: files/t: $4"
+    same "the file is the $5 one" "" "$(cmp files/t "$5" 2>&1)"
 }
+says write ENOSPC 1 "No space left on device" old
+says write EIO 2 "Input/output error" old
+says fsync EIO 1 "Input/output error" old
+says fsync EIO 2 "Input/output error" new
+says rename EACCES 1 "Permission denied" old
+says fchmod EPERM 1 "Operation not permitted" old
 
-harmless() {
-    inject "$1" "$2" "$3"
+# Neither an interrupted write nor a folder that cannot be synced is a failure.
+for harmless in write:EINTR:1 write:EINTR:2 fsync:EINVAL:2; do
+    cp old files/t
+    called="rwedge $table -o files/t, $harmless"
+    rest=${harmless#*:}
+    status=0
+    strace -o trace -e "trace=${harmless%%:*}" -e "inject=${harmless%%:*}:error=${rest%:*}:when=${rest#*:}" \
+        "$rwedge" $table -o files/t >out 2>err || status=$?
     status_is 0
     message_is ""
-    same "the file is the new one" "" "$(cmp files/t.csv new 2>&1)"
-}
-
-strace -o trace -e trace=write "$rwedge" $table -o files/t.csv
-writes=$(grep -c '^write(' trace)
-same "there are several writes" yes "$([ "$writes" -gt 1 ] && echo yes)"
-for n in $(seq "$writes"); do
-    fails write ENOSPC "$n" "No space left on device" old
-    fails write EIO "$n" "Input/output error" old
+    same "the file is the new one" "" "$(cmp files/t new 2>&1)"
 done
-fails fsync EIO 1 "Input/output error" old
-fails fsync EIO 2 "Input/output error" new
-fails rename EACCES 1 "Permission denied" old
-fails fchmod EPERM 1 "Operation not permitted" old
-
-# An interrupted write goes on; a folder that cannot be synced is no failure.
-harmless write EINTR 1
-harmless write EINTR "$writes"
-harmless fsync EINVAL 2
-
 finish

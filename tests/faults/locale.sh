@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Where numbers have a decimal comma: every function of the library gives the same bits, every command the same bytes.
+#
+#     locale.sh PROGRAM TEST_CALLS
+command -v localedef >/dev/null 2>&1 || { echo "SKIPPED: no localedef here"; exit 77; }
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+if ! localedef -i de_DE -f UTF-8 "$work/de_DE.UTF-8" 2>/dev/null; then
+    echo "SKIPPED: localedef cannot make de_DE.UTF-8 here"
+    exit 77
+fi
+LOCPATH=$work
+export LOCPATH
+status=0
+COMMA_LOCALE=de_DE.UTF-8 "$2" 300 'a_decimal*' >"$work/said" 2>&1 || status=1
+grep -q 'OK.*a_decimal_comma' "$work/said" || status=1
+[ $status = 0 ] || cat "$work/said"
+printf 'E1,nu1,theta,a,P,Q,f,k\n2.5,0.3,0.01,2,1.5e-3,1e-4,0.3,0.5\n' >"$work/in.csv"
+same()
+{
+    LC_ALL=C "$program" "$@" >"$work/c" 2>&1
+    LC_ALL=de_DE.UTF-8 "$program" "$@" >"$work/de" 2>&1
+    [ -s "$work/c" ] && cmp -s "$work/c" "$work/de" || { echo "FAILED: rwedge $* differs in de_DE.UTF-8"; status=1; }
+}
+program=$1
+same solve --input "$work/in.csv"
+same solve --input "$work/in.csv" --format json
+same table elastic-limit --a-over-b 0.1,0.25 --friction 0:0.3:0.1
+same profile --a-over-b 0.3 --f 0.3 --q-over-fp 0.5
+same field --a-over-b 0.3 --f 0.3 --format vtk
+same figure 4 --data
+# the file names the command that wrote it
+if (cd "$work" && "$program" workbook -o book.xlsx) 2>/dev/null; then
+    mv "$work/book.xlsx" "$work/c.xlsx"
+    (cd "$work" && LC_ALL=de_DE.UTF-8 "$program" workbook -o book.xlsx)
+    cmp -s "$work/c.xlsx" "$work/book.xlsx" || { echo "FAILED: the workbook differs in de_DE.UTF-8"; status=1; }
+fi
+exit $status

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every allocation of the library fails in turn, once and for ever after: the call says RWEDGE_ENOMEM, touches nothing, leaks
+ * nothing, and gives the same as ever when there is memory again. Linked with --wrap for the four functions. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- An allocator that fails ---- */
+
+static struct {
+    size_t calls;   /* since the last arm() */
+    size_t failing; /* the number of the call that fails; 0: none */
+    bool for_ever;
+    long outstanding; /* blocks that are not freed */
+} heap;
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void __real_free(void *block);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void __wrap_free(void *block);
+
+static bool is_granted(void)
+{
+    heap.calls++;
+    return heap.failing == 0 || (heap.for_ever ? heap.calls < heap.failing : heap.calls != heap.failing);
+}
+
+static void *counted(void *block)
+{
+    heap.outstanding += block != NULL ? 1 : 0;
+    return block;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return is_granted() ? counted(__real_malloc(size)) : NULL;
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return is_granted() ? counted(__real_calloc(count, size)) : NULL;
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+    if (!is_granted())
+        return NULL;
+    return block == NULL ? counted(__real_realloc(block, size)) : __real_realloc(block, size);
+}
+
+void __wrap_free(void *block)
+{
+    heap.outstanding -= block != NULL ? 1 : 0;
+    __real_free(block);
+}
+
+static void arm(size_t failing, bool for_ever)
+{
+    heap.calls = 0;
+    heap.failing = failing;
+    heap.for_ever = for_ever;
+}
+
+/* ---- Calls that allocate: what they give, as numbers ---- */
+
+enum { NUMBERS = 64, SAMPLES = 200, TERMS = 60 };
+
+typedef struct {
+    int32_t status;
+    double number[NUMBERS];
+} outcome;
+
+static double next_load(uint64_t *seed, double *Q)
+{
+    const double P = 0.05 + random_fraction(seed);
+    *Q = 0.4 * P * (2 * random_fraction(seed) - 1);
+    return P;
+}
+
+static void look(const rwedge_contact *contact, outcome *seen)
+{
+    const double b = rwedge_contact_half_width(contact), x[3] = {0.1 * b, -0.6 * b, 0.95 * b}, y[3] = {0, b, 0.1 * b};
+    double *n = seen->number;
+    n[0] = b;
+    n[1] = rwedge_contact_stick_half_width(contact);
+    n[2] = rwedge_contact_dissipated_energy(contact);
+    n[3] = (double)rwedge_contact_memory(contact);
+    assert_int_equal(rwedge_contact_tractions(contact, 3, x, n + 4, n + 7), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_slip(contact, 3, x, n + 10), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, 3, x, y, n + 13, n + 16, n + 19), RWEDGE_OK);
+}
+
+/* A contact, its loads, a copy that goes on: a call that fails is made again, when the heap is sound. */
+static outcome history(void)
+{
+    outcome seen = {0};
+    rwedge_contact *contact = NULL, *copy = NULL;
+    seen.status = rwedge_contact_create(0.1, 0.3, 0.5, 0.4, &contact);
+    assert_true((contact == NULL) == (seen.status != RWEDGE_OK));
+    uint64_t seed = 7;
+    for (int i = 0; i < 40 && seen.status == RWEDGE_OK; i++) {
+        double Q;
+        const double P = next_load(&seed, &Q);
+        outcome before = {0}, after = {0};
+        if (i > 0)
+            look(contact, &before);
+        seen.status = rwedge_contact_load(contact, P, Q);
+        if (seen.status == RWEDGE_OK || i == 0)
+            continue;
+        look(contact, &after);
+        assert_memory_equal(&before, &after, sizeof before);
+    }
+    if (seen.status == RWEDGE_OK)
+        seen.status = rwedge_contact_copy(contact, &copy);
+    assert_true((copy == NULL) == (seen.status != RWEDGE_OK));
+    if (seen.status == RWEDGE_OK)
+        seen.status = rwedge_contact_load(copy, 2, 0.7);
+    if (seen.status == RWEDGE_OK)
+        look(copy, &seen);
+    rwedge_contact_destroy(copy);
+    rwedge_contact_destroy(contact);
+    return seen;
+}
+
+static void keep_series(rwedge_series *series, outcome *seen)
+{
+    assert_true((series == NULL) == (seen->status != RWEDGE_OK));
+    for (int k = 0; series != NULL && k < NUMBERS - 1; k++)
+        seen->number[k] = rwedge_series_coefficient(series, k);
+    if (series != NULL)
+        seen->number[NUMBERS - 1] = rwedge_series_residual(series);
+    rwedge_series_destroy(series);
+}
+
+static outcome series_create(void)
+{
+    outcome seen = {0};
+    rwedge_series *series = NULL;
+    seen.status = rwedge_series_create(0.3, 101, &series);
+    keep_series(series, &seen);
+    return seen;
+}
+
+/* With the work space of LAPACK. */
+static outcome series_fit(void)
+{
+    outcome seen = {0};
+    static double x[SAMPLES], p[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++) {
+        x[i] = cos((i + 0.5) * 3.14159265358979323846 / SAMPLES);
+        p[i] = rwedge_pressure(0.3, x[i]);
+    }
+    rwedge_series *series = NULL;
+    seen.status = rwedge_series_fit(SAMPLES, x, p, TERMS, &series);
+    keep_series(series, &seen);
+    return seen;
+}
+
+/* What must not allocate at all. */
+static outcome the_rest(void)
+{
+    outcome seen = {0};
+    double *n = seen.number;
+    const double alpha[2] = {0.3, 0.02}, f[2] = {0.1, 0.5}, x[2] = {0.1, 2}, y[2] = {0, 1};
+    seen.status = rwedge_elastic_limits(2, alpha, f, 0.3, n) + rwedge_stresses(0.2, 0.3, 0.4, 2, x, y, n + 2, n + 4, n + 6) +
+                  rwedge_yield_point(0.1, 0.3, 0.3, n + 8, n + 9, n + 10) +
+                  rwedge_subsurface_yield(0.1, 0.1, 0.3, n + 11, n + 12, n + 13) +
+                  rwedge_surface_yield(0.1, 0.3, 0.3, n + 14, n + 15);
+    n[16] = rwedge_critical_friction(0.3, 0.3);
+    n[17] = rwedge_a_over_b(3);
+    n[18] = rwedge_stick_width(0.3, 0.5);
+    n[19] = rwedge_coefficient(0.3, 77);
+    n[20] = rwedge_yield_load(0.01, 1, 1e-5, 0.3, 0.3, 300);
+    n[21] = rwedge_shear(0.3, 0.2, 0.1);
+    return seen;
+}
+
+/* ---- Claims ---- */
+
+static size_t every_allocation_of(const char *name, outcome (*call)(void))
+{
+    const long before = heap.outstanding;
+    arm(0, false);
+    const outcome expected = call();
+    const size_t allocations = heap.calls;
+    assert_int_equal(expected.status, RWEDGE_OK);
+    for (size_t k = 1; k <= allocations; k++)
+        for (int for_ever = 0; for_ever < 2; for_ever++) {
+            arm(k, for_ever != 0);
+            const outcome failed = call();
+            arm(0, false);
+            assert_int_equal(failed.status, RWEDGE_ENOMEM);
+            for (int i = 0; i < NUMBERS; i++)
+                assert_true(failed.number[i] == 0);
+            assert_int_equal(heap.outstanding, before);
+            const outcome again = call();
+            assert_memory_equal(&again, &expected, sizeof again);
+        }
+    assert_int_equal(heap.outstanding, before);
+    print_message("    %-15s %zu of %zu allocations survived, once and for ever\n", name, allocations, allocations);
+    return allocations;
+}
+
+static void every_failed_allocation_is_survived(void **state)
+{
+    (void)state;
+    assert_true(every_allocation_of("contact", history) >= 10);
+    assert_int_equal(every_allocation_of("series_create", series_create), 1);
+    assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
+}
+
+static void nothing_else_allocates(void **state)
+{
+    (void)state;
+    arm(1, true);
+    const outcome without = the_rest();
+    const size_t calls = heap.calls;
+    arm(0, false);
+    const outcome with = the_rest();
+    assert_int_equal(calls, 0);
+    assert_int_equal(without.status, RWEDGE_OK);
+    assert_memory_equal(&without, &with, sizeof with);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_failed_allocation_is_survived),
+        cmocka_unit_test(nothing_else_allocates),
+    };
+    return RUN_CLAIMS("allocations", tests);
+}

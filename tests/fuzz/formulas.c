@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Any public function with any arguments: the header's rules for errors; symmetries and inverses. */
+#include "calls.h"
+#include "input.h"
+#include "rwedge.h"
+
+/* At an edge, any double, or in between. */
+static double take_argument(input *in, char kind)
+{
+    const uint8_t choice = take_byte(in);
+    if (choice < 64)
+        return edge(kind, take_byte(in) % edge_count(kind));
+    if (choice < 128)
+        return kind == 'i' || kind == 'z' ? (double)(int32_t)take_bytes(in, 4) : take_double(in);
+    if (kind == 'i' || kind == 'z')
+        return (double)take_bytes(in, 1);
+    const double v = take_fraction(in) * (choice < 192 ? 1 : 0.5);
+    return choice % 2 == 0 ? v : exp(40 * v - 20);
+}
+
+static void check_even(double alpha, double x)
+{
+    if (!isfinite(alpha) || !isfinite(x) || alpha <= 0)
+        return;
+    CLAIM(rwedge_pressure(alpha, -x) == rwedge_pressure(alpha, x), "alpha %.17g, x %.17g", alpha, x);
+    CLAIM(rwedge_pressure(alpha, x) <= 0, "alpha %.17g, x %.17g", alpha, x);
+}
+
+static void check_inverses(double alpha, double c)
+{
+    if (!(alpha > 1e-300 && alpha < 1e150))
+        return;
+    const double load = rwedge_load(alpha);
+    CLAIM(are_close(rwedge_a_over_b(load / alpha), alpha, 1e-13), "alpha %.17g", alpha);
+    CLAIM(load <= 2 && load > 0 && rwedge_load(alpha * 1.01) <= load * (1 + 1e-15), "alpha %.17g", alpha);
+    if (!(c > 0 && c <= 1))
+        return;
+    const double ratio = rwedge_shear_ratio(alpha, c);
+    CLAIM(ratio >= 0 && ratio <= 1, "alpha %.17g, c %.17g", alpha, c);
+    const double again = rwedge_shear_ratio(alpha, rwedge_stick_width(alpha, ratio));
+    CLAIM(fabs(again - ratio) <= 1e-14, "alpha %.17g, c %.17g", alpha, c);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    input in = {data, size};
+    const public_call *call = &public_calls[take_byte(&in) % public_call_count];
+    double v[CALL_ARGUMENTS] = {0}, out[CALL_OUTPUTS];
+    for (size_t i = 0; call->kinds[i] != '\0'; i++)
+        v[i] = take_argument(&in, call->kinds[i]);
+    int32_t status;
+    const char *complaint = complaint_of(call, v, out, &status);
+    CLAIM(complaint == NULL, "%s(%.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g): %s", call->name,
+          v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], complaint);
+    check_even(v[0], v[1]);
+    check_inverses(v[0], v[1]);
+    return 0;
+}

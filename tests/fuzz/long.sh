@@ -1,0 +1,33 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# All targets, one after another on one core: so many seconds in all, a corpus kept in FOLDER that grows from run to run.
+# The last line has the sum.
+#
+#     long.sh SECONDS [FOLDER]     folder: build/fuzz
+set -eu
+source=$(cd "$(dirname "$0")/../.." && pwd)
+seconds=$1
+folder=${2:-$source/build/fuzz}
+sh "$source/tests/fuzz/build.sh" "$source" "$folder"
+cd "$folder"
+ASAN_OPTIONS=quarantine_size_mb=8
+export ASAN_OPTIONS
+status=0 total=0
+# the share of each in per cent: short texts run 50 times faster than contacts
+for share in number:20 range:25 csv:10 batch:12 series:8 contact:12 formulas:13; do
+    target=${share%:*}
+    mkdir -p "long/$target"
+    case $target in number | range) length=64 ;; *) length=512 ;; esac
+    "./fuzz_$target" -max_total_time="$((seconds * ${share#*:} / 100))" -max_len="$length" -timeout=20 -print_final_stats=1 \
+        -artifact_prefix="found_${target}_" "long/$target" "$source/tests/fuzz/corpus/$target" >"long_$target.log" 2>&1 || {
+        status=1
+        echo "$target: FOUND"
+        grep -E 'does not hold|runtime error|ERROR:|Test unit written' "long_$target.log" || tail -n 20 "long_$target.log"
+    }
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "long_$target.log")
+    rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "long_$target.log")
+    echo "$target: ${runs:-0} runs, ${rate:-0} per second"
+    total=$((total + ${runs:-0}))
+done
+echo "$total runs in all"
+exit "$status"

@@ -40,8 +40,8 @@ if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
 fi
 
 sh "$source/../private.sh" "$build"
-"$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
-    -C "build-dir=$folder/package" "$source"
+SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
+    --force-reinstall "$source"
 
 # pytest_of TESTS...
 pytest_of()

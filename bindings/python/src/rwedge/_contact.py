@@ -41,7 +41,7 @@ class Contact(Handle):
     A : float
         composite compliance, 1/stress, finite, > 0: ``compliance(E1, nu1, E2, nu2)``
     f : float
-        coefficient of friction, finite, >= 0
+        coefficient of friction, 0 <= f <= 1e6
 
     Raises
     ------

@@ -3,6 +3,8 @@
 #include "histories.h"
 #include "quadrature.h"
 
+#include <float.h>
+
 /* ---- Classical results ---- */
 
 /* sqrt(1 - (x/c)^2) times c/b. */
@@ -344,8 +346,10 @@ static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
     load(sliding, P, f * P);
     const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
     assert_close(c, 1e-14 * b, 1e-2);
-    for (double x = b / 2; x > c; x /= 7)
+    for (double x = b / 2; x > c; x /= 7) {
         assert_close(shear(contact, x), f * pressure(contact, x), 1e-13);
+        assert_true(fabs(slip(contact, x)) <= fabs(slip(sliding, x)));
+    }
     assert_true(fabs(shear(contact, c / 2)) <= f * fabs(pressure(contact, c / 2)));
     const double x = b / 3, y = b / 4;
     double s[3], expected[3];
@@ -355,6 +359,55 @@ static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
         assert_close(s[i], expected[i], 1e-13);
     rwedge_contact_destroy(contact);
     rwedge_contact_destroy(sliding);
+}
+
+/* Steps of slope f, each to rounding, which bend the path by more than rounding when they are many: corners with the same
+ * slope on both sides. All that was added slips. */
+static void steps_of_the_steepest_slope_may_bend(void **state)
+{
+    (void)state;
+    const double f = 0.5;
+    rwedge_contact *contact = create(0.1, f);
+    double P = 0.1, ratio = 0;
+    load(contact, P, 0);
+    const double inner = rwedge_contact_half_width(contact);
+    for (int i = 0; i < 400; i++) {
+        P += 1e-4;
+        ratio += 1e-4 + (i < 200 ? -2 : 2) * DBL_EPSILON * P;
+        load(contact, P, f * ratio);
+    }
+    assert_true(rwedge_contact_memory(contact) > 2);
+    const double b = rwedge_contact_half_width(contact);
+    for (double x = inner; x < b; x += b / 50)
+        assert_close(shear(contact, x), f * pressure(contact, x), 1e-12);
+    const double x = b / 3, y = b / 4;
+    double s[3];
+    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    rwedge_contact_destroy(contact);
+}
+
+static void arrays_are_points_one_by_one(void **state)
+{
+    (void)state;
+    enum { N = 70 };
+    rwedge_contact *contact = create(0.1, 0.5);
+    load(contact, 0.2, 0.05);
+    load(contact, 0.2, -0.02);
+    double x[N], y[N], p[N], q[N], slips[N], s[3][N];
+    for (int i = 0; i < N; i++) {
+        x[i] = rwedge_contact_half_width(contact) * (i - 35) / 36;
+        y[i] = 0.01 * i;
+    }
+    assert_int_equal(rwedge_contact_tractions(contact, N, x, p, q), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_slip(contact, N, x, slips), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, N, x, y, s[0], s[1], s[2]), RWEDGE_OK);
+    for (int i = 0; i < N; i++) {
+        double one[3];
+        assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) && slips[i] == slip(contact, x[i]));
+        assert_int_equal(rwedge_contact_stresses(contact, 1, &x[i], &y[i], &one[0], &one[1], &one[2]), RWEDGE_OK);
+        assert_true(s[0][i] == one[0] && s[1][i] == one[1] && s[2][i] == one[2]);
+    }
+    rwedge_contact_destroy(contact);
 }
 
 int main(void)
@@ -374,6 +427,8 @@ int main(void)
         cmocka_unit_test(a_unit_of_stress_beyond_the_doubles_is_refused),
         cmocka_unit_test(sizes_beyond_the_range_are_refused),
         cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_is_none),
+        cmocka_unit_test(steps_of_the_steepest_slope_may_bend),
+        cmocka_unit_test(arrays_are_points_one_by_one),
     };
     return RUN_CLAIMS("contact", tests);
 }

@@ -3,6 +3,8 @@
 #include "histories.h"
 #include "quadrature.h"
 
+#include <float.h>
+
 static double work(double x, const void *contact)
 {
     return shear(contact, x) * slip(contact, x);
@@ -135,7 +137,7 @@ static void energy_does_not_overflow(void **state)
             status = rwedge_contact_load(contact, 0.2 * S * L, (loads % 2 ? -0.05 : 0.05) * S * L);
         }
         assert_int_equal(status, RWEDGE_ERANGE);
-        assert_true(octaves == 1020 ? loads > 8 && loads < 40 : loads == 2);
+        assert_true(octaves == 1020 ? loads > 8 && before > 0.9 * DBL_MAX : loads == 2);
         assert_true(rwedge_contact_dissipated_energy(contact) == before);
         assert_true(rwedge_contact_stick_half_width(contact) == width);
         rwedge_contact_destroy(contact);
@@ -226,7 +228,7 @@ static void separation_forgets_all_but_the_energy(void **state)
     const double energy = rwedge_contact_dissipated_energy(contact);
     load(contact, 0, 0);
     assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_memory(contact) == 0);
-    assert_true(shear(contact, 0) == 0 && slip(contact, 0) == 0);
+    assert_true(pressure(contact, 0) == 0 && shear(contact, 0) == 0 && slip(contact, 0) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > energy); /* the edge slips back while it lifts */
     load(contact, 0.2, 0);
     assert_true(shear(contact, 0.1) == 0 && slip(contact, 0.1) == 0);

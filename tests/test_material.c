@@ -38,7 +38,7 @@ static void beta_is_dundurs(void **state)
 static void bad_materials_are_not_numbers(void **state)
 {
     (void)state;
-    const double bad_E[] = {NAN, -HUGE_VAL, -1, 0}, bad_nu[] = {NAN, HUGE_VAL, -1, 0.5000001, 3};
+    const double bad_E[] = {NAN, -HUGE_VAL, -1, -0.5, 0}, bad_nu[] = {NAN, HUGE_VAL, -1, 0.5000001, 3};
     for (size_t i = 0; i < sizeof bad_E / sizeof bad_E[0]; i++) {
         assert_nan(rwedge_compliance(bad_E[i], 0.3, 1, 0.3));
         assert_nan(rwedge_compliance(1, 0.3, bad_E[i], 0.3));

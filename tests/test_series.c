@@ -330,6 +330,20 @@ static void no_pressure_is_fitted_by_none(void **state)
     assert_true(rwedge_series_residual(series) == 0);
     rwedge_series_destroy(series);
     assert_int_equal(rwedge_series_fit(SAMPLES, x, p, (1 << 24) + 1, &series), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_series_fit((1 << 26) + 1, x, p, 2, &series), RWEDGE_ERANGE);
+}
+
+/* A fit without residual: the coefficients themselves are too large for their sums. */
+static void coefficients_too_large_are_refused(void **state)
+{
+    (void)state;
+    double x[SAMPLES], p[SAMPLES];
+    chebyshev_points(x);
+    for (int i = 0; i < SAMPLES; i++)
+        p[i] = -ldexp(sqrt(1 - x[i] * x[i]), 1010);
+    rwedge_series *series = NULL;
+    assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 3, &series), RWEDGE_ENOCONV);
+    assert_null(series);
 }
 
 int main(void)
@@ -350,6 +364,7 @@ int main(void)
         cmocka_unit_test(the_smallest_tips_have_a_bound_too),
         cmocka_unit_test(fits_scale_with_the_samples),
         cmocka_unit_test(no_pressure_is_fitted_by_none),
+        cmocka_unit_test(coefficients_too_large_are_refused),
     };
     return RUN_CLAIMS("series", tests);
 }

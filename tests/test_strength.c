@@ -292,6 +292,21 @@ static void missing_outputs_are_refused(void **state)
     }
 }
 
+/* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f g)^2 has its maximum at
+ * x = f/sqrt(1 + f^2): for large f the end of the rounding, to rounding. */
+static void the_maximum_may_be_at_the_end_of_the_rounding(void **state)
+{
+    (void)state;
+    for (double f = 1; f <= 1e6; f *= 10)
+        for (double nu = 0; nu < 0.5; nu += 0.1) {
+            const double kappa = (1 - 2 * nu) * (1 - 2 * nu) / 3, J2 = f * f + kappa * (1 + f * f);
+            double limit, x;
+            assert_int_equal(rwedge_surface_yield(nextafter(1, 0), f, nu, &limit, &x), RWEDGE_OK);
+            assert_close(limit, PI / 2 / sqrt(J2), 1e-7);
+            assert_close(x, f / sqrt(1 + f * f), 1e-7);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -313,6 +328,7 @@ int main(void)
         cmocka_unit_test(arrays_are_limits_one_by_one),
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
         cmocka_unit_test(missing_outputs_are_refused),
+        cmocka_unit_test(the_maximum_may_be_at_the_end_of_the_rounding),
     };
     return RUN_CLAIMS("strength", tests);
 }

@@ -44,6 +44,29 @@ for signal in INT:130 TERM:143 HUP:129 QUIT:131; do
     same "files" old.csv "$(ls -A files)"
 done
 
+# SIGPIPE and SIGXFSZ come with an error of write(), which is reported: by themselves they end nothing.
+called="rwedge $long -o files/old.csv, SIGPIPE and SIGXFSZ"
+start default-signal=TERM -o files/old.csv
+wait_for_start
+kill -s PIPE "$process"
+kill -s XFSZ "$process"
+sleep 0.2
+same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
+kill -s TERM "$process"
+ended
+status_is 143
+same "old file" old "$(cat files/old.csv)"
+
+# A crash removes the unfinished file too. (A sanitizer has its own handlers.)
+called="rwedge $long -o files/old.csv, SIGSEGV"
+start default-signal=TERM -o files/old.csv
+wait_for_start
+kill -s SEGV "$process"
+ended
+same "files" old.csv "$(ls -A files)"
+same "it does not end well" yes "$([ "$status" -ne 0 ] && echo yes)"
+same "old file" old "$(cat files/old.csv)"
+
 # A signal that is ignored from the start, as nohup does with SIGHUP, stays so.
 called="rwedge $long -o files/old.csv, SIGHUP ignored"
 start ignore-signal=HUP -o files/old.csv

@@ -212,16 +212,18 @@ Private Function is_number(ByVal item As Variant) As Boolean
     End Select
 End Function
 
+' What is in the cells of a range; Empty where it has several areas.
+Private Function values_of(ByVal cells As Object) As Variant
+    If cells.Areas.count = 1 Then values_of = cells.Value2
+End Function
+
 ' The numbers of a range, an array or a single number, of which there must be n, or any number of them where n is 0.
 Private Function read_list(ByVal given As Variant, ByRef list() As Double, ByRef n As Long) As Long
-    Dim item As Variant, count As Long
+    Dim items As Variant, item As Variant, count As Long
     read_list = NOT_A_COLUMN
-    If IsObject(given) Then
-        If given.Areas.count > 1 Then Exit Function
-        given = given.Value2
-    End If
-    If Not IsArray(given) Then given = Array(given)
-    For Each item In given
+    If IsObject(given) Then items = values_of(given) Else items = given
+    If Not IsArray(items) Then items = Array(items)
+    For Each item In items
         If Not is_number(item) Then Exit Function
         count = count + 1
     Next item
@@ -229,7 +231,7 @@ Private Function read_list(ByVal given As Variant, ByRef list() As Double, ByRef
     n = count
     ReDim list(0 To n - 1)
     count = 0
-    For Each item In given
+    For Each item In items
         list(count) = item
         count = count + 1
     Next item
@@ -648,7 +650,7 @@ End Function
 '   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 '   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 '   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
-'   f      coefficient of friction, finite, >= 0
+'   f      coefficient of friction, 0 <= f <= 1e6
 '   k      yield stress in pure shear, stress, finite, > 0
 '   P, Q   normal and tangential force per unit length
 ' The functions that return a double give NaN outside the domain.

@@ -91,16 +91,18 @@ Private Function is_number(ByVal item As Variant) As Boolean
     End Select
 End Function
 
+' What is in the cells of a range; Empty where it has several areas.
+Private Function values_of(ByVal cells As Object) As Variant
+    If cells.Areas.count = 1 Then values_of = cells.Value2
+End Function
+
 ' The numbers of a range, an array or a single number, of which there must be n, or any number of them where n is 0.
 Private Function read_list(ByVal given As Variant, ByRef list() As Double, ByRef n As Long) As Long
-    Dim item As Variant, count As Long
+    Dim items As Variant, item As Variant, count As Long
     read_list = NOT_A_COLUMN
-    If IsObject(given) Then
-        If given.Areas.count > 1 Then Exit Function
-        given = given.Value2
-    End If
-    If Not IsArray(given) Then given = Array(given)
-    For Each item In given
+    If IsObject(given) Then items = values_of(given) Else items = given
+    If Not IsArray(items) Then items = Array(items)
+    For Each item In items
         If Not is_number(item) Then Exit Function
         count = count + 1
     Next item
@@ -108,7 +110,7 @@ Private Function read_list(ByVal given As Variant, ByRef list() As Double, ByRef
     n = count
     ReDim list(0 To n - 1)
     count = 0
-    For Each item In given
+    For Each item In items
         list(count) = item
         count = count + 1
     Next item

@@ -18,7 +18,7 @@ done
 wine=$(PATH=$PATH:/usr/lib/wine command -v wine64) || skip "wine64 is not here"
 server=$(PATH=$PATH:/usr/lib/wine command -v wineserver || PATH=$PATH:/usr/lib/wine command -v wineserver64)
 sh "$here/windows/sources.sh" "$work/sources" >"$work/log" 2>&1 ||
-    skip "the sources of GSL, LAPACK and musl cannot be fetched: $(tail -n 1 "$work/log")"
+    skip "apt cannot fetch the sources of GSL, LAPACK and musl here; see $work/log"
 sh "$here/windows/build.sh" "$work"
 sh "$top/bindings/private.sh" "$folder"
 cd "$work"
@@ -49,6 +49,16 @@ if [ -x "$checker/bin/vbalidator" ] || python3 -m pip -q install --target "$chec
     grep '^Errors' log
 else
     echo "NOT RUN: vbalidator, which pip cannot install here"
+fi
+# Its own code, run in the only Basic here.
+python_with_uno=''
+for python in python3 /usr/bin/python3; do
+    if $python -c 'import uno' 2>/dev/null; then python_with_uno=$python; fi
+done
+if command -v soffice >/dev/null && [ -n "$python_with_uno" ]; then
+    "$python_with_uno" -B "$here/test/cells.py" rwedge.bas "$here/test/cells.bas" "$work"
+else
+    echo "NOT RUN: the module's own code, for lack of LibreOffice with Python's uno"
 fi
 
 # It needs nothing that Windows lacks, and no mathematics of Windows' own.

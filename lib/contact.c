@@ -222,6 +222,21 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
+/* The points at which a patch of half-width s is not remote beyond all bounds: which, and how many. */
+static int points_in_reach(double s, size_t n, const double x[], const double y[], size_t which[RW_BLOCK],
+                           double near_x[RW_BLOCK], double near_y[RW_BLOCK])
+{
+    int count = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
+            continue;
+        near_x[count] = x[i];
+        near_y[count] = y[i];
+        which[count++] = i;
+    }
+    return count;
+}
+
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[], const double y[],
                           rw_contact_fields *fields)
 {
@@ -233,15 +248,18 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
         const bool whole = j + 1 == path->count;
         if (!rw_patch_matters(s, contact->geometry.a) || (weight == 0 && !whole))
             continue;
+        size_t which[RW_BLOCK];
+        double near_x[RW_BLOCK], near_y[RW_BLOCK];
+        const int count = points_in_reach(s, n, x, y, which, near_x, near_y);
         rw_potential patch;
+        rw_fields of_patch;
         rw_potential_init_patch(&patch, contact->geometry.a, s);
-        for (size_t i = 0; i < n; i++) {
-            if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
-                continue;
-            const rw_field field = rw_potential_at(&patch, x[i], y[i]);
-            add(&fields->tangential[i], weight, field);
+        rw_potential_fields(&patch, count, near_x, near_y, &of_patch);
+        for (int k = 0; k < count; k++) {
+            const rw_field field = rw_field_in(&of_patch, k);
+            add(&fields->tangential[which[k]], weight, field);
             if (whole)
-                fields->normal[i] = field;
+                fields->normal[which[k]] = field;
         }
     }
 }

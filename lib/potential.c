@@ -232,6 +232,7 @@ rw_field rw_potential_at(const rw_potential *potential, double x, double y)
 /* ---- Batches ---- */
 
 enum { LANES = 8 }; /* a multiple of what vector units hold */
+enum { WORTH_A_VECTOR = 3 }; /* two points are quicker one by one */
 
 RW_INLINE void put(rw_fields *fields, int i, rw_field field)
 {
@@ -295,6 +296,11 @@ static bool is_extreme(const rw_potential *p, double x, double y)
 
 void rw_potential_fields(const rw_potential *potential, int count, const double x[], const double y[], rw_fields *fields)
 {
+    if (count < WORTH_A_VECTOR) {
+        for (int i = 0; i < count; i++)
+            put(fields, i, rw_potential_at(potential, x[i], y[i]));
+        return;
+    }
     double usual_x[RW_BATCH], usual_y[RW_BATCH];
     bool extreme = false;
     for (int i = 0; i < count; i++) {

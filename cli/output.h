@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { OUTPUT_BUFFER = 1 << 16 };
+enum { OUTPUT_BUFFER = 1 << 14 }; /* it is on the stack */
 
 typedef struct {
     const char *name; /* as the user knows it */

@@ -8,7 +8,7 @@ from hypothesis.extra import numpy as arrays
 
 import rwedge
 
-ALPHA = st.floats(1e-300, 100) | st.sampled_from([0.0, 1e-8, 1 - 2**-53, 1.0, 1e300])
+ALPHA = st.floats(0, 100) | st.sampled_from([0.0, 5e-324, 1e-310, 1e-8, 1 - 2**-53, 1.0, 1e300])
 ANY = st.floats(allow_nan=True, allow_infinity=True)
 pytestmark = pytest.mark.filterwarnings("ignore:invalid value")
 

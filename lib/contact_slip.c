@@ -34,7 +34,7 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
 static double departure_displacement(const rwedge_contact *contact, const rw_corner *departure, double beyond, double x)
 {
     rw_corner corner = *departure;
-    if (isnan(corner.half_width))
+    if (isnan(corner.half_width)) /* unreached: a departure that is no corner of the path has none yet */
         corner.half_width = rw_half_width(&contact->geometry, corner.load);
     const rw_path alone = {.corners = &corner, .count = 1};
     return displacement(contact, &alone, 0, 1, beyond, x);
@@ -44,6 +44,7 @@ static double departure_displacement(const rwedge_contact *contact, const rw_cor
 static size_t last_common(const rw_path *one, const rw_path *other, size_t count)
 {
     size_t i = 0;
+    /* unreached: the path reaches the load that count ends at */
     while (i + 1 < count && i + 1 < one->count && one->corners[i + 1].load == other->corners[i + 1].load &&
            one->corners[i + 1].ratio == other->corners[i + 1].ratio)
         i++;

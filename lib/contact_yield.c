@@ -232,7 +232,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     if (!is_infinite(contact, s.kappa)) {
         for (size_t i = 0; i < count_marks(contact); i++)
             search_around(&s, i);
-        if (!(s.J2 > 0))
+        if (!(s.J2 > 0)) /* unreached: the grid has points with stress */
             return RWEDGE_ERANGE;
         rw_scaled highest = rw_scaled_times(unit_stress(contact), rw_scaled_from(sqrt(s.J2)));
         highest.exponent -= doublings;

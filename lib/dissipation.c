@@ -32,7 +32,7 @@ static double overlap(const layer *l, double d)
     const double from = fmax(l->s0, d), length = l->s1 - from;
     if (length <= 0)
         return 0;
-    const double slope = l->s1 > l->s0 ? (l->p1 - l->p0) / (l->s1 - l->s0) : 0;
+    const double slope = l->s1 > l->s0 ? (l->p1 - l->p0) / (l->s1 - l->s0) : 0; /* unreached: the length is not 0 */
     const double at_s1 = d - l->p1, at_from = d - (l->p0 + slope * (from - l->s0));
     if (at_s1 >= 0 && at_from >= 0)
         return length * (at_s1 + at_from) / 2;
@@ -50,7 +50,7 @@ static double logarithmic_slope(double u, double corner_load)
         return 1;
     const double ratio = u / corner_load;
     double e = fmax(sqrt(ratio), RW_HALF_PI / 2 * ratio), rounded = 0, whole = 0;
-    for (int step = 0; step < 8; step++) {
+    for (int step = 0; step < 8; step++) { /* unreached: at most 4 are needed */
         rounded = asin(1 / e) * e;
         whole = rounded + rw_cos_asin(1 / e);
         const double change = (RW_HALF_PI * ratio - e * whole) / (2 * rounded);

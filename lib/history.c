@@ -55,7 +55,7 @@ bool rw_path_reserve(rw_path *path, size_t more)
 {
     if (path->capacity - path->count >= more)
         return true;
-    if (path->count > SIZE_MAX / sizeof *path->corners / 2 - more)
+    if (path->count > SIZE_MAX / sizeof *path->corners / 2 - more) /* unreached: memory ends before */
         return false;
     const size_t capacity = path->count + path->count / 2 + more;
     rw_corner *corners = realloc(path->corners, capacity * sizeof *corners);
@@ -96,7 +96,7 @@ static void push(rw_path *path, double load, double shear, double ratio)
 {
     rw_corner corner = {load, shear, ratio, -HUGE_VAL, HUGE_VAL, NAN};
     rw_corner *end = &path->corners[path->count - 1];
-    if (load <= end->load) /* within rounding of the corner that is there */
+    if (load <= end->load) /* within rounding of the corner that is there; unreached: departures are before the load */
         return;
     double least, most;
     if (!is_straight(path, load, shear, &least, &most)) {
@@ -180,11 +180,11 @@ rw_corner rw_path_departure(const rw_path *path, double load, double shear, size
     *kept = last + 1;
     const rw_corner *before = &path->corners[last];
     const double depth = inside(before, *slip, load, shear);
-    if (last + 1 == path->count || depth <= tolerance)
+    if (last + 1 == path->count || depth <= tolerance) /* unreached: what slips passes the end of the path */
         return *before;
     const double beyond = inside(before + 1, *slip, load, shear);
     const rw_corner corner = between(before, before + 1, depth / (depth - beyond));
-    return corner.load < load ? corner : *before;
+    return corner.load < load ? corner : *before; /* unreached: the line meets the path before its end */
 }
 
 /* Where a step changes less than the tolerance the path stays as it is, and does not take over the new values: so that

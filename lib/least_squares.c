@@ -22,15 +22,18 @@ int32_t rw_least_squares(int32_t rows, int32_t columns, double *A, double *v)
     int32_t rank = 0, info = 0, integer_size = 0, query = -1;
     double size = 0, unused = 0;
     dgelsd_(&rows, &columns, &one, A, &rows, v, &rows, &unused, &condition, &rank, &size, &query, &integer_size, &info);
+    /* unreached: the sizes are sound, and of 2^27 entries the work is not more */
     if (info != 0 || !(size >= 1 && size <= INT32_MAX))
         return RWEDGE_ENOCONV;
     const int32_t length = (int32_t)size;
     double *work = malloc(((size_t)length + (size_t)columns) * sizeof *work);
+    /* unreached: but an old LAPACK may leave it 0 */
     int32_t *integers = malloc((size_t)(integer_size > 0 ? integer_size : 1) * sizeof *integers);
     int32_t status = RWEDGE_ENOMEM;
     if (work && integers) {
         dgelsd_(&rows, &columns, &one, A, &rows, v, &rows, work + length, &condition, &rank, work, &length, integers,
                 &info);
+        /* unreached: no finite matrix is known whose singular values do not converge */
         status = info != 0 ? RWEDGE_ENOCONV : rank < columns ? RWEDGE_ERANK : RWEDGE_OK;
     }
     free(integers);

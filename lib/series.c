@@ -100,6 +100,7 @@ static bool enlarge(rwedge_series *made, int doublings)
     double sum = made->residual;
     for (int32_t k = 0; k < made->terms; k++)
         sum += (k + 1) * fabs(made->a[k]);
+    /* unreached: the samples are of the order 1, and the rank is checked */
     if (!isfinite(sum) || (sum > 0 && ilogb(sum) + doublings > LARGEST_SUM))
         return false;
     for (int32_t k = 0; k < made->terms; k++)

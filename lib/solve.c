@@ -36,13 +36,13 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
     problem p = {f, context};
     gsl_function function = {evaluate, &p};
     double state[32]; /* Brent's is 12 doubles; a GSL that needs more is refused rather than overrun */
-    if (gsl_root_fsolver_brent->size > sizeof state)
+    if (gsl_root_fsolver_brent->size > sizeof state) /* unreached: no GSL yet has such a one */
         return NAN;
     gsl_root_fsolver solver = {.type = gsl_root_fsolver_brent, .state = state};
-    if (gsl_root_fsolver_set(&solver, &function, lo, hi) != GSL_SUCCESS)
+    if (gsl_root_fsolver_set(&solver, &function, lo, hi) != GSL_SUCCESS) /* unreached: the signs differ */
         return NAN;
     for (int step = 0; step < MAX_STEPS; step++) {
-        if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS)
+        if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS) /* unreached: f is finite on the bracket */
             return NAN;
         if (gsl_root_test_interval(solver.x_lower, solver.x_upper, nearest, 2 * DBL_EPSILON) == GSL_SUCCESS)
             return solver.root;

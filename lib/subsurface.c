@@ -5,9 +5,10 @@
  * Why this cannot miss it. Any maximum below the surface that is higher than the surface's lies on the branch that begins on
  * the axis, and the path below stays on it. There is one other kind of local maximum, next to the corner x = a where the
  * rounding ends, for f > 0.25; there the surface is the higher, by 5 % of J2 at the least. Both statements are not proved
- * here but checked by the tests (strength_survey), which search the whole half-plane without using them. Given them, the
- * path reaches the maximum, or ends at a fold before it and the surface governs. A step along the path counts only if every
- * iterate had a negative definite Hessian: it cannot slip to the saddle that the maximum meets at the fold. */
+ * here but checked by the tests (strength_survey), which search the whole half-plane without using them, and for
+ * many alpha, f and nu it is proved that the outcome is the global maximum (tests/certificate). Given them, the path reaches
+ * the maximum, or ends at a fold before it and the surface governs. A step along the path counts only if every iterate had
+ * a negative definite Hessian: it cannot slip to the saddle that the maximum meets at the fold. */
 #include "subsurface.h"
 
 #include "domain.h"

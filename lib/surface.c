@@ -5,7 +5,8 @@
  * - it is not beyond alpha: g = 1 up to the edge, p falls, and outside p = 0 while g falls;
  * - on the rounding, x = alpha sin(psi), 0 <= psi <= pi/2, the derivative with respect to x is positive at 0 (for f > 0) and
  *   tends to minus infinity at alpha, where p has a vertical tangent. That it changes sign only once between is not proved
- *   here but checked, densely, by the tests (strength_survey), over all alpha, f and nu. */
+ *   here but checked, densely, by the tests (strength_survey), over all alpha, f and nu; what follows from it is proved at
+ *   many of them (tests/certificate). */
 #include "surface.h"
 
 #include "domain.h"

@@ -32,7 +32,9 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
     command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
     command:localedef=locales command:python3=python3 "command:soffice=libreoffice-calc-nogui python3-uno"
 # the languages that the library is called from
-wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev
+wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
+    command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
+    command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
@@ -104,7 +106,7 @@ fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
     # but for those whose own programs would need the sanitizers too, and that build anew anyway
-    build_and_test build/debug '^(package|reproducible)$' --preset debug
+    build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*)$' --preset debug
 fi
 if [ $campaign = yes ]; then
     step "survey of the strength" build/tests/strength_survey 50000 2026

@@ -16,8 +16,7 @@
 
 enum { BLOCK = 64, THREADS_MAX = 64 };
 
-static const row *const SECTIONS[] = {LAW_ROWS,    STICK_ROWS,   STRESS_ROWS, STRENGTH_ROWS,
-                                      DESIGN_ROWS, HISTORY_ROWS, SERIES_ROWS};
+static const row *const SECTIONS[] = {LAW_ROWS, STICK_ROWS, STRESS_ROWS, STRENGTH_ROWS, DESIGN_ROWS, HISTORY_ROWS, SERIES_ROWS};
 
 /* ---- Measuring: the threads take blocks of calls ---- */
 

@@ -183,9 +183,8 @@ static void improve(arb_t guess, ball_function function, const void *context, sl
         arb_get_mid_arb(value, value);
         arb_sub(guess, guess, value, prec);
         arb_get_mid_arb(guess, guess);
-        if (arf_is_zero(arb_midref(value)) ||
-            (arf_cmpabs(arb_midref(value), arb_midref(guess)) < 0 &&
-             ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(guess)) - prec / 2))
+        if (arf_is_zero(arb_midref(value)) || (arf_cmpabs(arb_midref(value), arb_midref(guess)) < 0 &&
+                                               ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(guess)) - prec / 2))
             break;
     }
     arb_clear(value), arb_clear(slope);

@@ -327,6 +327,7 @@ const row DESIGN_ROWS[] = {
     {"rounding", "the same", "relative", 0, "", 1, draw_rounding, judge_rounding},
     {"half_width", UNITS, "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
     {"normal_load", UNITS, "relative", 1e-14, "1e-14", 1, draw_normal_load, judge_normal_load},
-    {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)", 1e-11, "1e-11", 0.2, draw_yield_load, judge_yield_load},
+    {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)", 1e-11, "1e-11", 0.2,
+     draw_yield_load, judge_yield_load},
     {0},
 };

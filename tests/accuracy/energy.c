@@ -300,8 +300,8 @@ static void falling(arb_t sum, arb_t most, const step *st, const profile *p, slo
     _arb_vec_clear(w, 8);
 }
 
-void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear, const arb_t a, const arb_t unit,
-                      slong prec)
+void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear, const arb_t a,
+                      const arb_t unit, slong prec)
 {
     const corner *end = &p->corners[p->count - 1];
     step st = {.p = p, .load = end->load, .shear = end->shear};

@@ -7,7 +7,7 @@
 
 /* In a straight line from the path's end to (load, shear), over A f^2/pi; unit is theta/A. ahead receives by how much Q/f gets
  * ahead of what sticks. */
-void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear, const arb_t a, const arb_t unit,
-                      slong prec);
+void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear, const arb_t a,
+                      const arb_t unit, slong prec);
 
 #endif

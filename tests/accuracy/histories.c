@@ -47,7 +47,8 @@ static void destroy(void *contact)
 /* The contact under its last load; NULL where a load is refused. */
 static rwedge_contact *some_contact(probe *call)
 {
-    const double theta = argument(call, "theta", log_between(call, 1e-4, 1)), A = argument(call, "A", log_between(call, 1e-6, 1));
+    const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
+                 A = argument(call, "A", log_between(call, 1e-6, 1));
     const double kind = uniform(call), b = log_between(call, 1e-3, 10);
     const double a = argument(call, "a", kind < 0.1 ? 0 : kind < 0.2 ? b * 20 : b * log_between(call, 1e-6, 2));
     const double f = argument(call, "f", log_between(call, 0.01, 3));
@@ -781,15 +782,14 @@ const row HISTORY_ROWS[] = {
     {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
     {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-14, "1e-14", 1, draw_stick,
      judge_stick},
-    {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1, draw_pressure,
-     judge_pressure},
+    {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1, draw_pressure, judge_pressure},
     {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13, "1e-13", 1, draw_shear,
      judge_shear},
-    {"contact_stresses", "points dense at the edges", "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)",
-     1e-13, "1e-13", 1, draw_stresses, judge_stresses},
+    {"contact_stresses", "points dense at the edges",
+     "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1, draw_stresses,
+     judge_stresses},
     {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-13, "1e-13", 1, draw_slip, judge_slip},
-    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1,
-     draw_energy, judge_energy},
+    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1, draw_energy, judge_energy},
     {"contact_yield_factor", "the same; nu 0 to 0.45", "relative", 1e-12, "1e-12", 0.01, draw_yield_factor, judge_yield_factor},
     {0},
 };

@@ -140,10 +140,10 @@ static void judge_load(arb_t error, const probe *call, slong prec)
 static bool draw_a_over_b(probe *call)
 {
     const double hertz = 1.5707963267948966, kind = uniform(call);
-    const double load = kind < 0.3   ? near(call, hertz)
-                        : kind < 0.6 ? hertz * log_between(call, 1, 100)
-                        : kind < 0.8 ? log_between(call, 1, 1e17)
-                        : kind < 0.9 ? log_between(call, 1e-10, hertz)
+    const double load = kind < 0.3    ? near(call, hertz)
+                        : kind < 0.6  ? hertz * log_between(call, 1, 100)
+                        : kind < 0.8  ? log_between(call, 1, 1e17)
+                        : kind < 0.9  ? log_between(call, 1e-10, hertz)
                         : kind < 0.95 ? near(call, 2e8)
                                       : log_between(call, 1e-300, 1e300);
     call->result[0] = rwedge_a_over_b(argument(call, "AP_over_theta_a", load));
@@ -258,7 +258,7 @@ static void ball_bracket(arb_t bracket, arb_t slope, const arb_t phi0, ulong m, 
     arb_mul(u, sine, cot, prec);
     arb_mul_ui(u, u, m, prec);
     arb_sub(bracket, u, cosine, prec);
-    arb_mul(u, cosine, cot, prec);          /* m^2 cos cot - m sin/sin(phi0)^2 + m sin */
+    arb_mul(u, cosine, cot, prec); /* m^2 cos cot - m sin/sin(phi0)^2 + m sin */
     arb_mul_ui(u, u, m, prec);
     arb_mul(v, cot, cot, prec);
     arb_submul(u, v, sine, prec);

@@ -116,7 +116,8 @@ static bool draw_surface(probe *call)
     return rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) == RWEDGE_OK;
 }
 
-/* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next to it J2 falls by 1 - flatness (distance/depth)^2/2. */
+/* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next to it J2 falls by 1 - flatness
+ * (distance/depth)^2/2. */
 static void judge_place(arb_t error, const probe *call, slong prec)
 {
     strength s;

@@ -152,7 +152,10 @@ void some_point(probe *call, double alpha, double c, double *x, double *y)
 double some_friction(probe *call)
 {
     const double kind = uniform(call);
-    return kind < 0.1 ? 0 : kind < 0.7 ? uniform(call) : kind < 0.85 ? log_between(call, 1e-12, 1) : log_between(call, 0.1, 1e6);
+    return kind < 0.1    ? 0
+           : kind < 0.7  ? uniform(call)
+           : kind < 0.85 ? log_between(call, 1e-12, 1)
+                         : log_between(call, 0.1, 1e6);
 }
 
 double some_poisson(probe *call)

@@ -13,24 +13,24 @@
 enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 8, LOADS_MAX = 12 };
 
 typedef struct {
-    uint64_t random;                        /* state of the random numbers */
-    int arguments;                          /* how many were drawn, with their names and values */
+    uint64_t random; /* state of the random numbers */
+    int arguments;   /* how many were drawn, with their names and values */
     const char *name[ARGUMENTS_MAX];
     double value[ARGUMENTS_MAX];
-    int loads;                              /* of a history */
+    int loads; /* of a history */
     double P[LOADS_MAX], Q[LOADS_MAX];
-    double result[RESULTS_MAX];             /* of the library */
-    void *object;                           /* that the judge needs, and how it is freed */
+    double result[RESULTS_MAX]; /* of the library */
+    void *object;               /* that the judge needs, and how it is freed */
     void (*release)(void *object);
 } probe;
 
 typedef struct {
     const char *function, *domain;
-    const char *measure;             /* what the error is relative to */
-    double promised;                 /* bound of the error in that measure; 0 where the header has none */
-    const char *promise;             /* as the header says it */
-    double part;                     /* of the calls asked for; below 1 where a call is costly */
-    bool (*draw)(probe *call);       /* false: these arguments have no result; draw again */
+    const char *measure;       /* what the error is relative to */
+    double promised;           /* bound of the error in that measure; 0 where the header has none */
+    const char *promise;       /* as the header says it */
+    double part;               /* of the calls asked for; below 1 where a call is costly */
+    bool (*draw)(probe *call); /* false: these arguments have no result; draw again */
     void (*judge)(arb_t error, const probe *call, slong prec); /* not negative */
 } row;
 
@@ -43,22 +43,22 @@ double argument(probe *call, const char *name, double value);
 
 /* ---- Random numbers ---- */
 
-double uniform(probe *call);                                /* [0, 1) */
+double uniform(probe *call); /* [0, 1) */
 double between(probe *call, double lo, double hi);
-double log_between(probe *call, double lo, double hi);      /* 0 < lo < hi */
+double log_between(probe *call, double lo, double hi); /* 0 < lo < hi */
 bool chance(probe *call, double probability);
 double either_sign(probe *call, double value);
 
 /* ---- Arguments, with their edges over-sampled ---- */
 
-double some_alpha(probe *call);                             /* 0 and 1e-300 to 1e300, dense next to 1 */
-double some_rounded_alpha(probe *call);                     /* not 0 */
-double some_fraction(probe *call, double mark);             /* [0, 1], dense next to 0, 1 and the mark */
-double some_place(probe *call, double alpha, double c);     /* on the surface: next to 0, +-alpha, +-c, +-1 */
+double some_alpha(probe *call);                                             /* 0 and 1e-300 to 1e300, dense next to 1 */
+double some_rounded_alpha(probe *call);                                     /* not 0 */
+double some_fraction(probe *call, double mark);                             /* [0, 1], dense next to 0, 1 and the mark */
+double some_place(probe *call, double alpha, double c);                     /* on the surface: next to 0, +-alpha, +-c, +-1 */
 void some_point(probe *call, double alpha, double c, double *x, double *y); /* of the half-plane */
 double some_friction(probe *call);
 double some_poisson(probe *call);
-double near(probe *call, double mark);                      /* from a factor of 2 to the next double */
+double near(probe *call, double mark); /* from a factor of 2 to the next double */
 
 /* ---- Errors ---- */
 

@@ -169,7 +169,8 @@ static void judge_stress(arb_t error, const probe *call, slong prec)
 static bool draw_coefficient(probe *call)
 {
     rwedge_series *series = NULL;
-    const double alpha = argument(call, "alpha", some_alpha(call)), k = argument(call, "k", floor(log_between(call, 1, 500)) - 1);
+    const double alpha = argument(call, "alpha", some_alpha(call)),
+                 k = argument(call, "k", floor(log_between(call, 1, 500)) - 1);
     if (rwedge_series_create(alpha, (int32_t)k + 1, &series) != RWEDGE_OK)
         return false;
     call->result[0] = rwedge_series_coefficient(series, (int32_t)k);
@@ -328,6 +329,9 @@ const row SERIES_ROWS[] = {
     {"series_fit", "the same", "of the largest coefficient", 0, "", 0.1, draw_fit, judge_fit},
     {"series_pressure", "1 to 40 terms", MODULI, 0, "", 1, draw_pressure, judge_pressure},
     {"series_potential", "1 to 40 terms", MODULI, 0, "", 1, draw_potential, judge_potential},
-    {"series_stress", "1 to 40 terms", "of terms times " "that sum", 0, "", 1, draw_stress, judge_stress},
+    {"series_stress", "1 to 40 terms",
+     "of terms times "
+     "that sum",
+     0, "", 1, draw_stress, judge_stress},
     {0},
 };

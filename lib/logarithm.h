@@ -12,6 +12,7 @@
 
 #include "inline.h"
 
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -67,8 +68,10 @@ RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
     const double turned = small > 0.667 * large ? PI / 4 : small > 0.2 * large ? TURN_ANGLE : 0;
     const double general = (small - turn * large) * per;
     const double flat = y > width ? general : height;
-    const double length = large + turn * small;
-    const double s_over = (turn == 0 ? flat : general) / (length > 0 ? length : 1), s = over * s_over;
+    /* The least normal number is lost in any length but that of the origin: a comparison instead could be made a division of
+     * 0 by 0 whose result is not used, which raises `invalid`. */
+    const double length = large + turn * small + DBL_MIN;
+    const double s_over = (turn == 0 ? flat : general) / length, s = over * s_over;
     const double arc = s_over * rw_arc_series(-s * s);
     const double in_octant = turned * per + arc;
     const double in_quadrant = y > width ? PI / 2 * per - in_octant : in_octant;

@@ -136,7 +136,7 @@ RWEDGE_API double rwedge_shear(double alpha, double c, double x);
 /* Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
  *   sxx, syy, txy  each receives one number
  * RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
- * Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point. */
+ * Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every alpha and point. */
 RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, double y,
                                  double *sxx, double *syy, double *txy);
 
@@ -173,7 +173,8 @@ RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double 
 RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x, double *y);
 
 /* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
- * 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+ * 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+ *                                                                                                             Fig. 4; new */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
 
 /* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
@@ -191,7 +192,7 @@ RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
  *   f      coefficient of friction, 0 <= f <= 1e6
  *   k      yield stress in pure shear, stress, finite, > 0
  *   P, Q   normal and tangential force per unit length
- * The functions that return a double give NaN outside the domain. */
+ * The functions that return a double give NaN outside the domain, and where the result is too large for a double. */
 
 /* Radius of the rounding, R = a/theta, length.                                                                  Sec. 2 */
 RWEDGE_API double rwedge_radius(double theta, double a);
@@ -242,9 +243,9 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.        Sec. 3.2; new
  *   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
  *   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
- * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width or the
- * peak pressure is not a normal number or the energy overflows (below the smallest double it is 0), and where P is not 0
- * but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
+ * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
+ * 1e300, b, a/b or the peak pressure not a normal number, or the energy overflows (below the smallest double it is 0), and
+ * where P is not 0 but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
  * RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
  * It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
  * cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14. */
@@ -273,8 +274,9 @@ RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_
 /* Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
  *   x, y           length, finite, y >= 0
  *   sxx, syy, txy  each receives n numbers
- * RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
- * domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history. */
+ * RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
+ * written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
+ * of the history. */
 RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
                                            double sxx[], double syy[], double txy[]);
 
@@ -321,9 +323,9 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
 /* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.                Sec. 4 of the paper
  *   samples  number of samples, >= terms, samples * terms <= 2^27
  *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
- * RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits
- * of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
- * RWEDGE_ENOMEM. */
+ * RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where the samples do not determine
+ * the coefficients to half the digits of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN,
+ * RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
                                      rwedge_series **series);
 

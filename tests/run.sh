@@ -30,7 +30,7 @@ require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++
 wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
     command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
-    command:localedef=locales command:python3=python3 "command:soffice=libreoffice-calc-nogui python3-uno"
+    command:localedef=locales command:python3=python3 python:ensurepip=python3-venv "command:soffice=libreoffice-calc-nogui python3-uno"
 # the languages that the library is called from
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \

@@ -495,7 +495,7 @@ End Function
 ' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
 '   sxx, syy, txy  each receives one number
 ' RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
-' Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point.
+' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every alpha and point.
 ' In a cell: the row sxx, syy, txy.
 Public Function RWEDGE_STRESS( _
         ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Double, ByVal y As Double) As Variant
@@ -616,6 +616,7 @@ End Function
 
 ' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
 ' 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+'                                                                                                             Fig. 4; new
 ' In a cell: the row limit, x.
 Public Function RWEDGE_SURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL."
@@ -653,7 +654,7 @@ End Function
 '   f      coefficient of friction, 0 <= f <= 1e6
 '   k      yield stress in pure shear, stress, finite, > 0
 '   P, Q   normal and tangential force per unit length
-' The functions that return a double give NaN outside the domain.
+' The functions that return a double give NaN outside the domain, and where the result is too large for a double.
 
 ' Radius of the rounding, R = a/theta, length.                                                                  Sec. 2
 Public Function RWEDGE_RADIUS(ByVal theta As Double, ByVal a As Double) As Variant
@@ -792,8 +793,9 @@ End Function
 ' Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
 '   x, y           length, finite, y >= 0
 '   sxx, syy, txy  each receives n numbers
-' RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
-' domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
+' RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
+' written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
+' of the history.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: a row for each point: sxx, syy, txy.
 Public Function RWEDGE_CONTACT_STRESSES( _

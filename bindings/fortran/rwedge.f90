@@ -647,7 +647,7 @@ contains
     !> Stresses at the point (x, y), in theta/A, tension positive; closed form.   Eq. (28), (32), (33) with E4, E8; new
     !>   sxx, syy, txy  each receives one number
     !> RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
-    !> Error below 1e-13 of the larger of the tensor's norm and 1/(1+|z|), z = x + iy, for every alpha and every point.
+    !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every alpha and point.
     impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
         real(c_double), intent(in) :: alpha, f, c, x, y
         real(c_double), intent(inout) :: sxx, syy, txy
@@ -711,6 +711,7 @@ contains
 
     !> At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
     !> 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    !> Fig. 4; new
     impure elemental subroutine rwedge_surface_yield(alpha, f, nu, limit, x, stat, errmsg)
         real(c_double), intent(in) :: alpha, f, nu
         real(c_double), intent(inout) :: limit, x
@@ -784,10 +785,10 @@ contains
     !> The next point of the history, reached in a straight line of the (P, Q) plane from the last one.   Sec. 3.2; new
     !>   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
     !>   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
-    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is so large or small that the half-width or the
-    !> peak pressure is not a normal number or the energy overflows (below the smallest double it is 0), and where P is not 0
-    !> but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
-    !> RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
+    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
+    !> 1e300, b, a/b or the peak pressure not a normal number, or the energy overflows (below the smallest double it is 0), and
+    !> where P is not 0 but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads;
+    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
     !> It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
     !> cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14.
     subroutine contact_load(this, P, Q, stat, errmsg)
@@ -843,8 +844,9 @@ contains
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
     !>   x, y           length, finite, y >= 0
     !>   sxx, syy, txy  each receives n numbers
-    !> RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is in the
-    !> domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
+    !> RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
+    !> written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
+    !> of the history.
     subroutine contact_stresses(this, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: x(:), y(:)
@@ -934,9 +936,9 @@ contains
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.   Sec. 4 of the paper
     !>   samples  number of samples, >= terms, samples * terms <= 2^27
     !>   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t equally spaced) fit best
-    !> RWEDGE_ENOCONV where a sum overflows. RWEDGE_ERANK where the samples do not determine the coefficients to half the digits
-    !> of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
-    !> RWEDGE_ENOMEM.
+    !> RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where the samples do not determine
+    !> the coefficients to half the digits of a double (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN,
+    !> RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
     subroutine series_fit(this, x, p, terms, stat, errmsg)
         class(rwedge_series), intent(inout) :: this
         real(c_double), intent(in) :: x(:), p(:)

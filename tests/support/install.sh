@@ -5,6 +5,7 @@
 have()
 {
     case $1 in
+    python:*) python3 -c "import ${1#python:}" >/dev/null 2>&1 ;;
     command:*) command -v "${1#command:}" >/dev/null 2>&1 ;;
     library:*) pkg-config --exists "${1#library:}" 2>/dev/null ;;
     file:*) ls ${1#file:} >/dev/null 2>&1 ;; # a pattern

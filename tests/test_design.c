@@ -87,6 +87,7 @@ static void nothing_has_no_size(void **state)
 {
     (void)state;
     assert_true(rwedge_radius(0.1, 0) == 0 && rwedge_rounding(0.1, 0) == 0);
+    assert_true(rwedge_radius(0.1, 1) == 1 / 0.1 && rwedge_rounding(0.1, 1) == 0.1);
 }
 
 /* Sizes whose exponents are at the ends of a double's, exact powers of two. */

@@ -138,7 +138,7 @@ static void energy_does_not_overflow(void **state)
         }
         assert_int_equal(status, RWEDGE_ERANGE);
         assert_true(octaves == 1020 ? loads > 8 && before > 0.9 * DBL_MAX : loads == 2);
-        assert_true(rwedge_contact_dissipated_energy(contact) == before);
+        assert_true(isfinite(before) && rwedge_contact_dissipated_energy(contact) == before);
         assert_true(rwedge_contact_stick_half_width(contact) == width);
         rwedge_contact_destroy(contact);
     }

@@ -246,6 +246,10 @@ static void arrays_are_limits_one_by_one(void **state)
     for (int i = 0; i < N; i++)
         assert_true(limit[i] == rwedge_elastic_limit(alpha[i], f[i], 0.3));
     limit[0] = 7;
+    const double before = f[0];
+    f[0] = -1;
+    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_EDOMAIN);
+    f[0] = before;
     f[N - 1] = -1;
     assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.6, limit), RWEDGE_EDOMAIN);

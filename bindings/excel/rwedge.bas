@@ -495,7 +495,8 @@ End Function
 ' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
 '   sxx, syy, txy  each receives one number
 ' RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
-' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every alpha and point.
+' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every point within 1e260 and
+' all alpha and c that are 0 or above 1e-280.
 ' In a cell: the row sxx, syy, txy.
 Public Function RWEDGE_STRESS( _
         ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Double, ByVal y As Double) As Variant
@@ -716,7 +717,7 @@ End Function
 '   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 ' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
 ' nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
-' Relative error below 1e-11.
+' Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
 Public Function RWEDGE_YIELD_LOAD( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
         ByVal k As Double) As Variant
@@ -851,7 +852,7 @@ End Function
 ' Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
 ' integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
 ' falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
-' NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that
+' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the change of Q/f where that
 ' slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _

@@ -636,7 +636,7 @@ contains
     !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
     !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
     !> nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
-    !> Relative error below 1e-11.
+    !> Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
     elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
         real(c_double), intent(in) :: theta, a, compliance, f, nu, k
         real(c_double) :: value
@@ -647,7 +647,8 @@ contains
     !> Stresses at the point (x, y), in theta/A, tension positive; closed form.   Eq. (28), (32), (33) with E4, E8; new
     !>   sxx, syy, txy  each receives one number
     !> RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
-    !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every alpha and point.
+    !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every point within 1e260 and
+    !> all alpha and c that are 0 or above 1e-280.
     impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
         real(c_double), intent(in) :: alpha, f, c, x, y
         real(c_double), intent(inout) :: sxx, syy, txy
@@ -790,7 +791,7 @@ contains
     !> where P is not 0 but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads;
     !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
     !> It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
-    !> cycle that is repeated costs the memory of one. The half-widths have a relative error below 1e-14.
+    !> cycle that is repeated costs the memory of one.
     subroutine contact_load(this, P, Q, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, Q
@@ -883,7 +884,7 @@ contains
     !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
     !> integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
     !> falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.   new
-    !> NaN for NULL. Relative error of each load's share below 1e-14, and epsilon times P over the change of Q/f where that
+    !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the change of Q/f where that
     !> slip reaches an older layer.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this

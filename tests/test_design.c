@@ -40,6 +40,15 @@ static void the_yield_load_is_where_the_elastic_limit_says(void **state)
     }
 }
 
+/* Down to the smallest tip there is an elastic limit for. */
+static void tiny_tips_have_a_yield_load(void **state)
+{
+    (void)state;
+    const double a = 0.3, alpha = 1.1e-14, b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
+    const double k = P / (b * rwedge_elastic_limit(alpha, 0.1, 0.3));
+    assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
+}
+
 static void what_never_yields_has_an_infinite_yield_load(void **state)
 {
     (void)state;
@@ -237,6 +246,7 @@ int main(void)
         cmocka_unit_test(a_cylinder_gives_the_formulas_of_hertz),
         cmocka_unit_test(half_width_and_load_are_inverse),
         cmocka_unit_test(the_yield_load_is_where_the_elastic_limit_says),
+        cmocka_unit_test(tiny_tips_have_a_yield_load),
         cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
         cmocka_unit_test(bad_design_arguments_are_not_numbers),
         cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),

@@ -55,5 +55,10 @@ def test_nan_gives_nan_and_misuse_raises():
         rwedge.Series.fit([0.1, 0.1, 0.1], [1, 1, 1], 2)
     with pytest.raises(rwedge.Error, match="same length"):
         rwedge.Series.fit([0.1, 0.2], [1, 1, 1], 2)
-    with pytest.raises(rwedge.Error, match="outside its domain"):
+    with pytest.raises(rwedge.Error, match=r"x\[2\] = 1.5, p\[2\] = 1.0: an argument is outside its domain.*\|x\| < 1"):
         rwedge.Series.fit([0.1, 0.2, 1.5], [1, 1, 1], 2)
+    with pytest.raises(rwedge.Error, match=r"p\[1\] = nan"):
+        rwedge.Series.fit([0.1, 0.2, 0.3], [1, np.nan, 1], 2)
+    for wrong in (["0.1", "0.2"], [0.1j, 0.2], np.array([0.1, 0.2], object)):
+        with pytest.raises(TypeError):
+            rwedge.Series.fit(wrong, [1, 1], 1)

@@ -8,13 +8,18 @@ from typing import Any, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._library import Error, Handle, check, function, integer, real
+from ._library import EDOMAIN, Error, Handle, check, function, integer, real
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
 _terms, _residual = function("series_terms"), function("series_residual")
 _coefficient, _pressure, _potential, _stress = (
     Points("series_" + name) for name in ("coefficient", "pressure", "potential", "stress"))
+
+
+def _samples(numbers: ArrayLike) -> NDArray[Any]:
+    """As the ufuncs take numbers: a TypeError for strings, objects and complex numbers."""
+    return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
 
 class Series(Handle):
@@ -69,12 +74,15 @@ class Series(Handle):
         Source: Sec. 4 of the paper.
         """
         terms = integer("terms", terms)
-        x, p = np.ascontiguousarray(x, dtype=float), np.ascontiguousarray(p, dtype=float)
+        x, p = _samples(x), _samples(p)
         if x.ndim != 1 or x.shape != p.shape:
             raise Error(f"x has the shape {x.shape}, p {p.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()
         status = _fit(x.size, x.ctypes.data, p.ctypes.data, terms, ctypes.byref(handle))
-        check("series_fit", status, {"samples": x.size, "terms": terms, "x": f"{x.size} numbers"})
+        if status == EDOMAIN:
+            first = np.argmin((abs(x) < 1) & np.isfinite(p))
+            check("series_fit", status, {"x": x[first], "p": p[first]}, f"[{first}]")
+        check("series_fit", status, {"samples": x.size, "terms": terms})
         series._adopt(handle, _destroy)
         return series
 

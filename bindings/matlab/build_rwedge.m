@@ -24,6 +24,19 @@ for needed = {header, library}
 end
 compile(fullfile(here, 'rwedge_mex.c'), fullfile(prefix, 'include'), library, folder);
 write_functions(header, here, folder);
+try_out(folder, library);
+end
+
+% Does the MEX file load? Not where the library needs a GSL and LAPACK of its own still.
+function try_out(folder, library)
+before = path();
+back = onCleanup(@() path(before)); %#ok<NASGU>
+addpath(folder);
+try
+    rwedge_mex('version');
+catch reason
+    error('rwedge:build', 'rwedge_mex does not run: was %s built with -DRWEDGE_PRIVATE_DEPS=ON? %s', library, reason.message);
+end
 end
 
 function compile(source, include, library, folder)

@@ -59,7 +59,11 @@ static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
                       k = {"k", 0, DBL_MAX, true, "finite and > 0"},
                       P = {"P", 0, DBL_MAX, false, "finite and >= 0"},
                       Q = {"Q", -DBL_MAX, DBL_MAX, false, "finite"},
-                      terms = {"terms", 1, 16777216, false, "whole, 1 to 2^24"};
+                      terms = {"terms", 1, 16777216, false, "whole, 1 to 2^24"},
+                      surface = {"x", -DBL_MAX, DBL_MAX, false, "finite, and for a loaded sharp wedge not 0"},
+                      inside = {"x", -DBL_MAX, DBL_MAX, false, "|x| <= b, the contact"},
+                      abscissa = {"x", -1 + DBL_EPSILON / 2, 1 - DBL_EPSILON / 2, false, "|x| < 1"},
+                      sample = {"p", -DBL_MAX, DBL_MAX, false, "finite"};
 
 static bool is_in_domain(const quantity *q, double v)
 {
@@ -78,14 +82,14 @@ static const char *text_of(double v, char text[32])
     return text;
 }
 
-/* The library's text, then the argument that is to blame, or all of them where it is none alone. */
+/* The library's text, then the argument that is to blame, the only one if need be, or all of them where it is none alone. */
 static void fail_with(int32_t status, const char *function, int arguments, const quantity *const of[], const double v[],
                       size_t i, size_t n)
 {
     char blamed[256] = "", place[40] = "", number[32];
     size_t length = 0;
     for (int j = 0; status == RWEDGE_EDOMAIN && j < arguments && !length; j++)
-        if (!is_in_domain(of[j], v[j]))
+        if (arguments == 1 || !is_in_domain(of[j], v[j]))
             length = (size_t)snprintf(blamed, sizeof blamed, ": %s = %s; allowed is %s", of[j]->name, text_of(v[j], number),
                                       of[j]->allowed);
     for (int j = 0; !length && j < arguments; j++)
@@ -288,9 +292,9 @@ static const function functions[] = {
     {"contact_half_width", CONTACT, 0, 1, contact_half_width, NULL, {0}, NULL, 0},
     {"contact_stick_half_width", CONTACT, 0, 1, contact_stick_half_width, NULL, {0}, NULL, 0},
     {"contact_memory", CONTACT, 0, 1, contact_memory, NULL, {0}, NULL, 0},
-    {"contact_tractions", CONTACT, 1, 2, NULL, contact_tractions, {&x}, contact_tractions_at, 0},
+    {"contact_tractions", CONTACT, 1, 2, NULL, contact_tractions, {&surface}, contact_tractions_at, 0},
     {"contact_stresses", CONTACT, 2, 3, NULL, contact_stresses, {&x, &y}, contact_stresses_at, 0},
-    {"contact_slip", CONTACT, 1, 1, NULL, contact_slip, {&x}, contact_slip_at, 0},
+    {"contact_slip", CONTACT, 1, 1, NULL, contact_slip, {&inside}, contact_slip_at, 0},
     {"contact_dissipated_energy", CONTACT, 0, 1, contact_dissipated_energy, NULL, {0}, NULL, 0},
     {"contact_yield_factor", CONTACT, 2, 3, NULL, contact_yield_factor, {&nu, &k}, NULL, 0},
     {"series_terms", SERIES, 0, 1, series_terms, NULL, {0}, NULL, 0},
@@ -442,6 +446,17 @@ static mxArray *series_create(const mxArray *const arguments[])
     return mxCreateDoubleScalar(keep(slot, SERIES, series));
 }
 
+/* For the first of n samples that is outside the domain. */
+static void fail_at_sample(size_t n, const double *const samples[])
+{
+    static const quantity *const of[] = {&abscissa, &sample};
+    size_t i = 0;
+    while (i + 1 < n && is_in_domain(&abscissa, samples[0][i]) && is_in_domain(&sample, samples[1][i]))
+        i++;
+    const double v[] = {samples[0][i], samples[1][i]};
+    fail_with(RWEDGE_EDOMAIN, "series_fit", 2, of, v, i, n);
+}
+
 static mxArray *series_fit(const mxArray *const arguments[])
 {
     static const quantity *const of[] = {&terms};
@@ -453,9 +468,11 @@ static mxArray *series_fit(const mxArray *const arguments[])
     if (!same_size(arguments[0], arguments[1]))
         fail("size", "rwedge_series_fit: x and p differ in size");
     handle *slot = slot_or_fail("series_fit");
-    const int32_t status = is_int32(count) ? rwedge_series_fit(mxGetNumberOfElements(arguments[0]), samples[0], samples[1],
-                                                               (int32_t)count, &series)
-                                           : RWEDGE_EDOMAIN;
+    const size_t n = mxGetNumberOfElements(arguments[0]);
+    const int32_t status =
+        is_int32(count) ? rwedge_series_fit(n, samples[0], samples[1], (int32_t)count, &series) : RWEDGE_EDOMAIN;
+    if (status == RWEDGE_EDOMAIN && is_int32(count))
+        fail_at_sample(n, samples);
     if (status != RWEDGE_OK)
         fail_with(status, "series_fit", 1, of, &count, 0, 1);
     return mxCreateDoubleScalar(keep(slot, SERIES, series));

@@ -67,6 +67,12 @@ mkdir -p installed/share/rwedge/matlab
 ln -s "$prefix/include" "$prefix/lib" installed/
 cp "$here"/*.m "$here"/*.in "$here/rwedge_mex.c" installed/share/rwedge/matlab
 octave-cli --no-init-file --no-history --path installed/share/rwedge/matlab --eval 'build_rwedge();' >/dev/null
+# a library that lacks something is told when it is built, not when it is used
+mkdir -p lacking/lib
+ln -s "$prefix/include" lacking/
+ar rc lacking/lib/librwedge.a
+octave --eval "try, build_rwedge('lacking', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
+grep -q 'librwedge.a built with -DRWEDGE_PRIVATE_DEPS=ON?' refused.txt || fail "a library that lacks something is taken"
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
@@ -100,7 +106,7 @@ octave "$here/door.m" <calls.csv >answers.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
-octave "$here/example.m" >example.txt
+octave "$here/rwedge_example.m" >example.txt
 grep -q "^ -28.8 *4.0370e-04" example.txt || fail "the example's slip is not that of tests/data/example_fretting.txt"
 
 cc -O2 -I"$prefix/include" "$here/loop.c" "$prefix/lib/librwedge.a" -lm -o loop

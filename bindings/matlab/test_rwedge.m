@@ -73,6 +73,13 @@ function errors()
     refused('class', {'char'}, @() rwedge_load('1'));
     refused('class', {'complex'}, @() rwedge_load(1 + 2i));
     refused('class', {'sparse'}, @() rwedge_load(sparse([1 0 2])));
+    refused('domain', {'x = 1', '|x| < 1', 'element 2'}, @() rwedge_series.fit([0.1 1 2], [1 1 1], 1));
+    refused('domain', {'p = NaN', 'finite', 'element 3'}, @() rwedge_series.fit([0.1 0.2 0.3], [1 1 NaN], 1));
+    refused('arguments', {'rwedge_load(alpha)'}, @() rwedge_load());
+    refused('arguments', {'rwedge_stress(alpha, f, c, x, y)'}, @() rwedge_stress(0.3, 0.2));
+    refused('arguments', {'rwedge_contact(theta, a, A, f)'}, @() rwedge_contact(0.01, 0.5, 1.8e-5));
+    refused('arguments', {'rwedge_series(alpha, terms)'}, @() rwedge_series(0.3));
+    refused('arguments', {'fit(x, p, terms)'}, @() rwedge_series.fit(0.1, 1));
     refused('arguments', {'no such function'}, @() rwedge_mex('nothing'));
     refused('arguments', {'takes 2 arguments'}, @() rwedge_mex('pressure', 1));
     [limit, x] = rwedge_surface_yield(0.3, [0 0.1], 0.5);
@@ -86,6 +93,11 @@ function contacts()
     refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
     refused('domain', {'P = -1', '>= 0'}, @() c.load(-1, 0));
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
+    refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));
+    refused('arguments', {'contact.load(P, Q)'}, @() c.load(1000));
+    sharp = rwedge_contact(0.01, 0, 1.8e-5, 0.6);
+    sharp.load(1000, 0);
+    refused('domain', {'x = 0', 'sharp wedge'}, @() sharp.tractions(0));
     refused('handle', {'no such contact'}, @() rwedge_contact().load(1, 0));
     refused('handle', {'no such contact'}, @() rwedge_mex('contact_load', 1e6, 1, 0));
     x = [0 0.3; -0.2 0.5] * c.half_width();

@@ -12,7 +12,7 @@
 ! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
 !   return one from a function: compilers copy the handle there, not what it holds. README.md says more.
-! - Where C says that a pointer is NULL, create() has not been called.
+! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
     use, intrinsic :: iso_fortran_env, only: error_unit

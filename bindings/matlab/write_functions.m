@@ -133,6 +133,7 @@ identifiers = {'DOMAIN', 'domain'; 'NULL', 'null'; 'RANGE', 'range'; 'NOCONV', '
 for i = 1:size(identifiers, 1)
     lines = strrep(lines, ['RWEDGE_E' identifiers{i, 1}], ['rwedge:' identifiers{i, 2}]);
 end
+lines = strrep(lines, 'HUGE_VAL', 'Inf');
 end
 
 function text = commented(lines, margin)

@@ -82,12 +82,16 @@ static void *run_thread(void *context)
     return NULL;
 }
 
-/* Signals are for the caller's thread: threads inherit what is blocked. */
+/* Signals are for the caller's thread: threads inherit what is blocked. Not so a crash: it belongs to the thread that it is in,
+ * and one that is blocked ends the process without the handler, which removes the unfinished file. */
 static void start_threads(ahead *work, int threads)
 {
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+    sigset_t blocked, before;
+    sigfillset(&blocked);
+    for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++)
+        sigdelset(&blocked, crashes[i]);
+    pthread_sigmask(SIG_SETMASK, &blocked, &before);
     while (work->threads < threads && pthread_create(&work->thread[work->threads], NULL, run_thread, work) == 0)
         work->threads++;
     pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results computed ahead arrive in order, each once, whatever the number of threads; and may be left where they are. Run under
  * the thread sanitizer by tests/threads.sh too. */
+#define _POSIX_C_SOURCE 200809L
+
 #include "ahead.h"
 
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -48,8 +51,38 @@ static void work_may_be_left(void **state)
     ahead_stop(NULL);
 }
 
+enum { BLOCKS_INTERRUPT = 1, BLOCKS_CRASH = 2 };
+
+static void own_mask(const void *context, int64_t i, void *result)
+{
+    (void)context;
+    (void)i;
+    sigset_t mask;
+    pthread_sigmask(SIG_SETMASK, NULL, &mask);
+    *(int *)result = (sigismember(&mask, SIGINT) == 1 ? BLOCKS_INTERRUPT : 0) |
+                     (sigismember(&mask, SIGSEGV) == 1 ? BLOCKS_CRASH : 0);
+}
+
+static void threads_leave_signals_to_the_caller_but_not_their_crashes(void **state)
+{
+    (void)state;
+    enum { COUNT = 1000 };
+    ahead *work = ahead_start(4, COUNT, sizeof(int), own_mask, NULL);
+    assert_non_null(work);
+    for (int i = 0; i < COUNT; i++)
+        assert_int_equal(*(const int *)ahead_next(work), BLOCKS_INTERRUPT);
+    ahead_stop(work);
+    int callers;
+    own_mask(NULL, 0, &callers);
+    assert_int_equal(callers, 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(results_come_in_order), cmocka_unit_test(work_may_be_left)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(results_come_in_order),
+        cmocka_unit_test(work_may_be_left),
+        cmocka_unit_test(threads_leave_signals_to_the_caller_but_not_their_crashes),
+    };
     return cmocka_run_group_tests_name("ahead", tests, NULL, NULL);
 }

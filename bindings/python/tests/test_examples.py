@@ -28,6 +28,16 @@ def test_dask_takes_the_ufuncs_as_they_are():
     assert (lazy.compute() == rwedge.pressure(0.25, x)).all()
 
 
+def test_methods_do_not_wait_until_their_object_is_gone():
+    da = pytest.importorskip("dask.array")
+    x = np.linspace(-1, 1, 1000)
+    at_once = rwedge.Series(0.25, 60).pressure(da.from_array(x, chunks=100))
+    assert isinstance(at_once, np.ndarray)
+    assert (at_once == rwedge.Series(0.25, 60).pressure(x)).all()
+    with pytest.raises(rwedge.Error, match=r"y\[3\] = -1.0"):
+        rwedge.stresses(0.25, 0.3, 0.0, 0.1, da.from_array(np.array([1, 1, 1, -1.0]), chunks=2))
+
+
 def test_the_figure_is_drawn(tmp_path, run):
     run(PACKAGE / "examples/figure4.py", tmp_path / "figure.png")
     png = (tmp_path / "figure.png").read_bytes()

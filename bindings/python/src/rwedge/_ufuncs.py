@@ -62,13 +62,17 @@ def ufunc(name: str) -> np.ufunc:
 
 
 class Points:
-    """A ufunc that raises where an argument is outside its domain, and says which. A NaN still gives NaN."""
+    """A ufunc that raises where an argument is outside its domain, and says which. A NaN still gives NaN.
+
+    It is evaluated at once, for lazy arrays (Dask's) too: later the object, whose address it is given, may be gone.
+    """
 
     def __init__(self, name: str) -> None:
         self.name, self.ufunc = name, ufunc(name)
         self.arguments = [argument for kind, argument in FUNCTIONS[name]["parameters"] if kind in ARGUMENTS]
 
-    def __call__(self, *arguments: Any) -> Any:
+    def __call__(self, *given: Any) -> Any:
+        arguments = tuple(map(np.asanyarray, given))
         try:
             with np.errstate(invalid="raise"):
                 return self.ufunc(*arguments)

@@ -172,6 +172,11 @@ static handle *find(kind of, const mxArray *number)
     return NULL;
 }
 
+static void fail_without(const char *function, kind of)
+{
+    fail("handle", "rwedge_%s: there is no such %s (any more)", function, of == CONTACT ? "contact" : "series");
+}
+
 /* ---- The functions, each of doubles ------------------------------------------------------------------------------- */
 
 /* One call: a value, or a status and results. An object is what the function belongs to, or NULL. */
@@ -427,7 +432,9 @@ static mxArray *contact_copy(const mxArray *const arguments[])
     rwedge_contact *copy;
     handle *slot = slot_or_fail("contact_copy");
     const handle *from = find(CONTACT, arguments[0]); /* after free_slot(), which may move them */
-    const int32_t status = rwedge_contact_copy(from ? from->object : NULL, &copy);
+    if (!from)
+        fail_without("contact_copy", CONTACT);
+    const int32_t status = rwedge_contact_copy(from->object, &copy);
     if (status != RWEDGE_OK)
         fail_with(status, "contact_copy", 0, NULL, NULL, 0, 1);
     return mxCreateDoubleScalar(keep(slot, CONTACT, copy));
@@ -540,7 +547,7 @@ static void call(const function *of, int nlhs, mxArray *plhs[], int nrhs, const 
     if (of->of != NOTHING) {
         const handle *h = nrhs > 0 ? find(of->of, prhs[0]) : NULL;
         if (!h)
-            fail("handle", "rwedge_%s: there is no such %s (any more)", of->name, of->of == CONTACT ? "contact" : "series");
+            fail_without(of->name, of->of);
         object = h->object;
         nrhs--;
         prhs++;

@@ -125,6 +125,7 @@ function contacts()
     claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
     delete(all);
     refused('handle', {'any more'}, @() all.half_width());
+    refused('handle', {'contact_copy', 'any more'}, @() all.copy());
 end
 
 function lives()

@@ -21,4 +21,4 @@ cmake -S "$source" -B "$build" -G 'Unix Makefiles' -DCMAKE_BUILD_TYPE=None -DCMA
     cmake --build "$build" --parallel 2 --target $programs >>"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
 
 # shellcheck disable=SC2086
-exec python3 "$source/tests/mutation/mutation.py" "$@" "$source/lib" "$build" $programs
+exec python3 -B "$source/tests/mutation/mutation.py" "$@" "$source/lib" "$build" $programs

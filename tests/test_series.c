@@ -69,7 +69,7 @@ static void series_and_closed_form_agree(void **state)
     uint64_t seed = 5;
     const double alphas[] = {0, 0.01, 0.1, 0.5, 0.99, 1, 2.5};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
-        rwedge_series *series = analytic(alphas[i], 1000);
+        rwedge_series *series = analytic(alphas[i], alphas[i] < 1 ? 1000 : 1); /* Hertz has one */
         for (int k = 0; k < 50; k++) {
             const double x = 4 * random_fraction(&seed) - 2, y = 0.1 + 3 * random_fraction(&seed);
             double a[3], b[3];

@@ -16,7 +16,9 @@
  *   f      coefficient of friction, 0 <= f <= 1e6
  *   nu     Poisson's ratio of the half-plane, 0 <= nu <= 0.5
  *   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
- *   x, y   a point, in b, finite, y >= 0
+ *   x      place along the surface, in b, finite
+ *   y      depth below it, in b, finite, >= 0
+ * What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in magnitude.
  *
  * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
  * allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
@@ -110,7 +112,7 @@ RWEDGE_API double rwedge_peak_pressure(double alpha);
 RWEDGE_API double rwedge_transition_pressure(double alpha);
 
 /* Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
- *   n  >= 0
+ *   n  index of the coefficient, >= 0
  * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
  * (relatively) of a zero of b_n, below 1e-22 of the values around. */
 RWEDGE_API double rwedge_coefficient(double alpha, int32_t n);
@@ -136,8 +138,7 @@ RWEDGE_API double rwedge_shear(double alpha, double c, double x);
 /* Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
  *   sxx, syy, txy  each receives one number
  * RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
- * Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every point within 1e260 and
- * all alpha and c that are 0 or above 1e-280. */
+ * Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy. */
 RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, double y,
                                  double *sxx, double *syy, double *txy);
 
@@ -154,7 +155,7 @@ RWEDGE_API double rwedge_max_tension(double alpha);
 /* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
  *                                                                                                             Figs. 3 to 5
  * It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
- * In this section alpha is 0 or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found.
+ *   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
  * NaN outside the domain. Relative error below 1e-12. */
 RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
 
@@ -162,6 +163,7 @@ RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
 RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[], double nu, double limit[]);
 
 /* The elastic limit and where it yields: y = 0 is at the surface.                                                  Fig. 5
+ *   alpha  0, or at least 1e-14
  * For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
  * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat. */
 RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double *limit, double *x, double *y);
@@ -170,17 +172,21 @@ RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double 
  * is smooth in alpha, f and nu, so that each can be interpolated.                                            Fig. 4; new
  *
  * Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
- * RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+ * RWEDGE_EABSENT beyond.
+ *   alpha  0, or at least 1e-14
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x, double *y);
 
 /* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
- * 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+ * 1e-100, which counts as 0), where J2 is 0 on the surface.
+ *   alpha  0, or at least 1e-14
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL.
  *                                                                                                             Fig. 4; new */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x);
 
 /* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
  * (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
- *   alpha  > 0 (the sharp wedge yields at its apex: 0)
+ *   alpha  at least 1e-14 (the sharp wedge yields at its apex: 0)
  * NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
@@ -247,7 +253,8 @@ RWEDGE_API int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_con
 RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.        Sec. 3.2; new
- *   P  finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+ *   P  0, or 1e-148 to 1e148 and at least 1e-8 of the last P; 0 separates the bodies (Q must then be 0 too), and all but the
+ *      dissipated energy is forgotten
  *   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
  * 1e300, b, a/b or the peak pressure not a normal number, or the energy overflows (below the smallest double it is 0), and

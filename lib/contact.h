@@ -25,12 +25,6 @@ static inline double rw_patch_weight(const rw_path *path, size_t corner)
     return path->corners[corner].ratio - beyond;
 }
 
-/* A patch so narrow that a length over its half-width would overflow carries no load that a double could show. */
-static inline bool rw_patch_matters(double half_width, double length)
-{
-    return half_width > 1e-290 && length * 1e-280 <= half_width;
-}
-
 /* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the apex of the sharp
  * wedge. */
 enum { RW_BLOCK = 32 };

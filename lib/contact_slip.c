@@ -13,6 +13,16 @@
 
 #include "slip.h"
 
+/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the profile. */
+static double gap(double a, double s, double x)
+{
+    if (!rw_patch_matters(s, fmax(a, x)))
+        return rw_profile(a, x);
+    rw_potential patch;
+    rw_potential_init(&patch, a / s);
+    return s * rw_gap(&patch, x / s);
+}
+
 /* The displacement at x over f theta, but for that of the profile, of the corners first ... count-1, with the slope
  * `beyond` after the last. */
 static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first, size_t count,
@@ -21,12 +31,10 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
     double sum = 0;
     for (size_t i = first; i < count; i++) {
         const double s = path->corners[i].half_width;
-        if (!(s < x) || !rw_patch_matters(s, fmax(contact->geometry.a, x)))
+        if (!(s > 0 && s < x))
             continue;
         const double step = path->corners[i].ratio - (i + 1 < count ? path->corners[i + 1].ratio : beyond);
-        rw_potential patch;
-        rw_potential_init(&patch, contact->geometry.a / s);
-        sum += step * s * rw_gap(&patch, x / s);
+        sum += step * gap(contact->geometry.a, s, x);
     }
     return sum;
 }
@@ -51,11 +59,6 @@ static size_t last_common(const rw_path *one, const rw_path *other, size_t count
     return i;
 }
 
-static double profile(double a, double x)
-{
-    return x < a ? x / a * (x / 2) : x - a / 2;
-}
-
 /* x >= 0 */
 static double slip_at(const rwedge_contact *contact, double x)
 {
@@ -77,7 +80,7 @@ static double slip_at(const rwedge_contact *contact, double x)
     if (!is_corner && slip != 0)
         w -= departure_displacement(contact, &departure, slip, x);
     const double at_centre = kept > 1 ? entry->base.corners[1].ratio : after_kept;
-    w -= (now->corners[1].ratio - at_centre) * profile(g->a, x);
+    w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
     return contact->f * g->theta * w;
 }
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are made of G and y G'.
  * Natural units: lengths in the half-width of the contact, stresses in theta/A; alpha is the rounding over the half-width.
- * This room depends on nothing but the math library. */
+ * This room depends on no other. */
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
+
+#include <stdbool.h>
 
 /* What depends on the contact alone; made once for any number of points. */
 typedef struct {
@@ -32,8 +34,14 @@ void rw_potential_init(rw_potential *potential, double alpha);
  * a and c, or a point and c, are nearly equal it is their differences that count, and these a quotient would lose. */
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
+/* A patch so narrow that a length over its half-width would overflow carries no load that a double could show. */
+static inline bool rw_patch_matters(double half_width, double length)
+{
+    return half_width > 1e-290 && length * 1e-280 <= half_width;
+}
+
 /* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always finite there.
- * Error of each part below 40 epsilon max(|G|, 1/(1+|z|)). */
+ * Error of each part below 8 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
 
 /* The same, bit for bit, at count <= RW_BATCH points at once: several times faster. */
@@ -49,7 +57,7 @@ static inline rw_field rw_field_in(const rw_fields *fields, int i)
 
 void rw_potential_fields(const rw_potential *potential, int count, const double x[], const double y[], rw_fields *fields);
 
-/* The coefficients b_n of the series in R, for |z| > 1.8, where |R|^2 is below 0.1: what is left out is 1e-16. */
+/* The coefficients b_n of the series in R, as many as count where |R| is below 1/4. */
 enum { RW_FAR_TERMS = 16 };
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS]);
 

@@ -76,10 +76,9 @@ static double far_primitive(const rw_potential *p, double x)
     return constant + sum / 2;
 }
 
-/* int_0^x g. */
-static double profile(double alpha, double x)
+double rw_profile(double a, double x)
 {
-    return x < alpha ? x / alpha * (x / 2) : x - alpha / 2;
+    return x < a ? x / a * (x / 2) : x - a / 2;
 }
 
 double rw_gap(const rw_potential *potential, double x)
@@ -87,7 +86,7 @@ double rw_gap(const rw_potential *potential, double x)
     if (x <= 1)
         return 0;
     if (x > FAR)
-        return profile(potential->alpha, x) - far_primitive(potential, x);
+        return rw_profile(potential->alpha, x) - far_primitive(potential, x);
     const double X = sqrt((x - 1) * (x + 1));
     if (potential->alpha >= 1) {
         const double beyond = fmax(x - potential->alpha, 0);

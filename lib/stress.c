@@ -15,15 +15,9 @@ typedef struct {
     rw_potential contact, stick;
 } tractions;
 
-/* A stick zone so narrow that 1/c, alpha/c or z/c might overflow carries no load that a double could show. */
-static bool can_matter(double c, double length)
-{
-    return c > 1e-290 && length <= c * 1e280;
-}
-
 static tractions make_tractions(double alpha, double f, double c)
 {
-    tractions t = {.f = f, .c = can_matter(c, alpha) ? c : 0};
+    tractions t = {.f = f, .c = rw_patch_matters(c, alpha) ? c : 0};
     rw_potential_init(&t.contact, alpha);
     if (t.c > 0)
         rw_potential_init_patch(&t.stick, alpha, c);
@@ -46,7 +40,7 @@ RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, d
 
 static bool stick_matters(const tractions *t, double x, double y)
 {
-    return can_matter(t->c, fmax(fabs(x), y));
+    return rw_patch_matters(t->c, fmax(fabs(x), y));
 }
 
 static void stress_at(const tractions *t, double x, double y, double *sxx, double *syy, double *txy)

@@ -31,7 +31,9 @@ Attribute VB_Name = "rwedge"
 '   f      coefficient of friction, 0 <= f <= 1e6
 '   nu     Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 '   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
-'   x, y   a point, in b, finite, y >= 0
+'   x      place along the surface, in b, finite
+'   y      depth below it, in b, finite, >= 0
+' What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in magnitude.
 '
 ' Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
 ' allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
@@ -433,7 +435,7 @@ Attribute RWEDGE_TRANSITION_PRESSURE.VB_Description = "Magnitude of the pressure
 End Function
 
 ' Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
-'   n  >= 0
+'   n  index of the coefficient, >= 0
 ' NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
 ' (relatively) of a zero of b_n, below 1e-22 of the values around.
 Public Function RWEDGE_COEFFICIENT(ByVal alpha As Double, ByVal n As Long) As Variant
@@ -495,8 +497,7 @@ End Function
 ' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
 '   sxx, syy, txy  each receives one number
 ' RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
-' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy, for every point within 1e260 and
-' all alpha and c that are 0 or above 1e-280.
+' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy.
 ' In a cell: the row sxx, syy, txy.
 Public Function RWEDGE_STRESS( _
         ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Double, ByVal y As Double) As Variant
@@ -549,7 +550,7 @@ End Function
 ' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
 '                                                                                                             Figs. 3 to 5
 ' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
-' In this section alpha is 0 or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found.
+'   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
 ' NaN outside the domain. Relative error below 1e-12.
 Public Function RWEDGE_ELASTIC_LIMIT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi."
@@ -582,11 +583,12 @@ Attribute RWEDGE_ELASTIC_LIMITS.VB_Description = "As RWEDGE_ELASTIC_LIMIT for n 
 End Function
 
 ' The elastic limit and where it yields: y = 0 is at the surface.                                                  Fig. 5
+'   alpha  0, or at least 1e-14
 ' For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
 ' In a cell: the row limit, x, y.
 Public Function RWEDGE_YIELD_POINT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yields: y = 0 is at the surface. For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed."
+Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yields: y = 0 is at the surface."
     Dim limit As Double, x As Double, y As Double, status As Long
     status = find_library()
     If status = RWEDGE_OK Then status = c_yield_point(alpha, f, nu, limit, x, y)
@@ -601,7 +603,9 @@ End Function
 ' is smooth in alpha, f and nu, so that each can be interpolated.                                            Fig. 4; new
 '
 ' Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
-' RWEDGE_EABSENT beyond. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+' RWEDGE_EABSENT beyond.
+'   alpha  0, or at least 1e-14
+' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 ' In a cell: the row limit, x, y.
 Public Function RWEDGE_SUBSURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated."
@@ -616,11 +620,13 @@ Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the 
 End Function
 
 ' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
-' 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL.
+' 1e-100, which counts as 0), where J2 is 0 on the surface.
+'   alpha  0, or at least 1e-14
+' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 '                                                                                                             Fig. 4; new
 ' In a cell: the row limit, x.
 Public Function RWEDGE_SURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface. RWEDGE_EDOMAIN, RWEDGE_ENULL."
+Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface."
     Dim limit As Double, x As Double, status As Long
     status = find_library()
     If status = RWEDGE_OK Then status = c_surface_yield(alpha, f, nu, limit, x)
@@ -633,7 +639,7 @@ End Function
 
 ' Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
 ' (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
-'   alpha  > 0 (the sharp wedge yields at its apex: 0)
+'   alpha  at least 1e-14 (the sharp wedge yields at its apex: 0)
 ' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root.
 Public Function RWEDGE_CRITICAL_FRICTION(ByVal alpha As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md)."

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
 #
-#     ./tests/run.sh              the everyday run, a minute or two
+#     ./tests/run.sh              the everyday run, three minutes or so
 #     ./tests/run.sh --compilers  also: no warning from gcc and clang
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long survey of the strength, 50,000 cases (some minutes)
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
 #     ./tests/run.sh --all        all of these, as the CI does
 #
 # The last line says how many passed, failed and were skipped; each skip says why in its own output.
@@ -30,20 +30,23 @@ require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++
 wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
     command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
-    command:localedef=locales command:python3=python3 python:ensurepip=python3-venv "command:soffice=libreoffice-calc-nogui python3-uno"
+    file:/usr/share/i18n/locales/de_DE=locales command:python3=python3 python:ensurepip=python3-venv "command:soffice=libreoffice-calc-nogui python3-uno"
 # the languages that the library is called from
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
+# libFuzzer, Debian's gcc has none
+wish command:clang=clang
+wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-14-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
-[ $compilers = no ] || wish command:gcc=gcc command:clang=clang
+[ $compilers = no ] || wish command:gcc=gcc
 
 passed=0 failed=0 skipped=0
-skips=$(mktemp)
-trap 'rm -f "$skips"' EXIT
+skips=$(mktemp) output=$(mktemp)
+trap 'rm -f "$skips" "$output"' EXIT
 
 # count JUNIT-FILE - adds a run's results to the totals.
 count()
@@ -82,8 +85,13 @@ step()
     name=$1
     shift
     echo "== $name"
-    if "$@"; then
+    "$@" >"$output" 2>&1 && ended=0 || ended=$?
+    cat "$output"
+    if [ $ended = 0 ]; then
         passed=$((passed + 1))
+    elif [ $ended = 77 ]; then
+        skipped=$((skipped + 1))
+        grep SKIPPED "$output" | sed "s/^/$name: /" >>"$skips"
     else
         echo "== FAILED: $name"
         failed=$((failed + 1))
@@ -106,13 +114,21 @@ fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
     # but for those whose own programs would need the sanitizers too, and that build anew anyway
-    build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*)$' --preset debug
+    build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$' --preset debug
 fi
 if [ $campaign = yes ]; then
+    # every branch of lib/ reached; then what lib/ is checked by
+    step "branches of lib/" sh tests/coverage/coverage.sh . build
+    step "faults in lib/ that the tests notice" sh tests/mutation/mutation.sh . build --sample 300 --jobs "$(processors)"
     step "survey of the strength" build/tests/strength_survey 50000 2026
+    step "accuracy" build/tests/accuracy/accuracy 20000
     step "certificate of the tables" build/tests/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
     step "certificate of the whole range" \
         sh tests/certificate/wide.sh build/tests/certificate/certificate build/cli/rwedge "$(processors)"
+    step "edges of all arguments" build/tests/faults/test_calls 5000
+    step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
+    step "failing allocations" sh tests/faults/allocations.sh build/cli/rwedge tests/data build/tests/faults/libfailmalloc.so 64
+    step "fuzzing" sh tests/fuzz/long.sh 240 build/tests/fuzz/libfuzzer
 fi
 
 cat "$skips"

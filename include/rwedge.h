@@ -235,9 +235,10 @@ RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, 
  * but loaded by one, while no other reads.
  *
  * Accuracy. The half-width b has a relative error below 1e-14. A load that is remembered has the rounding of the largest one,
- * and so has the half-width that belongs to it, c among them. What the functions below promise holds for these half-widths:
- * next to the edges, tractions and stresses change as much as such half-widths change them. And where two loads differ by
- * less than 1 %, the errors of q, of the stresses and of the slip are larger in proportion. */
+ * and so has the half-width that belongs to it, c among them; ten times more where Q/f changed nearly as much as P. What the
+ * functions below promise holds for these half-widths: next to the edges, tractions and stresses change as much as such
+ * half-widths change them. And where two loads differ by less than 1 %, the errors of q, of the stresses and of the slip are
+ * larger in proportion. */
 typedef struct rwedge_contact rwedge_contact;
 
 /* A contact without load, separated.

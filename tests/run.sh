@@ -37,7 +37,7 @@ wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octav
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
 # libFuzzer, Debian's gcc has none
 wish command:clang=clang
-wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-14-dev
+wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread

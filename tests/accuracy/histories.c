@@ -780,7 +780,7 @@ static void judge_yield_factor(arb_t error, const probe *call, slong prec)
 
 const row HISTORY_ROWS[] = {
     {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
-    {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-14, "1e-14", 1, draw_stick,
+    {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-13, "1e-13", 1, draw_stick,
      judge_stick},
     {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1, draw_pressure, judge_pressure},
     {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13, "1e-13", 1, draw_shear,

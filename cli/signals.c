@@ -56,12 +56,14 @@ static void end_by_signal(int number)
     raise(number); /* delivered when the handler returns */
 }
 
-static sigset_t ending_set(void)
+static sigset_t handled(void)
 {
     sigset_t set;
     sigemptyset(&set);
     for (int i = 0; i < ENDING_COUNT; i++)
         sigaddset(&set, ending[i]);
+    for (int i = 0; i < CRASH_COUNT; i++)
+        sigaddset(&set, crashes[i]);
     return set;
 }
 
@@ -70,7 +72,7 @@ void signals_install(void)
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGPIPE, &ignore, NULL);
     sigaction(SIGXFSZ, &ignore, NULL);
-    struct sigaction end = {.sa_handler = end_by_signal, .sa_mask = ending_set()};
+    struct sigaction end = {.sa_handler = end_by_signal, .sa_mask = handled()};
     for (int i = 0; i < ENDING_COUNT; i++) {
         struct sigaction before;
         if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
@@ -85,13 +87,13 @@ void signals_install(void)
 
 void signals_hold(void)
 {
-    const sigset_t set = ending_set();
+    const sigset_t set = handled();
     sigprocmask(SIG_BLOCK, &set, NULL);
 }
 
 void signals_release(void)
 {
-    const sigset_t set = ending_set();
+    const sigset_t set = handled();
     sigprocmask(SIG_UNBLOCK, &set, NULL);
 }
 

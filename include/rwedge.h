@@ -301,7 +301,7 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
- * Error below 1e-13 f theta b. */
+ * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[]);
 
 /* Energy dissipated by friction since the contact was created, per unit thickness (a force): the time

@@ -31,7 +31,7 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
     double sum = 0;
     for (size_t i = first; i < count; i++) {
         const double s = path->corners[i].half_width;
-        if (!(s > 0 && s < x))
+        if (s >= x)
             continue;
         const double step = path->corners[i].ratio - (i + 1 < count ? path->corners[i + 1].ratio : beyond);
         sum += step * gap(contact->geometry.a, s, x);

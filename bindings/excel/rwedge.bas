@@ -833,7 +833,7 @@ End Function
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
-' Error below 1e-13 f theta b.
+' Error below 1e-12 f theta b, for loads that differ by 1 % or more.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: a row for each point: slip.
 Public Function RWEDGE_CONTACT_SLIP( _

@@ -874,7 +874,7 @@ contains
     !>   x     length, |x| <= b: points outside have no partner
     !>   slip  receives n numbers
     !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
-    !> Error below 1e-13 f theta b.
+    !> Error below 1e-12 f theta b, for loads that differ by 1 % or more.
     subroutine contact_slip(this, x, slip, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: x(:)

@@ -788,7 +788,7 @@ const row HISTORY_ROWS[] = {
     {"contact_stresses", "points dense at the edges",
      "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1, draw_stresses,
      judge_stresses},
-    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-13, "1e-13", 1, draw_slip, judge_slip},
+    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1, draw_slip, judge_slip},
     {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1, draw_energy, judge_energy},
     {"contact_yield_factor", "the same; nu 0 to 0.45", "relative", 1e-12, "1e-12", 0.01, draw_yield_factor, judge_yield_factor},
     {0},

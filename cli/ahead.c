@@ -100,6 +100,8 @@ static void start_threads(ahead *work, int threads)
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute, const void *context)
 {
     ahead *work = malloc(sizeof *work);
+    if (threads > blocks_of(count)) /* no thread without work */
+        threads = count > 0 ? (int)blocks_of(count) : 1;
     const int slots = threads * BLOCKS_A_THREAD;
     char *results = calloc((size_t)slots * BLOCK, size);
     bool *ready = calloc((size_t)slots, sizeof *ready);
@@ -115,7 +117,7 @@ ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
     pthread_mutex_init(&work->lock, NULL);
     pthread_cond_init(&work->room, NULL);
     pthread_cond_init(&work->progress, NULL);
-    if (threads > 1 && blocks_of(count) > 1)
+    if (threads > 1)
         start_threads(work, threads);
     return work;
 }

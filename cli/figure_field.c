@@ -215,8 +215,8 @@ static void draw_zones(double c, drawing *on)
     drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.8;
 }
 
-/* Where it yields first, and sqrt(J2) there; false where the stress is infinite. */
-static bool find_yield(const figure_case *of, double *x, double *y, double *top)
+/* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory short. */
+static bool find_yield(const figure_case *of, double *x, double *y, double *top, drawing *on)
 {
     const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION), c = stick_width(of);
     const double load = rwedge_load(alpha), Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
@@ -230,6 +230,7 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top)
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);
+    on->outlines.failed = on->outlines.failed || status == RWEDGE_ENOMEM;
     *top = factor > 0 ? 1 / factor : 0;
     return status == RWEDGE_OK && factor > 0;
 }
@@ -276,7 +277,7 @@ static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
 {
     const double c = stick_width(of), seen = highest(rows);
     double x = 0, y = 0, top = 0;
-    const bool found = find_yield(of, &x, &y, &top);
+    const bool found = find_yield(of, &x, &y, &top, on);
     write_title(of, c, on);
     write_caption(of, c, found, top, on);
     on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};

@@ -80,7 +80,7 @@ static const char *rounded_range(const triple *numbers, range *values)
     values->count = (int64_t)last + 1;
     values->first = start;
     values->step = step;
-    values->last = hit ? stop : start + (double)(values->count - 1) * step;
+    values->last = hit && last > 0 ? stop : start + (double)(values->count - 1) * step;
     return NULL;
 }
 

@@ -7,8 +7,8 @@ if [ $# -lt 2 ]; then
     echo "usage: $0 PROGRAM REFERENCE_FOLDER" >&2
     exit 1
 fi
-rwedge=$1
-data=$2
+rwedge=$(realpath "$1")
+data=$(realpath "$2")
 here=$(cd "$(dirname "$0")" && pwd)
 LC_ALL=C
 export LC_ALL

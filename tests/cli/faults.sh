@@ -4,7 +4,8 @@
 # after SIGKILL). libxlsxwriter writes its parts to temporary files and does not look at what becomes of that: a single
 # failure there may lose cells; a disk that stays full does not.
 #
-#     faults.sh PROGRAM REFERENCES [MOST]    of the calls of one kind in a command at most so many (default 2; 0: all)
+#     faults.sh PROGRAM REFERENCES [MOST]    of the calls of one kind in a command at most so many (default 2; 0: all), and from 6 on
+#                                            a figure and a field too
 most=${3:-2}
 . "$(dirname "$0")/claims.sh"
 
@@ -14,10 +15,10 @@ export ASAN_OPTIONS
 echo old >old
 mkdir files
 printf 'a,P,f,note\n2,2000,0.3,"x, y"\n1,100,0.1,b\n' >in.csv
-runs=0 excuse= lost=0
+runs=0 excuse= lost=0 varies= missed=0
 trace() { # how to inject, or nothing; the command follows
     calls=openat,read,pread64,write,pwrite64,writev,lseek,fsync,fdatasync,ftruncate,rename,renameat,unlink,close,fchmod
-    strace -o trace -e "trace=$calls,readlink,access,fcntl,pipe2" "$@"
+    timeout 60 strace -o trace -e "trace=$calls,readlink,access,fcntl,pipe2" "$@"
 }
 
 # Calls before this one are the loader's: main() looks at the standard streams first.
@@ -54,7 +55,11 @@ inject() { # call, fault as strace has it, its kind, number; the command follows
     cp old files/t
     status=0
     trace -e "inject=$call:$fault:when=$number" "$rwedge" "$@" -o files/t >out 2>err || status=$?
-    same "the call was reached" yes "$(grep -q -e INJECTED -e '+++ killed' -e "--- SIG$kind" trace && echo yes)"
+    reached=$(grep -q -e INJECTED -e '+++ killed' -e "--- SIG$kind" trace && echo yes || echo no)
+    case $varies$reached in
+    yesno) missed=$((missed + 1)) ;;
+    *) same "the call was reached" yes "$reached" ;;
+    esac
     judge "$kind"
     runs=$((runs + 1))
 }
@@ -77,6 +82,8 @@ every() { # the command
         loaders=$(first_of_main "$call")
         all=$(grep -c "^$call(" plain)
         [ "$all" -gt "$loaders" ] || continue
+        # of a pipe whose end stays open, as injected, no reader sees the end; no kernel does that
+        [ "$call$varies" != closeyes ] || continue
         case $call in
         read | write | pwrite64 | writev) faults="error=EIO error=ENOSPC error=EINTR signal=KILL signal=TERM" ;;
         fsync | rename | close | openat)
@@ -98,15 +105,18 @@ bodies="--E1 200e3 --nu1 0.3 --theta 0.01"
 every table max-tension --a-over-b 1 --friction 0:1:0.0003
 every solve $bodies --k 300 --input in.csv
 every solve $bodies --k 300 --input in.csv --format json
-[ "$most" -gt 0 ] && [ "$most" -lt 20 ] || every field --a-over-b 0.3 --f 0.3 --format vtk
+[ "$most" -gt 0 ] && [ "$most" -lt 6 ] || every field --a-over-b 0.3 --f 0.3 --format vtk
 if "$rwedge" workbook -o book.xlsx 2>/dev/null; then
     excuse=.excused # libxlsxwriter does not look at what becomes of its temporary files
     every solve $bodies --k 300 --input in.csv --format xlsx
     excuse=
     echo "$lost losses of libxlsxwriter where one write of its own failed and the next did not"
 fi
-if command -v gnuplot >/dev/null 2>&1 && { [ "$most" -eq 0 ] || [ "$most" -ge 20 ]; }; then
+if command -v gnuplot >/dev/null 2>&1 && { [ "$most" -eq 0 ] || [ "$most" -ge 6 ]; }; then
+    varies=yes # in how many pieces gnuplot's picture arrives
     every figure 4
+    varies=
+    same "most of the calls of a figure were reached" yes "$([ "$missed" -lt $(((runs - before) / 2)) ] && echo yes)"
 fi
 echo "$runs runs in all"
 

@@ -4,7 +4,7 @@
 # libxlsxwriter does not survive the lack of memory: what it does then is counted here.
 #
 #     allocations.sh PROGRAM REFERENCES PRELOADED [MOST]     of a command's allocations at most so many (default 40; 0: all)
-preloaded=$3 most=${4:-40}
+preloaded=$(realpath "$3") most=${4:-40}
 . "$(dirname "$0")/../cli/claims.sh"
 
 [ -f "$preloaded" ] || skip "no library to preload: not glibc"

@@ -13,7 +13,7 @@ ASAN_OPTIONS=quarantine_size_mb=8
 export ASAN_OPTIONS
 status=0
 "./fuzz_$target" -seed=1 -runs="$runs" -max_len=512 -timeout=20 -print_final_stats=1 -artifact_prefix="found_${target}_" \
-    "$work" "$source/tests/fuzz/corpus/$target" >"$work.log" 2>&1 || status=$?
+    "$work" "$source/tests/fuzz/corpus/$target" >"$work.log" 2>&1 || status=1 # it ends a crash with 77, which would count as a skip
 [ "$status" -eq 0 ] || tail -n 40 "$work.log"
 sed -n 's/^stat::number_of_executed_units: */runs /p; s/^stat::average_exec_per_sec: */per second /p' "$work.log"
 rm -f "$work.log"

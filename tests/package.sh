@@ -3,7 +3,7 @@
 # Can others use it? Installed by find_package and pkg-config, as a subproject, in one compiler line, from C++.
 #     package.sh SOURCE BUILD
 set -eu
-source=$1 build=$2
+source=$(realpath "$1") build=$(realpath "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix

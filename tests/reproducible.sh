@@ -4,7 +4,7 @@
 # every compiler, level and processor, those of pressures and stresses from every math library too.
 #     reproducible.sh SOURCE BUILD
 set -eu
-source=$1 build=$2
+source=$(realpath "$1") build=$(realpath "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$source"
@@ -77,7 +77,7 @@ compare_bits()
 }
 here=''
 for compiler in gcc clang; do
-    command -v $compiler >/dev/null && here="$here $compiler" || echo "not here: $compiler"
+    command -v $compiler >/dev/null && here="$here $compiler" || echo "SKIPPED: no $compiler here"
 done
 case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc here"; exit 77 ;; esac
 vectors='-fno-math-errno -fno-trapping-math' # as lib/CMakeLists.txt has them

@@ -22,8 +22,12 @@ fail() { # k all command...
     shift 2
     called="rwedge $* -o files/t, allocation $which fails${all:+ and all after it}"
     cp old files/t
+    rm -f mark
     status=0
-    env LD_PRELOAD="$preloaded" FAIL_AT="$which" ${all:+FAIL_ALL=1} "$rwedge" "$@" -o files/t >out 2>err || status=$?
+    env LD_PRELOAD="$preloaded" FAIL_AT="$which" FAIL_MARK="$scratch/mark" ${all:+FAIL_ALL=1} "$rwedge" "$@" -o files/t \
+        >out 2>err || status=$?
+    same "the allocation was refused" yes "$([ -f mark ] && echo yes)"
+    [ "$status" -eq 0 ] || refused=$((refused + 1))
     same "files" t "$(ls -A files)"
     if [ "$status" -eq 0 ] && [ -n "$crashes" ] && ! cmp -s files/t new; then
         lost=$((lost + 1)) # libxlsxwriter leaves out what it has no memory for, and does not always say so
@@ -49,14 +53,16 @@ every() {
     mv files/t new || { same "output" there missing; return; }
     env LD_PRELOAD="$preloaded" FAIL_COUNT="$scratch/count" "$rwedge" "$@" -o files/t >/dev/null 2>&1
     allocations=$(cat count)
-    same "it allocates" yes "$([ "$allocations" -gt 0 ] && echo yes)"
-    before=$survived failed=$failures crashed=0 lost=0
+    same "it allocates" yes "$([ "${allocations:-0}" -gt 0 ] && echo yes)"
+    before=$survived failed=$failures crashed=0 lost=0 refused=0
     # the first ones, at which programs differ, and then in growing steps
     for which in $(awk -v n="$allocations" -v most="$most" 'BEGIN {
         for (k = 1; k <= n; k += most == 0 || k < most / 2 ? 1 : 1 + int((n - most / 2) / (most / 2))) print k }'); do
         fail "$which" "" "$@"
         fail "$which" all "$@"
     done
+    called="rwedge $* -o files/t"
+    same "some runs end for lack of memory" yes "$([ "$refused" -gt 0 ] && echo yes)"
     echo "$((survived - before)) runs, $((failures - failed)) complaints: $allocations allocations of rwedge $*"
     [ -z "$crashes" ] || echo "    in them $crashed crashes and $lost losses of libxlsxwriter"
 }

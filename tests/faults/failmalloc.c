@@ -4,6 +4,7 @@
  *     FAIL_AT=N     the N-th allocation fails; unset or 0: none
  *     FAIL_ALL=1    and all after it
  *     FAIL_COUNT=F  the number of allocations is written to the file F at the end
+ *     FAIL_MARK=F   the file F appears when one fails
  *
  * Allocations count from where this library is initialised: after the libraries of the program, before its main(). Programs
  * that it starts are not affected. */
@@ -21,7 +22,7 @@ void *__libc_realloc(void *block, size_t size);
 
 static bool counting, all_after;
 static unsigned long allocations, failing;
-static const char *count_file;
+static const char *count_file, *mark_file;
 
 __attribute__((constructor)) static void start(void)
 {
@@ -29,6 +30,7 @@ __attribute__((constructor)) static void start(void)
     failing = at != NULL ? strtoul(at, NULL, 10) : 0;
     all_after = getenv("FAIL_ALL") != NULL;
     count_file = getenv("FAIL_COUNT");
+    mark_file = getenv("FAIL_MARK");
     unsetenv("LD_PRELOAD");
     counting = true;
 }
@@ -55,6 +57,9 @@ static bool is_granted(void)
     allocations++;
     if (failing == 0 || (all_after ? allocations < failing : allocations != failing))
         return true;
+    if (mark_file != NULL)
+        close(open(mark_file, O_WRONLY | O_CREAT, 0666));
+    mark_file = NULL;
     errno = ENOMEM;
     return false;
 }

@@ -18,8 +18,8 @@ grep -q 'OK.*a_decimal_comma' "$work/said" || status=1
 printf 'E1,nu1,theta,a,P,Q,f,k\n2.5,0.3,0.01,2,1.5e-3,1e-4,0.3,0.5\n' >"$work/in.csv"
 same()
 {
-    LC_ALL=C "$program" "$@" >"$work/c" 2>&1
-    LC_ALL=de_DE.UTF-8 "$program" "$@" >"$work/de" 2>&1
+    LC_ALL=C "$program" "$@" >"$work/c" || status=1
+    LC_ALL=de_DE.UTF-8 "$program" "$@" >"$work/de" || status=1
     [ -s "$work/c" ] && cmp -s "$work/c" "$work/de" || { echo "FAILED: rwedge $* differs in de_DE.UTF-8"; status=1; }
 }
 program=$1
@@ -30,9 +30,12 @@ same profile --a-over-b 0.3 --f 0.3 --q-over-fp 0.5
 same field --a-over-b 0.3 --f 0.3 --format vtk
 same figure 4 --data
 # the file names the command that wrote it
-if (cd "$work" && "$program" workbook -o book.xlsx) 2>/dev/null; then
+if (cd "$work" && "$program" workbook -o book.xlsx) 2>"$work/said"; then
     mv "$work/book.xlsx" "$work/c.xlsx"
-    (cd "$work" && LC_ALL=de_DE.UTF-8 "$program" workbook -o book.xlsx)
+    (cd "$work" && LC_ALL=de_DE.UTF-8 "$program" workbook -o book.xlsx) || status=1
     cmp -s "$work/c.xlsx" "$work/book.xlsx" || { echo "FAILED: the workbook differs in de_DE.UTF-8"; status=1; }
+elif ! grep -q libxlsxwriter "$work/said"; then
+    cat "$work/said"
+    status=1
 fi
 exit $status

@@ -18,7 +18,7 @@ for share in number:20 range:25 csv:10 batch:12 series:8 contact:12 formulas:13;
     target=${share%:*}
     mkdir -p "long/$target"
     case $target in number | range) length=64 ;; *) length=512 ;; esac
-    "./fuzz_$target" -max_total_time="$((seconds * ${share#*:} / 100))" -max_len="$length" -timeout=20 -print_final_stats=1 \
+    "./fuzz_$target" -max_total_time="$((seconds * ${share#*:} / 100 + 1))" -max_len="$length" -timeout=20 -print_final_stats=1 \
         -artifact_prefix="found_${target}_" "long/$target" "$source/tests/fuzz/corpus/$target" >"long_$target.log" 2>&1 || {
         status=1
         echo "$target: FOUND"
@@ -26,6 +26,7 @@ for share in number:20 range:25 csv:10 batch:12 series:8 contact:12 formulas:13;
     }
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "long_$target.log")
     rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "long_$target.log")
+    [ "${runs:-0}" -gt 0 ] || status=1
     echo "$target: ${runs:-0} runs, ${rate:-0} per second"
     total=$((total + ${runs:-0}))
 done

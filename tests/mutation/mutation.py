@@ -143,7 +143,7 @@ class Campaign:
 
     def __init__(self, candidates, wanted, programs, log):
         self.candidates, self.wanted, self.programs, self.log = candidates, wanted, programs, log
-        self.verdicts, self.next, self.viable = {}, 0, 0
+        self.verdicts, self.next, self.viable, self.broken = {}, 0, 0, []
         self.noticed = defaultdict(Counter)
         self.lock = threading.Lock()
 
@@ -153,9 +153,15 @@ class Campaign:
         return sorted(self.programs, key=lambda p: -(counts[p.name] + 0.5) / (p.seconds + LINKING))
 
     def work(self, judge):
+        try:
+            self.judge_all(judge)
+        except BaseException as error:  # which would end this thread alone, and the sample with it
+            self.broken.append(error)
+
+    def judge_all(self, judge):
         while True:
             with self.lock:
-                if self.viable >= self.wanted or self.next == len(self.candidates):
+                if self.broken or self.viable >= self.wanted or self.next == len(self.candidates):
                     return
                 index = self.next
                 self.next += 1
@@ -252,6 +258,8 @@ def main():
             thread.start()
         for thread in threads:
             thread.join()
+    if campaign.broken:
+        raise campaign.broken[0]
     kept = campaign.result()
     well = report(kept, len(candidates), time.monotonic() - start)
     sys.exit(0 if well else 1)

@@ -122,28 +122,6 @@ static void judge_normal_load(arb_t error, const probe *call, slong prec)
 
 /* ---- The load at first yield ---- */
 
-/* The peak of sqrt(J2), in theta/A, from what a tip alpha has, so that all tips come up. result[1] is alpha of the library's
- * load, result[2], result[3] where it yields. */
-static bool draw_yield_load(probe *call)
-{
-    double v[3], *r = call->result;
-    some_geometry(call, v);
-    const double f = argument(call, "f", chance(call, 0.1) ? some_friction(call) : uniform(call));
-    const double nu = argument(call, "nu", some_poisson(call));
-    const double tip = log_between(call, 1e-13, 100), peak = rwedge_load(tip) / rwedge_elastic_limit(tip, f, nu);
-    const double k = argument(call, "k", v[0] / v[2] * peak);
-    if (v[1] == 0 || !isnormal(k))
-        return false;
-    r[0] = rwedge_yield_load(v[0], v[1], v[2], f, nu, k);
-    r[1] = v[1] / rwedge_half_width(v[0], v[1], v[2], r[0]);
-    double limit;
-    if (isinf(r[0])) /* no load makes it yield */
-        return false;
-    if (rwedge_yield_point(fmin(1, r[1]), f, nu, &limit, &r[2], &r[3]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
-}
-
 /* alpha d/dalpha of J2 at a point below the surface. With q = 2 phi0/(pi alpha),
  * alpha dG/dalpha = -z G' - q/X and alpha d(y G')/dalpha = -y G' - y z G'' + q y z/X^3: what a flat punch adds. */
 static void J2_by_alpha_below(arb_t slope, const traction *t, const acb_t z, slong prec)
@@ -267,6 +245,49 @@ static bool excess_of_peak(arb_t value, arb_t slope, const arb_t alpha, const vo
     return proved;
 }
 
+/* Whether it yields while the contact is less than 1e14 a wide, by more than rounding. */
+static bool yields_at_all(const probe *call)
+{
+    enum { BITS = 512 };
+    static const double WIDEST = 1e-14;
+    probe at = {0};
+    const double *v = call->value;
+    double limit;
+    for (int i = 0; i < call->arguments; i++)
+        at.value[i] = v[i];
+    at.value[5] *= 1 + 1e-13;
+    if (rwedge_yield_point(WIDEST, v[3], v[4], &limit, &at.result[2], &at.result[3]) != RWEDGE_OK)
+        return true;
+    arb_t alpha, excess, slope;
+    arb_init(alpha), arb_init(excess), arb_init(slope);
+    arb_set_d(alpha, WIDEST);
+    const bool yields = excess_of_peak(excess, slope, alpha, &at, BITS) && arb_is_positive(excess);
+    arb_clear(alpha), arb_clear(excess), arb_clear(slope);
+    return yields;
+}
+
+/* The peak of sqrt(J2), in theta/A, from what a tip alpha has, so that all tips come up. result[1] is alpha of the library's
+ * load, result[2], result[3] where it yields. */
+static bool draw_yield_load(probe *call)
+{
+    double v[3], *r = call->result;
+    some_geometry(call, v);
+    const double f = argument(call, "f", chance(call, 0.1) ? some_friction(call) : uniform(call));
+    const double nu = argument(call, "nu", some_poisson(call));
+    const double tip = log_between(call, 1e-13, 100), peak = rwedge_load(tip) / rwedge_elastic_limit(tip, f, nu);
+    const double k = argument(call, "k", v[0] / v[2] * peak);
+    if (v[1] == 0)
+        return false;
+    r[0] = rwedge_yield_load(v[0], v[1], v[2], f, nu, k);
+    if (isinf(r[0]) && !yields_at_all(call))
+        return false;
+    r[1] = v[1] / rwedge_half_width(v[0], v[1], v[2], r[0]);
+    double limit;
+    if (isinf(r[0]) || rwedge_yield_point(fmin(1, r[1]), f, nu, &limit, &r[2], &r[3]) != RWEDGE_OK)
+        r[0] = NAN;
+    return true;
+}
+
 /* For Hertz the peak is that of alpha = 1 over alpha. */
 static bool hertz_alpha(arb_t alpha, const probe *call, slong prec)
 {
@@ -323,8 +344,8 @@ static void judge_yield_load(arb_t error, const probe *call, slong prec)
 #define UNITS "lengths, A 1e-70 to 1e70, all AP/(theta a)"
 
 const row DESIGN_ROWS[] = {
-    {"radius", "theta 1e-9 to pi/2; a 1e-70 to 1e70", "relative", 0, "", 1, draw_radius, judge_radius},
-    {"rounding", "the same", "relative", 0, "", 1, draw_rounding, judge_rounding},
+    {"radius", "theta 1e-9 to pi/2; a 1e-70 to 1e70", "relative", DBL_EPSILON, "(1 eps)", 1, draw_radius, judge_radius},
+    {"rounding", "the same", "relative", DBL_EPSILON, "(1 eps)", 1, draw_rounding, judge_rounding},
     {"half_width", UNITS, "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
     {"normal_load", UNITS, "relative", 1e-14, "1e-14", 1, draw_normal_load, judge_normal_load},
     {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)", 1e-11, "1e-11", 0.2,

@@ -44,7 +44,7 @@ static void destroy(void *contact)
     rwedge_contact_destroy(contact);
 }
 
-/* The contact under its last load; NULL where a load is refused. */
+/* The contact under its last load; NULL, and NaN for a result, where it is refused: all that is drawn is in the domain. */
 static rwedge_contact *some_contact(probe *call)
 {
     const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
@@ -53,6 +53,7 @@ static rwedge_contact *some_contact(probe *call)
     const double a = argument(call, "a", kind < 0.1 ? 0 : kind < 0.2 ? b * 20 : b * log_between(call, 1e-6, 2));
     const double f = argument(call, "f", log_between(call, 0.01, 3));
     some_loads(call, f, theta / A * b);
+    call->result[0] = NAN;
     rwedge_contact *contact = NULL;
     if (rwedge_contact_create(theta, a, A, f, &contact) != RWEDGE_OK)
         return NULL;
@@ -177,7 +178,7 @@ static bool draw_half_width(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     call->result[0] = rwedge_contact_half_width(contact);
-    return contact != NULL;
+    return true;
 }
 
 static void judge_half_width(arb_t error, const probe *call, slong prec)
@@ -197,7 +198,7 @@ static bool draw_stick(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     call->result[0] = rwedge_contact_stick_half_width(contact);
-    return contact != NULL;
+    return true;
 }
 
 /* Whether the ring that ends at the corner slips, with that sign. */
@@ -242,7 +243,7 @@ static bool draw_tractions(probe *call, int which)
 {
     const rwedge_contact *contact = some_contact(call);
     if (!contact)
-        return false;
+        return true;
     const double x = argument(call, "x", some_contact_place(call, contact));
     double p, q;
     if (rwedge_contact_tractions(contact, 1, &x, &p, &q) != RWEDGE_OK)
@@ -337,7 +338,7 @@ static bool draw_stresses(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     if (!contact)
-        return false;
+        return true;
     const double b = rwedge_contact_half_width(contact), kind = uniform(call);
     double x = some_contact_place(call, contact), y = kind < 0.2 ? 0 : b * log_between(call, 1e-15, 3);
     if (kind > 0.9) {
@@ -449,7 +450,7 @@ static bool draw_slip(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     if (!contact)
-        return false;
+        return true;
     const double x = argument(call, "x", some_contact_place(call, contact));
     if (fabs(x) > rwedge_contact_half_width(contact))
         return false;
@@ -629,7 +630,7 @@ static bool draw_energy(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     call->result[0] = rwedge_contact_dissipated_energy(contact);
-    return contact != NULL;
+    return true;
 }
 
 /* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how far Q/f gets ahead of what
@@ -674,7 +675,9 @@ static void judge_energy(arb_t error, const probe *call, slong prec)
 static bool draw_yield_factor(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
-    if (!contact || (call->value[2] == 0))
+    if (!contact)
+        return true;
+    if (call->value[2] == 0)
         return false;
     const double nu = argument(call, "nu", between(call, 0, 0.45)), k = argument(call, "k", 1);
     double *r = call->result;

@@ -33,6 +33,12 @@ static void some_bodies(probe *call, double v[4])
     v[3] = argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
 }
 
+/* The domain of both functions; all that is drawn has an A that is a normal number. */
+static bool is_compliant(const double v[4])
+{
+    return v[0] > 0 && v[2] > 0 && v[1] > -1 && v[3] > -1 && !(isinf(v[0]) && isinf(v[2]));
+}
+
 /* 2(1-nu^2)/E. */
 static void ball_share(arb_t share, double E, double nu, slong prec)
 {
@@ -56,7 +62,7 @@ static bool draw_compliance(probe *call)
     double v[4];
     some_bodies(call, v);
     call->result[0] = rwedge_compliance(v[0], v[1], v[2], v[3]);
-    return !isnan(call->result[0]);
+    return is_compliant(v);
 }
 
 static void judge_compliance(arb_t error, const probe *call, slong prec)
@@ -76,7 +82,7 @@ static bool draw_beta(probe *call)
     double v[4];
     some_bodies(call, v);
     call->result[0] = rwedge_dundurs_beta(v[0], v[1], v[2], v[3]);
-    return !isnan(call->result[0]);
+    return is_compliant(v);
 }
 
 /* beta = (l2 s2 - l1 s1)/(s1 + s2), l = (1-2nu)/(2(1-nu)), as Dundurs' own form with the moduli

@@ -2,6 +2,7 @@
 /* Elastic limits, and where it yields. */
 #include <math.h>
 
+#include "absence.h"
 #include "rows.h"
 #include "rwedge.h"
 #include "strength.h"
@@ -106,14 +107,21 @@ static bool draw_subsurface(probe *call)
 {
     double v[3], *r = call->result;
     some_strength(call, v);
-    return rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]) == RWEDGE_OK;
+    const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
+    if (status == RWEDGE_EABSENT && !has_maximum_below(v[0], v[1], v[2]))
+        return false;
+    if (status != RWEDGE_OK)
+        r[0] = NAN;
+    return true;
 }
 
 static bool draw_surface(probe *call)
 {
     double v[3], *r = call->result;
     some_strength(call, v);
-    return rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) == RWEDGE_OK;
+    if (rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) != RWEDGE_OK)
+        r[0] = NAN;
+    return v[2] < 0.5 || v[1] >= 1e-100;
 }
 
 /* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next to it J2 falls by 1 - flatness
@@ -142,19 +150,6 @@ static void judge_place(arb_t error, const probe *call, slong prec)
 }
 
 /* ---- Critical friction ---- */
-
-static bool draw_critical_friction(probe *call)
-{
-    const double alpha = argument(call, "alpha", some_tip(call)), nu = argument(call, "nu", some_poisson(call));
-    double *r = call->result, limit;
-    r[0] = rwedge_critical_friction(alpha, nu);
-    if (r[0] == 0)
-        return false;
-    if (rwedge_subsurface_yield(alpha, r[0], nu, &limit, &r[1], &r[2]) != RWEDGE_OK ||
-        rwedge_surface_yield(alpha, r[0], nu, &limit, &r[3]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
-}
 
 /* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f = -Re G. */
 static void J2_by_friction(arb_t slope, const traction *t, const acb_t z, slong prec)
@@ -207,6 +202,42 @@ static bool excess_below(arb_t excess, arb_t slope, const arb_t f, const void *c
     acb_clear(z);
     _arb_vec_clear(w, 7);
     return proved;
+}
+
+/* The places of both maxima for that friction, in the probe's results. */
+static bool find_places(probe *call, double f)
+{
+    double *r = call->result, limit;
+    const double alpha = call->value[0], nu = call->value[1];
+    return rwedge_subsurface_yield(alpha, f, nu, &limit, &r[1], &r[2]) == RWEDGE_OK &&
+           rwedge_surface_yield(alpha, f, nu, &limit, &r[3]) == RWEDGE_OK;
+}
+
+/* The promise lets 0 stand for what is below 1e-7: it is wrong where the maximum below is still the higher one there. */
+static bool is_wrongly_zero(probe *call)
+{
+    enum { BITS = 512 };
+    static const double LEAST = 1e-7;
+    if (!find_places(call, LEAST))
+        return false;
+    arb_t f, excess, slope;
+    arb_init(f), arb_init(excess), arb_init(slope);
+    arb_set_d(f, LEAST);
+    const bool wrong = excess_below(excess, slope, f, call, BITS) && arb_is_positive(excess);
+    arb_clear(f), arb_clear(excess), arb_clear(slope);
+    return wrong;
+}
+
+static bool draw_critical_friction(probe *call)
+{
+    const double alpha = argument(call, "alpha", some_tip(call)), nu = argument(call, "nu", some_poisson(call));
+    double *r = call->result;
+    r[0] = rwedge_critical_friction(alpha, nu);
+    if (r[0] == 0 && !is_wrongly_zero(call))
+        return false;
+    if (r[0] == 0 || !find_places(call, r[0]))
+        r[0] = NAN;
+    return true;
 }
 
 /* The promise is 1e-11 f, or 1e-14/f. */

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { FIRST_BITS = 128, MOST_BITS = 1 << 14 };
+enum { FIRST_BITS = 128, MOST_BITS = 1 << 14, MOST_DRAWS = 1000 };
 
 /* What the radius of the reference may add to a figure: a ten-thousandth of epsilon, or of the figure. */
 static const double NEGLIGIBLE = 1e-4;
@@ -209,15 +209,27 @@ static double upper_bound(const arb_t error)
     return fmax(0, upper);
 }
 
+static bool is_refused(const probe *call)
+{
+    for (int i = 0; i < RESULTS_MAX; i++)
+        if (isnan(call->result[i]))
+            return true;
+    return false;
+}
+
 double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
 {
     *call = (probe){.random = mixed(mixed(seed) + index)};
     for (const char *c = claim->function; *c; c++)
         call->random = mixed(call->random + (unsigned char)*c);
-    while (!claim->draw(call)) {
+    for (int draws = 1; !claim->draw(call); draws++) {
+        if (draws == MOST_DRAWS)
+            return HUGE_VAL;
         probe_release(call);
         *call = (probe){.random = call->random};
     }
+    if (is_refused(call))
+        return HUGE_VAL;
     arb_t error;
     arb_init(error);
     slong prec = FIRST_BITS;

@@ -19,7 +19,7 @@ typedef struct {
     double value[ARGUMENTS_MAX];
     int loads; /* of a history */
     double P[LOADS_MAX], Q[LOADS_MAX];
-    double result[RESULTS_MAX]; /* of the library */
+    double result[RESULTS_MAX]; /* of the library; NaN where it refused what is in the domain */
     void *object;               /* that the judge needs, and how it is freed */
     void (*release)(void *object);
 } probe;
@@ -27,10 +27,10 @@ typedef struct {
 typedef struct {
     const char *function, *domain;
     const char *measure;       /* what the error is relative to */
-    double promised;           /* bound of the error in that measure; 0 where the header has none */
-    const char *promise;       /* as the header says it */
+    double promised;           /* bound of the error in that measure */
+    const char *promise;       /* as the header says it; in parentheses where it says nothing */
     double part;               /* of the calls asked for; below 1 where a call is costly */
-    bool (*draw)(probe *call); /* false: these arguments have no result; draw again */
+    bool (*draw)(probe *call); /* false: outside the domain, or rightly without a result; draw again */
     void (*judge)(arb_t error, const probe *call, slong prec); /* not negative */
 } row;
 

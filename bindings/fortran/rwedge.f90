@@ -7,7 +7,8 @@
 ! - The composite compliance A is the argument "compliance": Fortran takes a and A for one name.
 ! - Functions of numbers are elemental: they take arrays too. They give NaN outside their domain.
 ! - What has a status has the optional arguments stat and errmsg, as ALLOCATE has: stat receives rwedge_ok or the reason,
-!   errmsg the reason in words, with the arguments. Where stat is absent, an error ends the program with that text.
+!   errmsg the reason in words, with the arguments and what is allowed. Where stat is absent, an error ends the program with
+!   that text.
 ! - On error the outputs are as they were.
 ! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
@@ -21,6 +22,16 @@ module rwedge
 
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
         rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8
+
+    ! What is allowed, for messages.
+    character(*), parameter :: range_of_f = 'f 0 to 1e6', range_of_nu = 'nu 0 to 0.5', range_of_y = 'y finite and >= 0', &
+        of_one_size = 'arrays of one size', &
+        of_stress = 'alpha finite and >= 0, ' // range_of_f // ', c 0 to 1, x finite, ' // range_of_y // &
+        ', not the apex of the sharp wedge (alpha = 0)', &
+        of_yield = 'alpha 0 or at least 1e-14, finite, ' // range_of_f // ', ' // range_of_nu, &
+        of_tractions = 'x finite, not the apex x = 0 of the loaded sharp wedge', &
+        of_stresses = 'x finite, ' // range_of_y // ', not the apex of the loaded sharp wedge', &
+        of_series_stress = range_of_f // ', x finite, ' // range_of_y
 
     public :: rwedge_version, rwedge_error_text
     public :: rwedge_compliance, rwedge_dundurs_beta
@@ -435,34 +446,43 @@ contains
         end do
     end function
 
-    ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments.
-    subroutine conclude(status, call, values, stat, errmsg)
+    ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments, allowed says what they
+    ! may be, element is the one of its arrays that was refused.
+    subroutine conclude(status, call, values, allowed, stat, errmsg, element)
         integer(c_int32_t), intent(in) :: status
-        character(*), intent(in) :: call
+        character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        integer, intent(in), optional :: element
         if (present(stat)) stat = status
         if (status == rwedge_ok) return
-        if (present(errmsg)) errmsg = message(status, call, values)
+        if (present(errmsg)) errmsg = message(status, call, values, allowed, element)
         if (present(stat)) return
-        write (error_unit, '(a)') message(status, call, values)
+        write (error_unit, '(a)') message(status, call, values, allowed, element)
         error stop 1
     end subroutine
 
-    function message(status, call, values) result(text)
+    function message(status, call, values, allowed, element) result(text)
         integer(c_int32_t), intent(in) :: status
-        character(*), intent(in) :: call
+        character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
+        integer, intent(in), optional :: element
         character(:), allocatable :: text
         character(24) :: number
         integer :: i
-        text = call // ': ' // rwedge_error_text(status)
+        text = call
+        if (present(element)) then
+            write (number, '(i0)') element
+            text = text // ', element ' // trim(number)
+        end if
+        text = text // ': ' // rwedge_error_text(status)
         if (status == rwedge_enull) text = text // ' (create it first)'
         do i = 1, size(values)
             write (number, '(g0)') values(i)
             text = text // merge(': ', ', ', i == 1) // trim(number)
         end do
+        if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
     end function
 
     ! ---- Formulas ------------------------------------------------------------------------------------------------------
@@ -654,7 +674,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', &
-            [alpha, f, c, x, y], stat, errmsg)
+            [alpha, f, c, x, y], of_stress, stat, errmsg)
     end subroutine
 
     !> The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain.
@@ -663,11 +683,21 @@ contains
         real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(3)
         integer(c_int32_t) :: status
+        integer :: i
         status = rwedge_erange
         if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
             status = c_stresses(alpha, f, c, size(x, kind=c_size_t), x, y, sxx, syy, txy)
-        call conclude(status, 'rwedge_stresses(alpha, f, c, ...)', [alpha, f, c], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_stress(alpha, f, c, x(i), y(i), s(1), s(2), s(3)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_stresses(alpha, f, c, x, y)', [alpha, f, c, x(i), y(i)], of_stress, stat, &
+                    errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_stresses(...)', [real(c_double) ::], of_stress // ', ' // of_one_size, stat, errmsg)
     end subroutine
 
     !> The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain.
@@ -676,11 +706,20 @@ contains
         real(c_double), intent(inout) :: limit(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: one(1)
         integer(c_int32_t) :: status
+        integer :: i
         status = rwedge_erange
         if (all([size(f), size(limit)] == size(alpha))) &
             status = c_elastic_limits(size(alpha, kind=c_size_t), alpha, f, nu, limit)
-        call conclude(status, 'rwedge_elastic_limits(..., nu)', [nu], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(alpha)
+                if (c_elastic_limits(1_c_size_t, alpha(i:i), f(i:i), nu, one) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_elastic_limits(alpha, f, nu)', [alpha(i), f(i), nu], of_yield, stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_elastic_limits(...)', [real(c_double) ::], of_yield // ', ' // of_one_size, stat, errmsg)
     end subroutine
 
     !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
@@ -693,7 +732,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
-            stat, errmsg)
+            of_yield, stat, errmsg)
     end subroutine
 
     !> Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
@@ -709,7 +748,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', &
-            [alpha, f, nu], stat, errmsg)
+            [alpha, f, nu], of_yield, stat, errmsg)
     end subroutine
 
     !> At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
@@ -723,7 +762,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
-            stat, errmsg)
+            of_yield, stat, errmsg)
     end subroutine
 
     ! ---- A contact with a load history ---------------------------------------------------------------------------------
@@ -740,7 +779,8 @@ contains
         integer(c_int32_t) :: status
         status = c_contact_create(theta, a, compliance, f, created)
         if (status == rwedge_ok) call own_contact(this, created)
-        call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], stat, errmsg)
+        call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], &
+            'theta > 0 and < pi/2, a finite and >= 0, compliance finite and > 0, ' // range_of_f, stat, errmsg)
     end subroutine
 
     !> An independent copy, history and all: to try a load and go back.
@@ -754,7 +794,7 @@ contains
         integer(c_int32_t) :: status
         status = c_contact_copy(from%handle, created)
         if (status == rwedge_ok) call own_contact(this, created)
-        call conclude(status, 'rwedge_contact%copy(from)', [real(c_double) ::], stat, errmsg)
+        call conclude(status, 'rwedge_contact%copy(from)', [real(c_double) ::], '', stat, errmsg)
     end subroutine
 
     ! What the contact held before is freed last: it may have been copied from itself.
@@ -803,7 +843,8 @@ contains
         real(c_double), intent(in) :: P, Q
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], stat, errmsg)
+        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
+            'P 0, or 1e-148 to 1e148 and at least 1e-8 of the last P, |Q| <= f P', stat, errmsg)
     end subroutine
 
     !> Half-width b of the contact, length; 0 when separated; NaN for NULL.   Eq. (7), (11), (15), inverse
@@ -841,11 +882,20 @@ contains
         real(c_double), intent(inout) :: p(:), q(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(2)
         integer(c_int32_t) :: status
+        integer :: i
         status = rwedge_erange
         if (all([size(p), size(q)] == size(x))) &
             status = c_contact_tractions(this%handle, size(x, kind=c_size_t), x, p, q)
-        call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_tractions(this%handle, 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%tractions(x)', [x(i)], of_tractions, stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], of_one_size, stat, errmsg)
     end subroutine
 
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
@@ -860,11 +910,20 @@ contains
         real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(3)
         integer(c_int32_t) :: status
+        integer :: i
         status = rwedge_erange
         if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
             status = c_contact_stresses(this%handle, size(x, kind=c_size_t), x, y, sxx, syy, txy)
-        call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], of_stresses, stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], of_one_size, stat, errmsg)
     end subroutine
 
     !> Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
@@ -881,10 +940,19 @@ contains
         real(c_double), intent(inout) :: slip(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        real(c_double) :: one(1)
         integer(c_int32_t) :: status
+        integer :: i
         status = rwedge_erange
         if (size(slip) == size(x)) status = c_contact_slip(this%handle, size(x, kind=c_size_t), x, slip)
-        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_slip(this%handle, 1_c_size_t, x(i:i), one) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%slip(x)', [x(i)], '|x| <= b, the contact', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], of_one_size, stat, errmsg)
     end subroutine
 
     !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
@@ -919,7 +987,8 @@ contains
         status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
         if (status == rwedge_ok .and. present(x)) x = place(1)
         if (status == rwedge_ok .and. present(y)) y = place(2)
-        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], stat, errmsg)
+        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], &
+            range_of_nu // ', k finite and > 0, so that the factor is finite', stat, errmsg)
     end subroutine
 
     ! ---- The paper's series --------------------------------------------------------------------------------------------
@@ -937,7 +1006,8 @@ contains
         integer(c_int32_t) :: status
         status = c_series_create(alpha, terms, created)
         if (status == rwedge_ok) call own_series(this, created)
-        call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], stat, errmsg)
+        call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], &
+            'alpha finite and >= 0, terms 1 to 2^24', stat, errmsg)
     end subroutine
 
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.   Sec. 4 of the paper
@@ -953,11 +1023,22 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(c_ptr) :: created
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: status, one_status
+        integer :: i
         status = rwedge_erange
         if (size(p) == size(x)) status = c_series_fit(size(x, kind=c_size_t), x, p, terms, created)
         if (status == rwedge_ok) call own_series(this, created)
-        call conclude(status, 'rwedge_series%fit(..., terms)', [real(terms, c_double)], stat, errmsg)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                one_status = c_series_fit(1_c_size_t, x(i:i), p(i:i), 1_c_int32_t, created)
+                if (one_status == rwedge_ok) call c_series_destroy(created)
+                if (one_status /= rwedge_edomain) cycle
+                call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], '|x| < 1, p finite', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_series%fit(size(x), size(p), terms)', real([size(x), size(p), int(terms)], c_double), &
+            'x and p of one size, terms 1 to 2^24, size(x) * terms <= 2^27', stat, errmsg)
     end subroutine
 
     subroutine own_series(this, handle)
@@ -1042,7 +1123,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
-            stat, errmsg)
+            of_series_stress, stat, errmsg)
     end subroutine
 
     !> Stresses for q = f p.   Eq. (32), (33)
@@ -1054,6 +1135,6 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
-            stat, errmsg)
+            of_series_stress, stat, errmsg)
     end subroutine
 end module

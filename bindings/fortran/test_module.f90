@@ -64,7 +64,7 @@ contains
         type(rwedge_series) :: series
         real(c_double) :: s(3), p(2), q(2), limit, nan
         integer :: stat
-        character(160) :: errmsg
+        character(400) :: errmsg
         nan = ieee_value(nan, ieee_quiet_nan)
         call claim('the version has two points', &
             index(rwedge_version(), '.') < index(rwedge_version(), '.', back=.true.))
@@ -79,7 +79,8 @@ contains
             stat, errmsg)
         call claim('domain', stat == rwedge_edomain .and. all(s == 5))
         call claim('its message: ' // errmsg, index(errmsg, 'rwedge_stress(alpha, f, c, x, y): an argument is outside ' // &
-            'its domain: 0.25') == 1 .and. index(errmsg, ', -1.0') > 0)
+            'its domain: 0.25') == 1 .and. index(errmsg, ', -1.0') > 0 .and. &
+            index(errmsg, '; allowed is alpha finite and >= 0') > 0)
         errmsg = 'as it was'
         call rwedge_yield_point(0.25_c_double, 0.3_c_double, 0.3_c_double, limit, s(1), s(2), stat, errmsg)
         call claim('no error, no message', stat == rwedge_ok .and. errmsg == 'as it was')
@@ -97,16 +98,49 @@ contains
         call contact%load(1000.0_c_double, 300.0_c_double)
         call contact%load(1000.0_c_double, 601.0_c_double, stat, errmsg)
         call claim('sliding', stat == rwedge_esliding .and. &
-            index(errmsg, 'exceeds friction') > 0 .and. index(errmsg, '601') > 0)
+            index(errmsg, 'exceeds friction') > 0 .and. index(errmsg, '601') > 0 .and. index(errmsg, 'allowed') == 0)
+        call contact%load(1e308_c_double, 0.0_c_double, stat, errmsg)
+        call claim('range: ' // errmsg, stat == rwedge_erange .and. index(errmsg, 'allowed is P 0, or 1e-148 to 1e148') > 0)
         p = 5
-        call contact%tractions([0.0_c_double, nan], p, q, stat)
+        call contact%tractions([0.0_c_double, nan], p, q, stat, errmsg)
         call claim('tractions: domain', stat == rwedge_edomain .and. all(p == 5))
-        call contact%tractions([0.0_c_double], p, q, stat)
+        call claim('tractions: ' // errmsg, says(errmsg, 'rwedge_contact%tractions(x), element 2', 'NaN; allowed is x finite'))
+        call contact%tractions([0.0_c_double], p, q, stat, errmsg)
         call claim('sizes that differ', stat == rwedge_erange)
+        call claim('sizes that differ: ' // errmsg, index(errmsg, '; allowed is arrays of one size') > 0)
+        call contact%stresses([0.0_c_double, 0.0_c_double], [0.0_c_double, -1.0_c_double], p, q, s(:2), stat, errmsg)
+        call claim('stresses: ' // errmsg, says(errmsg, 'rwedge_contact%stresses(x, y), element 2', 'y finite and >= 0'))
+        call contact%slip([0.0_c_double, 50.0_c_double], p, stat, errmsg)
+        call claim('slip: ' // errmsg, says(errmsg, 'rwedge_contact%slip(x), element 2', '50.0') .and. &
+            index(errmsg, '|x| <= b') > 0 .and. all(p == 5))
+        call rwedge_stresses(0.25_c_double, 0.3_c_double, 0.0_c_double, [0.0_c_double, 0.0_c_double], &
+            [0.0_c_double, -1.0_c_double], p, q, s(:2), stat, errmsg)
+        call claim('rwedge_stresses: ' // errmsg, says(errmsg, 'rwedge_stresses(alpha, f, c, x, y), element 2', '-1.0'))
+        call rwedge_elastic_limits([0.1_c_double, 0.25_c_double], [0.1_c_double, -0.5_c_double], 0.3_c_double, p, stat, errmsg)
+        call claim('rwedge_elastic_limits: ' // errmsg, stat == rwedge_edomain .and. all(p == 5) .and. &
+            says(errmsg, 'rwedge_elastic_limits(alpha, f, nu), element 2', ': 0.25') .and. &
+            index(errmsg, 'f 0 to 1e6, nu 0 to 0.5') > 0)
+        call rwedge_elastic_limits(p(:0), p(:0), 0.6_c_double, p(:0), stat, errmsg)
+        call claim('no elements: ' // errmsg, stat == rwedge_edomain .and. index(errmsg, 'nu 0 to 0.5') > 0)
+        call series%create(0.25_c_double, 0_c_int32_t, stat, errmsg)
+        call claim('series: ' // errmsg, stat == rwedge_erange .and. index(errmsg, 'terms 1 to 2^24') > 0)
+        call series%fit([0.1_c_double, 0.2_c_double, 1.5_c_double], [1.0_c_double, 1.0_c_double, 1.0_c_double], &
+            2_c_int32_t, stat, errmsg)
+        call claim('fit: ' // errmsg, says(errmsg, 'rwedge_series%fit(x, p), element 3', '1.5') .and. series%terms() == 0)
+        call series%fit([0.1_c_double, 0.2_c_double], [1.0_c_double], 1_c_int32_t, stat, errmsg)
+        call claim('fit, sizes: ' // errmsg, stat == rwedge_erange .and. index(errmsg, 'x and p of one size') > 0)
         call series%fit([0.1_c_double, 0.1_c_double, 0.1_c_double], [1.0_c_double, 1.0_c_double, 1.0_c_double], &
             3_c_int32_t, stat)
         call claim('rank', stat == rwedge_erank)
     end subroutine
+
+    ! It begins with the call, is about the domain, has the words and says what is allowed.
+    function says(errmsg, call, words) result(yes)
+        character(*), intent(in) :: errmsg, call, words
+        logical :: yes
+        yes = index(errmsg, call // ': an argument is outside its domain: ') == 1 .and. index(errmsg, words) > 0 .and. &
+            index(errmsg, '; allowed is ') > 0
+    end function
 
     subroutine arrays()
         real(c_double) :: alpha(3, 4), sxx(3, 4), syy(3, 4), txy(3, 4), one(3), x(12), y(12), all_sxx(24), row(12), column(12)
@@ -229,7 +263,8 @@ contains
         alpha = [(1.2_c_double * i / n, i = 1, n)]
         fastest = huge(t)
         limits = huge(t)
-        do i = 1, 5
+        do i = 1, 25 ! a busy machine needs more attempts
+            if (i > 5 .and. fastest(2) < 1.5 * fastest(1)) exit
             call cpu_time(t(1))
             call loads_in_c(size(alpha, kind=c_size_t), alpha, of_c)
             call cpu_time(t(2))
@@ -238,7 +273,8 @@ contains
             fastest = min(fastest, t(2:) - t(:2))
         end do
         call claim('the same loads', all(of_c == of_fortran))
-        do i = 1, 5
+        do i = 1, 25
+            if (i > 5 .and. limits(2) < 1.2 * limits(1)) exit
             call cpu_time(t(1))
             call elastic_limits_in_c(int(m, c_size_t), alpha(::n / m), of_c)
             call cpu_time(t(2))

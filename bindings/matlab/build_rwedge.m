@@ -3,8 +3,10 @@ function folder = build_rwedge(prefix, folder)
 %BUILD_RWEDGE  Builds rwedge for this MATLAB or GNU Octave.
 %   build_rwedge(PREFIX, FOLDER) compiles rwedge_mex.c and writes the functions and classes, with help texts from rwedge.h,
 %   into FOLDER, which is all that need be on the path. PREFIX is where rwedge is installed, built with
-%   RWEDGE_PRIVATE_DEPS=ON (so that its static library needs no other): include/rwedge.h and lib/librwedge.a.
+%   RWEDGE_PRIVATE_DEPS=ON (so that its static library needs no other): include/rwedge.h and librwedge.a, in lib, lib64 or a
+%   folder of lib, such as lib/x86_64-linux-gnu.
 %   The default of PREFIX is three folders up, where an installed copy of this file finds it; of FOLDER, ./rwedge.
+%   After an error FOLDER is as it was.
 here = fileparts(mfilename('fullpath'));
 if nargin < 1
     prefix = fullfile(here, '..', '..', '..');
@@ -12,31 +14,77 @@ end
 if nargin < 2
     folder = fullfile(pwd, 'rwedge');
 end
-if ~exist(folder, 'dir')
-    mkdir(folder);
-end
 header = fullfile(prefix, 'include', 'rwedge.h');
-library = fullfile(prefix, 'lib', 'librwedge.a');
+library = find_library(prefix);
 for needed = {header, library}
     if ~exist(needed{1}, 'file')
         error('rwedge:build', '%s is missing: is rwedge installed at %s?', needed{1}, prefix);
     end
 end
-compile(fullfile(here, 'rwedge_mex.c'), fullfile(prefix, 'include'), library, folder);
-write_functions(header, here, folder);
-try_out(folder, library);
+[~, unique] = fileparts(tempname());
+made = [regexprep(folder, '[/\\]+$', '') '-' unique]; % beside FOLDER, and moved into it when all is well
+make_folder(made);
+gone = onCleanup(@() remove_folder(made)); %#ok<NASGU>
+compile(fullfile(here, 'rwedge_mex.c'), fullfile(prefix, 'include'), library, made);
+write_functions(header, here, made);
+try_out(made, library);
+make_folder(folder);
+[moved, reason] = movefile(fullfile(made, '*'), folder, 'f');
+if ~moved
+    error('rwedge:build', 'cannot write into %s: %s', folder, reason);
+end
+end
+
+% The static library, where CMake installs it on one system or another.
+function library = find_library(prefix)
+folders = {'lib', 'lib64'};
+if exist(fullfile(prefix, 'lib'), 'dir')
+    for inner = dir(fullfile(prefix, 'lib'))'
+        if inner.isdir && inner.name(1) ~= '.'
+            folders{end + 1} = fullfile('lib', inner.name); %#ok<AGROW>
+        end
+    end
+end
+for i = 1:numel(folders)
+    library = fullfile(prefix, folders{i}, 'librwedge.a');
+    if exist(library, 'file')
+        return
+    end
+end
+library = fullfile(prefix, 'lib', 'librwedge.a');
+end
+
+function make_folder(folder)
+if ~exist(folder, 'dir')
+    [made, reason] = mkdir(folder);
+    if ~made
+        error('rwedge:build', 'cannot make %s: %s', folder, reason);
+    end
+end
+end
+
+function remove_folder(folder)
+files = dir(folder);
+for i = 1:numel(files)
+    if ~files(i).isdir
+        delete(fullfile(folder, files(i).name));
+    end
+end
+rmdir(folder);
 end
 
 % Does the MEX file load? Not where the library needs a GSL and LAPACK of its own still.
 function try_out(folder, library)
 before = path();
 back = onCleanup(@() path(before)); %#ok<NASGU>
+clear('rwedge_mex'); % an earlier one
 addpath(folder);
 try
     rwedge_mex('version');
 catch reason
     error('rwedge:build', 'rwedge_mex does not run: was %s built with -DRWEDGE_PRIVATE_DEPS=ON? %s', library, reason.message);
 end
+clear('rwedge_mex'); % so that its file can be moved
 end
 
 function compile(source, include, library, folder)

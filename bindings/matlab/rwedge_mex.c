@@ -21,7 +21,7 @@ enum { MAX_ARGUMENTS = 6, MAX_RESULTS = 3 };
 
 static void fail(const char *reason, const char *format, ...)
 {
-    char id[32], text[512];
+    char id[32], text[1024];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
@@ -56,10 +56,11 @@ static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
                       theta = {"theta", 0, 1.5707963267948963, true, "> 0 and < pi/2"},
                       a = {"a", 0, DBL_MAX, false, "finite and >= 0"},
                       A = {"A", 0, DBL_MAX, true, "finite and > 0"},
-                      k = {"k", 0, DBL_MAX, true, "finite and > 0"},
-                      P = {"P", 0, DBL_MAX, false, "finite and >= 0"},
-                      Q = {"Q", -DBL_MAX, DBL_MAX, false, "finite"},
+                      k = {"k", 0, DBL_MAX, true, "finite and > 0, so that the factor is finite"},
+                      P = {"P", 0, 1e148, false, "0, or 1e-148 to 1e148 and at least 1e-8 of the last P"},
+                      Q = {"Q", -DBL_MAX, DBL_MAX, false, "finite, |Q| <= f P"},
                       terms = {"terms", 1, 16777216, false, "whole, 1 to 2^24"},
+                      fitted = {"terms", 1, 16777216, false, "whole, 1 to 2^24, and samples * terms <= 2^27"},
                       surface = {"x", -DBL_MAX, DBL_MAX, false, "finite, and for a loaded sharp wedge not 0"},
                       inside = {"x", -DBL_MAX, DBL_MAX, false, "|x| <= b, the contact"},
                       abscissa = {"x", -1 + DBL_EPSILON / 2, 1 - DBL_EPSILON / 2, false, "|x| < 1"},
@@ -67,7 +68,7 @@ static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
 
 static bool is_in_domain(const quantity *q, double v)
 {
-    if (q == &tip && v > 0 && v < 1e-14)
+    if ((q == &tip && v > 0 && v < 1e-14) || (q == &P && v > 0 && v < 1e-148) || (q == &terms && v != floor(v)))
         return false;
     return v >= q->low && v <= q->high && !(q->above && v == q->low);
 }
@@ -82,19 +83,24 @@ static const char *text_of(double v, char text[32])
     return text;
 }
 
-/* The library's text, then the argument that is to blame, the only one if need be, or all of them where it is none alone. */
+/* The library's text, then the argument that is to blame, the only one if need be, or all of them where it is none alone; and
+ * what is allowed. */
 static void fail_with(int32_t status, const char *function, int arguments, const quantity *const of[], const double v[],
                       size_t i, size_t n)
 {
-    char blamed[256] = "", place[40] = "", number[32];
+    const bool is_outside = status == RWEDGE_EDOMAIN || status == RWEDGE_ERANGE;
+    char blamed[640] = "", place[40] = "", number[32];
     size_t length = 0;
-    for (int j = 0; status == RWEDGE_EDOMAIN && j < arguments && !length; j++)
+    for (int j = 0; is_outside && j < arguments && !length; j++)
         if (arguments == 1 || !is_in_domain(of[j], v[j]))
             length = (size_t)snprintf(blamed, sizeof blamed, ": %s = %s; allowed is %s", of[j]->name, text_of(v[j], number),
                                       of[j]->allowed);
     for (int j = 0; !length && j < arguments; j++)
         snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s = %s", j ? ", " : ": ", of[j]->name,
                  text_of(v[j], number));
+    for (int j = 0; !length && status == RWEDGE_ERANGE && j < arguments; j++)
+        snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s %s", j ? ", " : "; allowed is ", of[j]->name,
+                 of[j]->allowed);
     if (n > 1)
         snprintf(place, sizeof place, " (element %lu)", (unsigned long)(i + 1));
     fail(reason_of(status), "rwedge_%s: %s%s%s", function, rwedge_strerror(status), blamed, place);
@@ -466,7 +472,7 @@ static void fail_at_sample(size_t n, const double *const samples[])
 
 static mxArray *series_fit(const mxArray *const arguments[])
 {
-    static const quantity *const of[] = {&terms};
+    static const quantity *const of[] = {&fitted};
     const double *samples[2];
     double count;
     rwedge_series *series = NULL;

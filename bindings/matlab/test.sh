@@ -73,6 +73,24 @@ ln -s "$prefix/include" lacking/
 ar rc lacking/lib/librwedge.a
 octave --eval "try, build_rwedge('lacking', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
 grep -q 'librwedge.a built with -DRWEDGE_PRIVATE_DEPS=ON?' refused.txt || fail "a library that lacks something is taken"
+# and nothing is left behind then, nor where nothing is installed; what was built before stays
+octave --eval "try, build_rwedge('nowhere', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
+grep -q 'rwedge.h is missing: is rwedge installed at nowhere?' refused.txt || fail "nothing is taken for a library"
+cp -r rwedge before
+octave --eval "try, build_rwedge('lacking', 'before'), catch err, disp(err.message), end" >/dev/null 2>&1
+diff -r rwedge before || fail "a build that fails changes what was there"
+for left in refused refused-* before-* rwedge-*; do
+    [ ! -e "$left" ] || fail "a build leaves $left behind"
+done
+# the library may be in other folders than lib
+for inner in lib64 lib/x86_64-linux-gnu; do
+    mkdir -p "elsewhere/$inner"
+    ln -s "$prefix/include" elsewhere/
+    ln -s "$prefix/lib/librwedge.a" "elsewhere/$inner"
+    octave --eval "build_rwedge('elsewhere', 'found');" >/dev/null
+    [ "$(ls found)" = "$(ls rwedge)" ] || fail "a library in $inner is not found"
+    rm -r elsewhere found
+done
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt

@@ -29,6 +29,12 @@ function leaves_by_error()
     c.load(1000, 601);
 end
 
+function yield_factor_out_of_range()
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    c.load(1e-10, 0);
+    c.yield_factor(0.3, 1e308);
+end
+
 function shapes()
     alpha = reshape(0.1:0.1:2.4, 2, 3, 4);
     claim('the shape of the argument', isequal(size(rwedge_load(alpha)), [2 3 4]));
@@ -65,8 +71,11 @@ function errors()
     refused('domain', {'alpha = 1e-15', '1e-14'}, @() rwedge_yield_point(1e-15, 0.2, 0.3));
     refused('domain', {'theta = 2', 'pi/2'}, @() rwedge_contact(2, 0.5, 1.8e-5, 0.6));
     refused('domain', {'f = 2000000', '0 to 1e6'}, @() rwedge_contact(0.01, 0.5, 1.8e-5, 2e6));
-    refused('domain', {'terms = 2.5'}, @() rwedge_series(0.3, 2.5));
-    refused('range', {'rwedge_series'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
+    refused('domain', {': terms = 2.5; allowed is whole, 1 to 2^24'}, @() rwedge_series(0.3, 2.5));
+    for terms = [0 -2 1e9]
+        refused('range', {sprintf(': terms = %d; allowed is whole, 1 to 2^24', terms)}, @() rwedge_series(0.25, terms));
+    end
+    refused('range', {'rwedge_series', 'samples * terms <= 2^27'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
     refused('rank', {'rwedge_series_fit'}, @() rwedge_series.fit([0.1 0.1 0.1], [1 1 1], 3));
     refused('class', {'argument 1', 'int8'}, @() rwedge_load(int8(1)));
     refused('class', {'single'}, @() rwedge_load(single(1)));
@@ -91,7 +100,11 @@ function contacts()
     refused('absent', {'contact_yield_factor'}, @() c.yield_factor(0.3, 300));
     c.load(1000, 300);
     refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
-    refused('domain', {'P = -1', '>= 0'}, @() c.load(-1, 0));
+    refused('domain', {': P = -1; allowed is 0, or 1e-148 to 1e148'}, @() c.load(-1, 0));
+    refused('range', {': P = 1e+308; allowed is 0, or 1e-148 to 1e148'}, @() c.load(1e308, 0));
+    refused('range', {': P = 1e-150; allowed is 0, or 1e-148 to 1e148'}, @() c.load(1e-150, 0));
+    refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'at least 1e-8 of the last P, Q finite'}, @() c.load(1e-6, 0));
+    refused('range', {'k = 1e+308; allowed is', 'k finite and > 0'}, @() yield_factor_out_of_range());
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
     refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));
     refused('arguments', {'contact.load(P, Q)'}, @() c.load(1000));
@@ -223,6 +236,17 @@ function texts(header)
             claim([names{i, 1} ' takes and gives what the header says'], takes_and_gives(names(i, :), contact, series));
         end
     end
+    files = dir(fullfile(folder, '*.m'));
+    for i = 1:numel(files)
+        text = fileread(fullfile(folder, files(i).name));
+        for word = {'NULL', 'rwedge:null', '_destroy(', 'Unless', 'RWEDGE_EDOMAIN', 'RWEDGE_OK'}
+            claim([files(i).name ' does not speak of ' word{1}], isempty(strfind(text, word{1})));
+        end
+        claim([files(i).name ': only a class says rwedge:handle'], isempty(strfind(text, 'rwedge:handle')) || ...
+            any(strcmp(files(i).name, {'rwedge_contact.m', 'rwedge_series.m'})));
+    end
+    text = fileread(fullfile(folder, 'rwedge_contact.m'));
+    claim('load says what becomes of a vector', ~isempty(strfind(text, 'the loads before the one that is refused stay.')));
     confirm_recursive_rmdir(false, 'local');
     rmdir(folder, 's');
 end

@@ -116,7 +116,12 @@ end
 
 % The help text after its first line: the comment, and the arguments that it does not list itself.
 function lines = help_lines(d, common)
-lines = d.comment;
+lines = d.comment(~strcmp(d.comment, '  contact  receives the handle'));
+lines = strrep(lines, ' Free with rwedge_series_destroy().', '');
+lines = without_pointers(lines, ~isempty(regexp(d.name, '^(contact|series)_(?!create|fit)', 'once')));
+lines = strrep(lines, 'Unless RWEDGE_OK, the contact is as before.', ...
+    'After an error the contact is as before; of vectors, the loads before the one that is refused stay.');
+lines = regexprep(lines, {'(rwedge_(contact|series))_create\(', '(rwedge_(contact|series))_(\w+)\('}, {'$1(', '$1.$3('});
 here = listed_arguments(d.comment);
 if d.dimensional
     shared = common.dimensional;
@@ -128,12 +133,23 @@ for i = 1:size(shared, 1)
         lines{end + 1} = shared{i, 2}; %#ok<AGROW>
     end
 end
-identifiers = {'DOMAIN', 'domain'; 'NULL', 'null'; 'RANGE', 'range'; 'NOCONV', 'noconv'; 'NOMEM', 'memory'; ...
+identifiers = {'DOMAIN', 'domain'; 'RANGE', 'range'; 'NOCONV', 'noconv'; 'NOMEM', 'memory'; ...
     'SLIDING', 'sliding'; 'RANK', 'rank'; 'ABSENT', 'absent'};
 for i = 1:size(identifiers, 1)
     lines = strrep(lines, ['RWEDGE_E' identifiers{i, 1}], ['rwedge:' identifiers{i, 2}]);
 end
 lines = strrep(lines, 'HUGE_VAL', 'Inf');
+end
+
+% What the header says of NULL: a method's object may have been deleted, which is rwedge:handle, and nothing else can be NULL.
+function lines = without_pointers(lines, is_method)
+if is_method
+    lines = strrep(lines, 'RWEDGE_ENULL', 'rwedge:handle');
+else
+    lines = regexprep(lines, {'[,;] RWEDGE_ENULL', '^RWEDGE_ENULL, '}, '');
+end
+lines = regexprep(lines, {'[;,] (NaN|0|and) for NULL', ' or NULL', '; each may be NULL', ', never NULL'}, '');
+lines = regexprep(lines, ' ?\<NaN for NULL\. ?', '');
 end
 
 function text = commented(lines, margin)

@@ -3,7 +3,7 @@
 
 needs matplotlib. The cusps are where yield jumps from below to the surface: at the critical friction.
 """
-import sys
+import argparse
 
 import matplotlib
 
@@ -16,7 +16,7 @@ import rwedge
 NU = 0.3
 
 
-def main(path):
+def draw(path):
     alpha = np.linspace(0.1, 1, 10)
     f = np.linspace(0, 0.8, 801)
     limit = rwedge.elastic_limit(alpha[:, None], f, NU)  # a row for each a/b
@@ -32,5 +32,11 @@ def main(path):
     figure.savefig(path, dpi=110)
 
 
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("figure")
+    draw(options.parse_args().figure)
+
+
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main()

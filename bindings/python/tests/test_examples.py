@@ -2,6 +2,8 @@
 """The examples run; the sweep by two processes stores the bits of the serial result; the README's session is as printed."""
 import doctest
 import struct
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -42,6 +44,13 @@ def test_the_figure_is_drawn(tmp_path, run):
     run(PACKAGE / "examples/figure4.py", tmp_path / "figure.png")
     png = (tmp_path / "figure.png").read_bytes()
     assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (770, 550)
+
+
+@pytest.mark.parametrize("example", ["figure4.py", "sweep.py"])
+def test_without_its_argument_an_example_says_how_it_is_called(example):
+    done = subprocess.run([sys.executable, PACKAGE / "examples" / example], capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"usage: {example}") and "arguments are required" in done.stderr
 
 
 def test_the_readme_is_as_it_runs():

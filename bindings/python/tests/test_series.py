@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The paper's series: against the closed forms, and fitted."""
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -35,6 +38,14 @@ def test_fit_recovers_a_pressure():
     np.testing.assert_allclose(fitted.coefficients, [1.5, 0.25, 0], atol=1e-14)
     assert fitted.residual < 1e-14
     assert repr(fitted).startswith("<rwedge.Series of 3 terms, residual ")
+
+
+def test_a_copy_is_the_series_itself():
+    series = rwedge.Series(0.5, 20)
+    assert copy.copy(series) is series
+    assert copy.deepcopy({"pressure": [series]})["pressure"][0] is series
+    with pytest.raises(TypeError, match="a Series cannot be pickled"):
+        pickle.dumps(series)
 
 
 def test_nan_gives_nan_and_misuse_raises():

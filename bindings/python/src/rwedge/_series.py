@@ -44,7 +44,8 @@ class Series(Handle):
 
     Notes
     -----
-    A series never changes: any number of threads may use it. It cannot be pickled.
+    A series never changes: any number of threads may use it, and ``copy.copy`` and ``copy.deepcopy`` give the series itself. It
+    cannot be pickled.
 
     Source: Eq. (29), (31) with E1; new.
     """
@@ -85,6 +86,12 @@ class Series(Handle):
         check("series_fit", status, {"samples": x.size, "terms": terms})
         series._adopt(handle, _destroy)
         return series
+
+    def __copy__(self) -> Series:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Series:
+        return self
 
     def __repr__(self) -> str:
         return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a call leaves behind in its host: nothing. Over a grid of extreme arguments errno stays what it was, no valid call
- * raises invalid, division by zero or overflow (which a host may have made to trap), and RWEDGE_OK means finite. */
+ * raises invalid, division by zero or overflow (which a host may have made to trap), none clears an exception that the host has
+ * raised, and RWEDGE_OK means finite. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -12,6 +13,8 @@
 #include <string.h>
 
 enum { MARK = 12345 }; /* an errno that nobody sets */
+
+enum { TROUBLE = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, EVERYTHING = TROUBLE | FE_UNDERFLOW | FE_INEXACT };
 
 static const double ratios[] = {0,    5e-324, 1e-310, 1e-200, 7.9e-265, 1e-120, 1e-60,   1e-16,       1e-14, 3e-9,
                                 1e-6, 1e-3,   0.25,   0.5,    0.9999,   1 - DBL_EPSILON, 1, 1 + DBL_EPSILON, 2,  100,
@@ -29,19 +32,54 @@ static void begin(void)
 /* what, of a, b and c, gave a value. */
 static void end(const char *what, double a, double b, double c, double value)
 {
-    const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    const int raised = fetestexcept(TROUBLE);
     if (errno != MARK || raised || !isfinite(value))
         fail_msg("%s(%g, %g, %g) = %g: errno %d, exceptions:%s%s%s", what, a, b, c, value, errno == MARK ? 0 : errno,
                  raised & FE_INVALID ? " invalid" : "", raised & FE_DIVBYZERO ? " division by zero" : "",
                  raised & FE_OVERFLOW ? " overflow" : "");
 }
 
+/* A host that has raised every exception: by its arithmetic, so that they are where the library's are. */
+static void begin_raised(void)
+{
+    volatile double zero = 0, most = DBL_MAX, least = DBL_MIN, sink;
+    begin();
+    sink = zero / zero;
+    sink = most / zero;
+    sink = most * most;
+    sink = least * least;
+    (void)sink;
+}
+
+static void end_raised(const char *what, double a, double b, double c)
+{
+    const int cleared = EVERYTHING & ~fetestexcept(EVERYTHING);
+    if (errno != MARK || cleared)
+        fail_msg("%s(%g, %g, %g) in a host with all exceptions raised: errno %d, cleared:%s%s%s%s%s", what, a, b, c,
+                 errno == MARK ? 0 : errno, cleared & FE_INVALID ? " invalid" : "",
+                 cleared & FE_DIVBYZERO ? " division by zero" : "", cleared & FE_OVERFLOW ? " overflow" : "",
+                 cleared & FE_UNDERFLOW ? " underflow" : "", cleared & FE_INEXACT ? " inexact" : "");
+}
+
+/* Called twice: in a host without exceptions, and in one that has raised them all. */
 #define SPARES_THE_HOST(call, a, b, c)                                                                                         \
     do {                                                                                                                       \
         begin();                                                                                                               \
         const double value = (call);                                                                                           \
         end(#call, (a), (b), (c), value);                                                                                      \
+        begin_raised();                                                                                                        \
+        const double again = (call);                                                                                           \
+        end_raised(#call, (a), (b), (c));                                                                                      \
+        assert_true(again == value);                                                                                           \
     } while (0)
+
+/* What begin_raised() raises is all there is to clear: else the claims above claim less. */
+static void the_host_can_raise_every_exception(void **state)
+{
+    (void)state;
+    begin_raised();
+    assert_int_equal(fetestexcept(EVERYTHING), EVERYTHING);
+}
 
 static void formulas_spare_the_host(void **state)
 {
@@ -161,6 +199,7 @@ static void modes_are_left_alone(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_host_can_raise_every_exception),
         cmocka_unit_test(formulas_spare_the_host),
         cmocka_unit_test(stresses_spare_the_host),
         cmocka_unit_test(strength_spares_the_host),

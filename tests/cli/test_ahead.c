@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results computed ahead arrive in order, each once, whatever the number of threads; and may be left where they are. Run under
- * the thread sanitizer by tests/threads.sh too. */
+/* Results computed ahead arrive in order, each once, whatever the number of threads; blocks of them are computed at one time;
+ * and they may be left where they are. Run under the thread sanitizer by tests/threads.sh too. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "ahead.h"
@@ -8,8 +8,11 @@
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -51,6 +54,63 @@ static void work_may_be_left(void **state)
     ahead_stop(NULL);
 }
 
+/* Results that wait until so many of them are being computed at one time. */
+typedef struct {
+    pthread_mutex_t lock; /* of what follows */
+    pthread_cond_t change;
+    int expected, waiting;
+    bool over, met; /* nobody waits any more; and so because all came */
+} meeting;
+
+static void end_meeting(meeting *at, bool met)
+{
+    at->over = true;
+    at->met = met;
+    pthread_cond_broadcast(&at->change);
+}
+
+static bool meet(meeting *at, const struct timespec *latest)
+{
+    pthread_mutex_lock(&at->lock);
+    if (!at->over && ++at->waiting == at->expected)
+        end_meeting(at, true);
+    while (!at->over)
+        if (pthread_cond_timedwait(&at->change, &at->lock, latest) != 0 && !at->over)
+            end_meeting(at, false);
+    const bool met = at->met;
+    pthread_mutex_unlock(&at->lock);
+    return met;
+}
+
+enum { PATIENCE = 10 }; /* seconds */
+
+static void meet_others(const void *context, int64_t i, void *result)
+{
+    (void)i;
+    struct timespec latest;
+    clock_gettime(CLOCK_REALTIME, &latest);
+    latest.tv_sec += PATIENCE;
+    *(bool *)result = meet(*(meeting *const *)context, &latest);
+}
+
+/* As many blocks at a time as there are threads: none of them waits for a block of another to be computed. */
+static void blocks_are_computed_at_one_time(void **state)
+{
+    (void)state;
+    enum { COUNT = 1000 };
+    for (int threads = 2; threads <= 8; threads *= 2) {
+        meeting place = {.lock = PTHREAD_MUTEX_INITIALIZER, .change = PTHREAD_COND_INITIALIZER, .expected = threads};
+        meeting *const at = &place;
+        int met = 0;
+        ahead *work = ahead_start(threads, COUNT, sizeof(bool), meet_others, &at);
+        assert_non_null(work);
+        for (int i = 0; i < COUNT; i++)
+            met += *(const bool *)ahead_next(work) ? 1 : 0;
+        ahead_stop(work);
+        assert_int_equal(met, COUNT);
+    }
+}
+
 enum { BLOCKS_INTERRUPT = 1, BLOCKS_CRASH = 2 };
 
 static void own_mask(const void *context, int64_t i, void *result)
@@ -82,6 +142,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(results_come_in_order),
         cmocka_unit_test(work_may_be_left),
+        cmocka_unit_test(blocks_are_computed_at_one_time),
         cmocka_unit_test(threads_leave_signals_to_the_caller_but_not_their_crashes),
     };
     return cmocka_run_group_tests_name("ahead", tests, NULL, NULL);

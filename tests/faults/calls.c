@@ -257,12 +257,12 @@ static int32_t surface_yield(const double v[], double out[])
 
 /* ---- A contact after two loads ---- */
 
-/* A product that raises no exception of its own. */
+/* A product that raises no exception of its own; volatile, for else clang converts it before it looks whether it may. */
 static double product(double a, double b, double c)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return NAN;
-    const long double exact = (long double)a * b * c;
+    const volatile long double exact = (long double)a * b * c;
     return exact > DBL_MAX ? INFINITY : exact < -DBL_MAX ? -INFINITY : (double)exact;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every public function with arguments at the edges of its domain and beyond them: the header's rules for errors hold; a
- * host that traps floating-point exceptions is not trapped; its rounding mode, errno and locale are left alone and do not
- * matter; a stack of 64 KiB is enough.
+ * host that traps floating-point exceptions is not trapped, and those it has raised stay raised; its rounding mode, errno and
+ * locale are left alone and do not matter; a stack of 64 KiB is enough.
  *
  *     test_calls [CALLS [TESTS]]   of each function, drawn at random where all combinations are more (default 2000) */
 #define _GNU_SOURCE /* feenableexcept() */
@@ -130,6 +130,42 @@ static void no_call_raises_an_exception_but_inexact_and_underflow(void **state)
 {
     (void)state;
     ask_of_every_call(flags);
+}
+
+enum { EVERYTHING = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT };
+
+/* By the host's arithmetic, so that they are where the library's are. */
+static void raise_everything(void)
+{
+    volatile double zero = 0, most = DBL_MAX, least = DBL_MIN, sink;
+    feclearexcept(FE_ALL_EXCEPT);
+    sink = zero / zero;
+    sink = most / zero;
+    sink = most * most;
+    sink = least * least;
+    (void)sink;
+}
+
+static const char *keeps_flags(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    errno = 12345;
+    raise_everything();
+    const char *complaint = complaint_of(call, v, out, &status);
+    const int left = fetestexcept(EVERYTHING);
+    return complaint != NULL    ? complaint
+           : errno != 12345     ? "errno is set"
+           : left != EVERYTHING ? "an exception that the host has raised is cleared"
+                                : NULL;
+}
+
+static void no_call_clears_an_exception_of_the_host(void **state)
+{
+    (void)state;
+    raise_everything();
+    assert_int_equal(fetestexcept(EVERYTHING), EVERYTHING);
+    ask_of_every_call(keeps_flags);
 }
 
 #ifdef __GLIBC__
@@ -329,6 +365,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_answer_follows_the_rules_for_errors),
         cmocka_unit_test(no_call_raises_an_exception_but_inexact_and_underflow),
+        cmocka_unit_test(no_call_clears_an_exception_of_the_host),
 #ifdef __GLIBC__
         cmocka_unit_test(no_call_is_trapped_in_a_host_that_traps),
 #endif

@@ -127,7 +127,7 @@ if [ $campaign = yes ]; then
         sh tests/certificate/wide.sh build/tests/certificate/certificate build/cli/rwedge "$(processors)"
     step "edges of all arguments" build/tests/faults/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
-    step "failing allocations" sh tests/faults/allocations.sh build/cli/rwedge tests/data build/tests/faults/libfailmalloc.so 64
+    step "failing allocations" sh tests/faults/allocations.sh build/cli/rwedge tests/data build/tests/faults/libfailmalloc.so 2000
     step "fuzzing" sh tests/fuzz/long.sh 240 build/tests/fuzz/libfuzzer
 fi
 

@@ -14,7 +14,7 @@ mkdir files
 printf 'a,P,f,note\n2,2000,0.3,"x, y"\n1,100,0.1,b\n-1,2,3,c\n' >in.csv
 printf 'P,Q\n1,0\n1,0.2\n0.5,0\n' >history.csv
 echo old >old
-survived=0 crashes=
+survived=0 crashes= varies= missed=0
 
 # fail WHICH ALL-AFTER: one run of "$@" that was counted before.
 fail() { # k all command...
@@ -26,7 +26,11 @@ fail() { # k all command...
     status=0
     env LD_PRELOAD="$preloaded" FAIL_AT="$which" FAIL_MARK="$scratch/mark" ${all:+FAIL_ALL=1} "$rwedge" "$@" -o files/t \
         >out 2>err || status=$?
-    same "the allocation was refused" yes "$([ -f mark ] && echo yes)"
+    if [ -n "$varies" ] && [ ! -f mark ]; then
+        missed=$((missed + 1))
+    else
+        same "the allocation was refused" yes "$([ -f mark ] && echo yes)"
+    fi
     [ "$status" -eq 0 ] || refused=$((refused + 1))
     same "files" t "$(ls -A files)"
     if [ "$status" -eq 0 ] && [ -n "$crashes" ] && ! cmp -s files/t new; then
@@ -80,11 +84,14 @@ every figure 4 --data
 if "$rwedge" workbook -o book.xlsx 2>/dev/null; then
     crashes=allowed
     every solve $bodies --k 300 --input in.csv --format xlsx
+    others=$most most=$((most > 64 ? 64 : most)) # of fifty thousand
     every workbook
-    crashes=
+    most=$others crashes=
 fi
 if command -v gnuplot >/dev/null 2>&1; then
+    varies=yes # in how many pieces gnuplot's picture arrives
     every figure 4
     every figure field --a-over-b 0.3
+    same "but for a few, the allocations of a figure were refused" yes "$([ "$missed" -lt 10 ] && echo yes)"
 fi
 finish

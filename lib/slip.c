@@ -61,7 +61,7 @@ static double derivative(double X, const void *potential)
  * infinity. */
 static double far_primitive(const rw_potential *p, double x)
 {
-    const double R = 1 / (x + sqrt((x - 1) * (x + 1))), R2 = R * R;
+    const double R = 1 / (x + sqrt(x - 1) * sqrt(x + 1)), R2 = R * R; /* x^2 may overflow */
     double far[RW_FAR_TERMS];
     rw_potential_far_coefficients(p, far);
     double power = 1, sum = far[0] * (R2 / 2 - log(R)); /* power is R^2n */

@@ -121,6 +121,51 @@ static void slip_is_the_surface_strain_integrated(void **state)
     }
 }
 
+/* Of the point x against the apex, as the present tractions alone make it. */
+static double displacement(const rwedge_contact *contact, double x)
+{
+    double points[POINTS_MAX], sum = 0;
+    const size_t n = breakpoints(contact, points);
+    for (size_t piece = 0; piece < n && points[piece] < x; piece++) {
+        const double ends[] = {points[piece], fmin(points[piece + 1], x)};
+        sum += integral(half_tension, contact, 1, ends);
+    }
+    return sum;
+}
+
+/* Points that come into contact while the edge slips slip from then on: by what their displacement now is beyond that of
+ * a contact whose load ended where the edge was at them. One step or many along the same line, it is the same. */
+static void slip_begins_where_a_point_comes_into_contact(void **state)
+{
+    (void)state;
+    static const double ROUNDINGS[] = {0, 0.1, 0.35, 1};
+    const double f = 0.4, P = 0.2;
+    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++) {
+        const double a = ROUNDINGS[i];
+        rwedge_contact *once = create(a, f), *often = create(a, f);
+        load(once, P / 2, -0.15 * f * P);
+        load(often, P / 2, -0.15 * f * P);
+        const double first = rwedge_contact_half_width(once);
+        load(once, P, 0.9 * f * P);
+        for (int part = 1; part <= 7; part++)
+            load(often, P / 2 + P / 2 * part / 7, f * P * (-0.15 + 1.05 * part / 7));
+        const double b = rwedge_contact_half_width(once);
+        for (int k = 1; k < 16; k++) {
+            const double x = first + (b - first) * k / 16, u = rwedge_normal_load(THETA, a, A, x);
+            rwedge_contact *then = create(a, f);
+            load(then, P / 2, -0.15 * f * P);
+            load(then, u, f * (-0.15 * P + 1.05 * (2 * u - P)));
+            const double expected = displacement(once, x) - displacement(then, x);
+            assert_within(slip(once, x), expected, 1e-13 * f * THETA * b);
+            assert_within(slip(often, x), expected, 1e-13 * f * THETA * b);
+            assert_true(fabs(expected) > 1e-4 * f * THETA * b);
+            rwedge_contact_destroy(then);
+        }
+        rwedge_contact_destroy(often);
+        rwedge_contact_destroy(once);
+    }
+}
+
 /* ---- Equilibrium and Coulomb's law ---- */
 
 static double pressure_at(double x, const void *contact)
@@ -421,6 +466,7 @@ int main(void)
         cmocka_unit_test(hertz_loading_unloading_reloading_is_mindlin),
         cmocka_unit_test(hertz_slip_is_cattaneo),
         cmocka_unit_test(slip_is_the_surface_strain_integrated),
+        cmocka_unit_test(slip_begins_where_a_point_comes_into_contact),
         cmocka_unit_test(fig_7_of_the_paper_is_one_load),
         cmocka_unit_test(tractions_add_up_to_the_load_after_every_step),
         cmocka_unit_test(friction_is_nowhere_exceeded),

@@ -276,9 +276,10 @@ static void bad_points_write_nothing(void **state)
     load(contact, 0.2, 0.05);
     assert_int_equal(rwedge_contact_tractions(sharp, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
-    const double b = rwedge_contact_half_width(contact), bad[4] = {NAN, HUGE_VAL, -HUGE_VAL, 1.0001 * b};
-    for (int i = 0; i < 4; i++) {
-        x[1] = bad[i];
+    const double b = rwedge_contact_half_width(contact), bad[] = {NAN, HUGE_VAL, -HUGE_VAL, 1.0001 * b, -1.0001 * b};
+    for (int i = 0; i < 5; i++) {
+        const double alone = x[1] = bad[i];
+        assert_int_equal(rwedge_contact_slip(contact, 1, &alone, s[0]), RWEDGE_EDOMAIN);
         assert_int_equal(rwedge_contact_slip(contact, 2, x, s[0]), RWEDGE_EDOMAIN);
         if (i < 3) {
             assert_int_equal(rwedge_contact_tractions(contact, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);

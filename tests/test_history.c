@@ -268,6 +268,19 @@ static void inside_its_patch_the_gap_is_closed(void **state)
     assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
 }
 
+/* Where the patch is a point, what it deforms is a part log(x)/x of the profile, and x^2 overflows. */
+static void far_from_its_patch_the_gap_is_the_profile(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250}, XS[] = {1e20, 1e154, 1e200, 1e280};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
+            rw_potential patch;
+            rw_potential_init(&patch, ALPHAS[i]);
+            assert_close(rw_gap(&patch, XS[j]), rw_profile(ALPHAS[i], XS[j]), 1e-15);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -283,6 +296,7 @@ int main(void)
         cmocka_unit_test(the_gap_beside_a_patch_is_that_of_its_flat_punches),
         cmocka_unit_test(the_gap_opens_with_the_power_three_halves),
         cmocka_unit_test(inside_its_patch_the_gap_is_closed),
+        cmocka_unit_test(far_from_its_patch_the_gap_is_the_profile),
     };
     return RUN_CLAIMS("history", tests);
 }

@@ -233,10 +233,13 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(rwedge_series_fit(0, NULL, NULL, 2, &series), RWEDGE_ERANK);
     const double bad[] = {NAN, HUGE_VAL, 1, -1};
     for (int i = 0; i < 4; i++) {
-        x[1] = bad[i];
-        assert_int_equal(rwedge_series_fit(3, x, p, 2, &series), RWEDGE_EDOMAIN);
+        for (int place = 0; place < 3; place++) {
+            const double good = x[place];
+            x[place] = bad[i];
+            assert_int_equal(rwedge_series_fit(3, x, p, 1, &series), RWEDGE_EDOMAIN);
+            x[place] = good;
+        }
     }
-    x[1] = 0;
     p[2] = NAN;
     assert_int_equal(rwedge_series_fit(3, x, p, 2, &series), RWEDGE_EDOMAIN);
     assert_null(series);

@@ -152,6 +152,13 @@ static void bad_arguments_are_not_numbers(void **state)
     assert_nan(rwedge_shear(0, 0, 0));
 }
 
+static void a_stick_zone_too_narrow_to_be_seen_changes_nothing(void **state)
+{
+    (void)state;
+    assert_close(rwedge_shear(0.5, 1e-300, 0), rwedge_pressure(0.5, 0), 0);
+    assert_close(rwedge_shear(0.5, 1e-300, 5e-301), rwedge_pressure(0.5, 0), 1e-15);
+}
+
 static void shear_is_even(void **state)
 {
     (void)state;
@@ -173,6 +180,7 @@ int main(void)
         cmocka_unit_test(sharp_wedge_sticks_at_its_apex),
         cmocka_unit_test(the_smallest_tips_slip_like_the_sharp_wedge),
         cmocka_unit_test(bad_arguments_are_not_numbers),
+        cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_changes_nothing),
         cmocka_unit_test(shear_is_even),
     };
     return RUN_CLAIMS("stick", tests);

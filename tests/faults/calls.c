@@ -168,15 +168,14 @@ static bool has_rounding(const double v[])
 /* v: theta, a, A, P. */
 static bool has_half_width(const double v[])
 {
-    const long double length = (long double)v[2] * v[3] / v[0];
-    return length <= 1.57L * v[1] ? length * v[1] / 1.5707963L <= (long double)DBL_MAX * DBL_MAX : length / 2 <= DBL_MAX;
+    return (long double)v[2] * v[3] / v[0] <= (long double)DBL_MAX * rwedge_load(v[1] / DBL_MAX);
 }
 
 /* v: theta, a, A, b. */
 static bool has_load(const double v[])
 {
     const long double width = (long double)v[0] / v[2] * v[3];
-    return (v[3] < v[1] ? width * v[3] / v[1] * 1.5707963L : width * 2) <= DBL_MAX;
+    return v[3] == 0 || width * (v[3] < v[1] ? 1.57079632679489662L * v[3] / v[1] : rwedge_load(v[1] / v[3])) <= DBL_MAX;
 }
 
 static bool is_not_sharp(const double v[])

@@ -4,6 +4,7 @@
 # (include/, lib/). Quiet, unless it fails.    private.sh FOLDER [CMAKE-ARGUMENTS...]
 set -eu
 source=$(cd "$(dirname "$0")/.." && pwd)
+[ $# -ge 1 ] || { echo 'private.sh FOLDER [CMAKE-ARGUMENTS...]: the FOLDER is missing' >&2; exit 2; }
 folder=$1/private
 shift
 mkdir -p "$folder"

@@ -136,8 +136,9 @@ RWEDGE_API double rwedge_shear(double alpha, double c, double x);
 /* ---- Interior stresses -------------------------------------------------------------------------------------------- */
 
 /* Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
+ *   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
  *   sxx, syy, txy  each receives one number
- * RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL.
  * Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy. */
 RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, double y,
                                  double *sxx, double *syy, double *txy);
@@ -278,19 +279,18 @@ RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
  * Q > 0. Both are 0 for |x| >= b.                                                        Eq. (8), (12), (14), (22) to (27)
- *   x     length, finite
+ *   x     length, finite; not the apex 0 of a loaded sharp wedge
  *   p, q  each receives n numbers
- * RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
- * in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|). */
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+ * Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|). */
 RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
                                             double p[], double q[]);
 
 /* Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
- *   x, y           length, finite, y >= 0
+ *   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b
  *   sxx, syy, txy  each receives n numbers
- * RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
- * written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
- * of the history. */
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+ * Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history. */
 RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
                                            double sxx[], double syy[], double txy[]);
 
@@ -352,9 +352,9 @@ RWEDGE_API int32_t rwedge_series_terms(const rwedge_series *series);
 /* a_k; 0 for k >= terms; NaN for k < 0 or NULL. */
 RWEDGE_API double rwedge_series_coefficient(const rwedge_series *series, int32_t k);
 
-/* Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
- * k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
- * sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL. */
+/* Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample. From
+ * rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G|
+ * anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum). NaN for NULL. */
 RWEDGE_API double rwedge_series_residual(const rwedge_series *series);
 
 /* The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                                               Eq. (29) */

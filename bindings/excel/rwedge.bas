@@ -495,8 +495,9 @@ End Function
 ' ---- Interior stresses --------------------------------------------------------------------------------------------
 
 ' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
+'   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
 '   sxx, syy, txy  each receives one number
-' RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 ' Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy.
 ' In a cell: the row sxx, syy, txy.
 Public Function RWEDGE_STRESS( _
@@ -772,10 +773,10 @@ End Function
 
 ' Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
 ' Q > 0. Both are 0 for |x| >= b.                                                        Eq. (8), (12), (14), (22) to (27)
-'   x     length, finite
+'   x     length, finite; not the apex 0 of a loaded sharp wedge
 '   p, q  each receives n numbers
-' RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
-' in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
+' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+' Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: a row for each point: p, q.
 Public Function RWEDGE_CONTACT_TRACTIONS( _
@@ -798,11 +799,10 @@ Attribute RWEDGE_CONTACT_TRACTIONS.VB_Description = "Pressure p and shear tracti
 End Function
 
 ' Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
-'   x, y           length, finite, y >= 0
+'   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b
 '   sxx, syy, txy  each receives n numbers
-' RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
-' written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
-' of the history.
+' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+' Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: a row for each point: sxx, syy, txy.
 Public Function RWEDGE_CONTACT_STRESSES( _
@@ -916,12 +916,12 @@ Attribute RWEDGE_SERIES_COEFFICIENT.VB_Description = "a_k; 0 for k >= terms; NaN
     If series <> 0 Then c_series_destroy series
 End Function
 
-' Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
-' k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
-' sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL.
+' Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample. From
+' rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G|
+' anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum). NaN for NULL.
 ' In a cell: the series is made of x_samples, p_samples, terms.
 Public Function RWEDGE_SERIES_RESIDUAL(ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long) As Variant
-Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum)."
+Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample."
     Dim series As LongPtr, status As Long
     status = series_through(x_samples, p_samples, terms, series)
     If status = RWEDGE_OK Then

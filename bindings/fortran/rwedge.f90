@@ -479,7 +479,7 @@ contains
         text = text // ': ' // rwedge_error_text(status)
         if (status == rwedge_enull) text = text // ' (create it first)'
         do i = 1, size(values)
-            write (number, '(g0)') values(i)
+            write (number, '(g0.15)') values(i)
             text = text // merge(': ', ', ', i == 1) // trim(number)
         end do
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
@@ -665,8 +665,9 @@ contains
     ! ---- Stresses and strength -----------------------------------------------------------------------------------------
 
     !> Stresses at the point (x, y), in theta/A, tension positive; closed form.   Eq. (28), (32), (33) with E4, E8; new
+    !>   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
     !>   sxx, syy, txy  each receives one number
-    !> RWEDGE_EDOMAIN outside the domain, and at the apex of the sharp wedge; RWEDGE_ENULL.
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
     !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy.
     impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
         real(c_double), intent(in) :: alpha, f, c, x, y
@@ -872,10 +873,10 @@ contains
 
     !> Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
     !> Q > 0. Both are 0 for |x| >= b.   Eq. (8), (12), (14), (22) to (27)
-    !>   x     length, finite
+    !>   x     length, finite; not the apex 0 of a loaded sharp wedge
     !>   p, q  each receives n numbers
-    !> RWEDGE_EDOMAIN, also at the apex x = 0 of the loaded sharp wedge; RWEDGE_ENULL. Nothing is written unless every point is
-    !> in the domain. Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
     subroutine contact_tractions(this, x, p, q, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: x(:)
@@ -899,11 +900,10 @@ contains
     end subroutine
 
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
-    !>   x, y           length, finite, y >= 0
+    !>   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b
     !>   sxx, syy, txy  each receives n numbers
-    !> RWEDGE_EDOMAIN, also at the apex of the loaded sharp wedge, or nearer to it than 2.2e-308 b; RWEDGE_ENULL. Nothing is
-    !> written unless every point is in the domain. Error below 1e-13 of what rwedge_stress() says, for every remembered point
-    !> of the history.
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
     subroutine contact_stresses(this, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: x(:), y(:)
@@ -1097,9 +1097,9 @@ contains
         value = c_series_coefficient(this%handle, k)
     end function
 
-    !> Error of the series as a pressure. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for
-    !> k >= terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite
-    !> sum). From rwedge_series_fit(): the root mean square of fit minus sample. NaN for NULL.
+    !> Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample. From
+    !> rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G|
+    !> anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum). NaN for NULL.
     pure function series_residual(this) result(value)
         class(rwedge_series), intent(in) :: this
         real(c_double) :: value

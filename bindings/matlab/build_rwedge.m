@@ -89,8 +89,9 @@ end
 
 function compile(source, include, library, folder)
 if exist('OCTAVE_VERSION', 'builtin')
-    status = system(sprintf('mkoctfile --mex -I"%s" "%s" "%s" -o "%s"', include, source, library, ...
-        fullfile(folder, ['rwedge_mex.' mexext()])));
+    go = {'cd', 'cd /d'}; % mkoctfile would take a space in the path of its result for the end of it
+    status = system(sprintf('%s "%s" && mkoctfile --mex -I"%s" "%s" "%s" -o rwedge_mex.%s', go{1 + ispc()}, folder, ...
+        make_absolute_filename(include), make_absolute_filename(source), make_absolute_filename(library), mexext()));
     if status ~= 0
         error('rwedge:build', 'mkoctfile failed');
     end

@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 
 # Declarations of this header alone, one a line.
 cc -E "$1" | awk -v header="$1" '
-/^# [0-9]+ "/ { ours = index($3, "\"" header "\"") == 1; next }
+/^# [0-9]+ "/ { ours = index($0, " \"" header "\"") > 0; next }
 ours' | tr '\n' ' ' | sed 's/;/;\n/g' | awk '
 {
     gsub(/__attribute__ *\(\( *visibility *\("default"\) *\)\)/, "")

@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { MAX_ARGUMENTS = 6, MAX_RESULTS = 3 };
 
@@ -52,6 +53,7 @@ static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
                       nu = {"nu", 0, 0.5, false, "0 to 0.5"},
                       c = {"c", 0, 1, false, "0 to 1"},
                       x = {"x", -DBL_MAX, DBL_MAX, false, "finite"},
+                      point = {"x", -DBL_MAX, DBL_MAX, false, "finite, and (x, y) not the apex (0, 0) of a sharp wedge"},
                       y = {"y", 0, DBL_MAX, false, "finite and >= 0"},
                       theta = {"theta", 0, 1.5707963267948963, true, "> 0 and < pi/2"},
                       a = {"a", 0, DBL_MAX, false, "finite and >= 0"},
@@ -98,7 +100,7 @@ static void fail_with(int32_t status, const char *function, int arguments, const
     for (int j = 0; !length && j < arguments; j++)
         snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s = %s", j ? ", " : ": ", of[j]->name,
                  text_of(v[j], number));
-    for (int j = 0; !length && status == RWEDGE_ERANGE && j < arguments; j++)
+    for (int j = 0; !length && is_outside && j < arguments; j++)
         snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s %s", j ? ", " : "; allowed is ", of[j]->name,
                  of[j]->allowed);
     if (n > 1)
@@ -106,19 +108,28 @@ static void fail_with(int32_t status, const char *function, int arguments, const
     fail(reason_of(status), "rwedge_%s: %s%s%s", function, rwedge_strerror(status), blamed, place);
 }
 
-/* ---- Handles: numbers that are never used twice ------------------------------------------------------------------- */
+/* ---- Handles: pairs of numbers that are never used twice ---------------------------------------------------------- */
 
 typedef enum { NOTHING, CONTACT, SERIES } kind;
 
 typedef struct {
     kind of;
     void *object;
-    double number;
+    double number[2]; /* which copy of this file, and which of its objects */
 } handle;
 
 static handle *handles;
 static size_t handle_count, alive;
 static double last_number;
+
+/* When and where this copy of the file was loaded: after build_rwedge there may be two, that of the old objects and the new. */
+static double this_copy(void)
+{
+    static double number;
+    if (number == 0)
+        number = ldexp((double)time(NULL), 20) + (double)((uintptr_t)&number >> 12 & 0xfffff);
+    return number;
+}
 
 static void destroy(handle *h)
 {
@@ -160,20 +171,22 @@ static handle *free_slot(void)
 }
 
 /* The library stays in memory while there are objects of its own: "clear all" must not take it from them. */
-static double keep(handle *slot, kind of, void *object)
+static mxArray *keep(handle *slot, kind of, void *object)
 {
-    *slot = (handle){of, object, ++last_number};
+    *slot = (handle){of, object, {this_copy(), ++last_number}};
     if (alive++ == 0)
         mexLock();
-    return slot->number;
+    mxArray *number = mxCreateDoubleMatrix(1, 2, mxREAL);
+    memcpy(mxGetPr(number), slot->number, sizeof slot->number);
+    return number;
 }
 
 static handle *find(kind of, const mxArray *number)
 {
-    if (!mxIsDouble(number) || mxIsComplex(number) || mxGetNumberOfElements(number) != 1)
+    if (!mxIsDouble(number) || mxIsComplex(number) || mxGetNumberOfElements(number) != 2)
         return NULL;
     for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].of == of && handles[i].number == mxGetScalar(number))
+        if (handles[i].of == of && memcmp(handles[i].number, mxGetPr(number), sizeof handles[i].number) == 0)
             return &handles[i];
     return NULL;
 }
@@ -295,7 +308,7 @@ static const function functions[] = {
     {"half_width", NOTHING, 4, 1, half_width, NULL, {0}, NULL, 0},
     {"normal_load", NOTHING, 4, 1, normal_load, NULL, {0}, NULL, 0},
     {"yield_load", NOTHING, 6, 1, yield_load, NULL, {0}, NULL, 0},
-    {"stress", NOTHING, 5, 3, NULL, stress, {&alpha, &f, &c, &x, &y}, stresses, 3},
+    {"stress", NOTHING, 5, 3, NULL, stress, {&alpha, &f, &c, &point, &y}, stresses, 3},
     {"yield_point", NOTHING, 3, 3, NULL, yield_point, {&tip, &f, &nu}, NULL, 0},
     {"subsurface_yield", NOTHING, 3, 3, NULL, subsurface_yield, {&tip, &f, &nu}, NULL, 0},
     {"surface_yield", NOTHING, 3, 2, NULL, surface_yield, {&tip, &f, &nu}, NULL, 0},
@@ -304,7 +317,7 @@ static const function functions[] = {
     {"contact_stick_half_width", CONTACT, 0, 1, contact_stick_half_width, NULL, {0}, NULL, 0},
     {"contact_memory", CONTACT, 0, 1, contact_memory, NULL, {0}, NULL, 0},
     {"contact_tractions", CONTACT, 1, 2, NULL, contact_tractions, {&surface}, contact_tractions_at, 0},
-    {"contact_stresses", CONTACT, 2, 3, NULL, contact_stresses, {&x, &y}, contact_stresses_at, 0},
+    {"contact_stresses", CONTACT, 2, 3, NULL, contact_stresses, {&point, &y}, contact_stresses_at, 0},
     {"contact_slip", CONTACT, 1, 1, NULL, contact_slip, {&inside}, contact_slip_at, 0},
     {"contact_dissipated_energy", CONTACT, 0, 1, contact_dissipated_energy, NULL, {0}, NULL, 0},
     {"contact_yield_factor", CONTACT, 2, 3, NULL, contact_yield_factor, {&nu, &k}, NULL, 0},
@@ -430,7 +443,7 @@ static mxArray *contact_create(const mxArray *const arguments[])
     const int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &contact);
     if (status != RWEDGE_OK)
         fail_with(status, "contact", 4, of, v, 0, 1);
-    return mxCreateDoubleScalar(keep(slot, CONTACT, contact));
+    return keep(slot, CONTACT, contact);
 }
 
 static mxArray *contact_copy(const mxArray *const arguments[])
@@ -443,7 +456,7 @@ static mxArray *contact_copy(const mxArray *const arguments[])
     const int32_t status = rwedge_contact_copy(from->object, &copy);
     if (status != RWEDGE_OK)
         fail_with(status, "contact_copy", 0, NULL, NULL, 0, 1);
-    return mxCreateDoubleScalar(keep(slot, CONTACT, copy));
+    return keep(slot, CONTACT, copy);
 }
 
 static mxArray *series_create(const mxArray *const arguments[])
@@ -456,7 +469,7 @@ static mxArray *series_create(const mxArray *const arguments[])
     const int32_t status = is_int32(v[1]) ? rwedge_series_create(v[0], (int32_t)v[1], &series) : RWEDGE_EDOMAIN;
     if (status != RWEDGE_OK)
         fail_with(status, "series", 2, of, v, 0, 1);
-    return mxCreateDoubleScalar(keep(slot, SERIES, series));
+    return keep(slot, SERIES, series);
 }
 
 /* For the first of n samples that is outside the domain. */
@@ -488,7 +501,7 @@ static mxArray *series_fit(const mxArray *const arguments[])
         fail_at_sample(n, samples);
     if (status != RWEDGE_OK)
         fail_with(status, "series_fit", 1, of, &count, 0, 1);
-    return mxCreateDoubleScalar(keep(slot, SERIES, series));
+    return keep(slot, SERIES, series);
 }
 
 /* Nothing where there is nothing: a destructor must not fail. */

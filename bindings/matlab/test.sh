@@ -25,7 +25,9 @@ octave()
     octave-cli --no-init-file --no-history --path "$here" --path "$PWD/rwedge" "$@"
 }
 
-sh "$here/check_header.sh" "$prefix/include/rwedge.h"
+mkdir "a place"
+cp "$prefix/include/rwedge.h" "a place"
+sh "$here/check_header.sh" "$PWD/a place/rwedge.h"
 # each of these must be refused
 violations=0
 while read -r violation; do
@@ -77,6 +79,19 @@ grep -q 'librwedge.a built with -DRWEDGE_PRIVATE_DEPS=ON?' refused.txt || fail "
 octave --eval "try, build_rwedge('nowhere', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
 grep -q 'rwedge.h is missing: is rwedge installed at nowhere?' refused.txt || fail "nothing is taken for a library"
 cp -r rwedge before
+# objects of one build are none of another's
+cat >other_build.m <<'END'
+old = rwedge_contact(0.01, 2, 1e-5, 0.3);
+old.load(10, 0);
+addpath('before');
+new = rwedge_contact(0.01, 2, 1e-5, 0.3);
+new.load(1000, 0);
+width = new.half_width();
+try, old.half_width(), catch err, disp(err.identifier), end
+clear old
+disp(new.half_width() == width)
+END
+[ "$(octave other_build.m)" = "$(printf 'rwedge:handle\n1')" ] || fail "another build's object: $(octave other_build.m)"
 octave --eval "try, build_rwedge('lacking', 'before'), catch err, disp(err.message), end" >/dev/null 2>&1
 diff -r rwedge before || fail "a build that fails changes what was there"
 for left in refused refused-* before-* rwedge-*; do
@@ -87,9 +102,9 @@ for inner in lib64 lib/x86_64-linux-gnu; do
     mkdir -p "elsewhere/$inner"
     ln -s "$prefix/include" elsewhere/
     ln -s "$prefix/lib/librwedge.a" "elsewhere/$inner"
-    octave --eval "build_rwedge('elsewhere', 'found');" >/dev/null
-    [ "$(ls found)" = "$(ls rwedge)" ] || fail "a library in $inner is not found"
-    rm -r elsewhere found
+    octave --eval "build_rwedge('elsewhere', 'a place/found');" >/dev/null
+    [ "$(ls "a place/found")" = "$(ls rwedge)" ] || fail "a library in $inner is not found"
+    rm -r elsewhere "a place/found"
 done
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
@@ -109,7 +124,6 @@ mxGetDimensions
 mxGetNumberOfDimensions
 mxGetNumberOfElements
 mxGetPr
-mxGetScalar
 mxGetString
 mxIsComplex
 mxIsDouble

@@ -66,7 +66,7 @@ function errors()
         @() rwedge_stress(0.3, 0.2, 0, 0, [1 -1]));
     refused('domain', {'y = NaN'}, @() rwedge_stress(0.3, 0.2, 0, [0 0], [1 NaN]));
     refused('domain', {'f = 2000000', '0 to 1e6'}, @() rwedge_stress(0.3, 2e6, 0, 0, 1));
-    refused('domain', {'alpha = 0, f = 0.2'}, @() rwedge_stress(0, 0.2, 0, 0, 0)); % the apex: none alone is to blame
+    refused('domain', {'alpha = 0, f = 0.2', 'not the apex (0, 0)'}, @() rwedge_stress(0, 0.2, 0, 0, 0)); % none alone is to blame
     refused('domain', {'nu = 0.6', '0 to 0.5'}, @() rwedge_yield_point(0.3, 0.2, 0.6));
     refused('domain', {'alpha = 1e-15', '1e-14'}, @() rwedge_yield_point(1e-15, 0.2, 0.3));
     refused('domain', {'theta = 2', 'pi/2'}, @() rwedge_contact(2, 0.5, 1.8e-5, 0.6));
@@ -111,6 +111,7 @@ function contacts()
     sharp = rwedge_contact(0.01, 0, 1.8e-5, 0.6);
     sharp.load(1000, 0);
     refused('domain', {'x = 0', 'sharp wedge'}, @() sharp.tractions(0));
+    refused('domain', {'x = 0, y = 0', 'not the apex (0, 0)'}, @() sharp.stresses(0, 0));
     refused('handle', {'no such contact'}, @() rwedge_contact().load(1, 0));
     refused('handle', {'no such contact'}, @() rwedge_mex('contact_load', 1e6, 1, 0));
     x = [0 0.3; -0.2 0.5] * c.half_width();

@@ -18,7 +18,7 @@ for i = 1:numel(declared)
         family = family(1:end - 1);
         server = ['rwedge_' family];
         if isempty(regexp(d.name, '_(create|copy|destroy|fit)$', 'once'))
-            methods.(family) = [methods.(family) method_text(d, family)];
+            methods.(family) = [methods.(family) method_text(d, family, common)];
         end
     end
     names(end + 1, :) = {['rwedge_' d.name], server, numel(d.inputs), numel(d.outputs)}; %#ok<AGROW>
@@ -195,13 +195,13 @@ if count > 0
 end
 end
 
-function text = method_text(d, family)
+function text = method_text(d, family, common)
 method = d.name(numel(family) + 2:end);
 arguments = [{family}, d.inputs];
 call = call_text(d.outputs, [family '.' method], d.inputs);
 text = [char(10) '        function ' call_text(d.outputs, method, arguments) char(10) ...
     '        %' upper(method) '  ' call char(10) ...
-    commented(help_lines(d, struct('natural', {cell(0, 2)}, 'dimensional', {cell(0, 2)})), '        ') ...
+    commented(help_lines(d, common), '        ') ...
     enough_text(numel(arguments) * ~isempty(d.inputs), call, '            ') ...
     '            ' call_text(d.outputs, 'rwedge_mex', [{['''' d.name ''''], [family '.number']}, d.inputs]) ';' char(10) ...
     '        end' char(10)];

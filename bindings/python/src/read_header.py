@@ -12,7 +12,7 @@ from pathlib import Path
 SECTION = re.compile(r"/\* -{4} (.*?) -+ \*/")
 FUNCTION = re.compile(r"^RWEDGE_API (.*?)rwedge_(\w+)\((.*?)\);", re.DOTALL | re.MULTILINE)
 PIECE = re.compile(rf"{SECTION.pattern}|/\*(.*?)\*/|{FUNCTION.pattern}", re.DOTALL | re.MULTILINE)
-SOURCE = re.compile(r" {2,}((?:Eqs?\.|Sec\.|Figs?\.|Dundurs|new).*)$", re.MULTILINE)
+SOURCE = re.compile(r"\n? {2,}((?:Eqs?\.|Sec\.|Figs?\.|Dundurs|new).*)$", re.MULTILINE)
 ARGUMENT = re.compile(r"^   (\w+(?:, \w+)*)  +(\S.*(?:\n {5,}\S.*)*)\n?", re.MULTILINE)
 LIKE = re.compile(r"arguments as for (\w+)\(\); (.*)")
 SENTENCE_END = re.compile(r"(?<=\.)(?<!Fig\.)\s+")

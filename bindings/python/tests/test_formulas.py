@@ -178,7 +178,7 @@ def test_masked_arrays_keep_their_mask():
 def test_stresses_raises_and_names_the_point():
     x = np.zeros((2, 3))
     y = np.array([[1, 2, 3], [4, -5.0, 6]])
-    with pytest.raises(rwedge.Error, match=r"x\[1, 1\] = 0.0, y\[1, 1\] = -5.0: an argument is outside its domain.*y: depth below it, in b, finite, >= 0"):
+    with pytest.raises(rwedge.Error, match=r"x\[1, 1\] = 0.0, y\[1, 1\] = -5.0: an argument is outside its domain.*y: in b, finite, y >= 0; not the apex"):
         rwedge.stresses(0.25, 0.3, 0, x, y)
     y[1, 1] = np.nan
     for raising, ufunc in zip(rwedge.stresses(0.25, 0.3, 0, x, y), rwedge.stress(0.25, 0.3, 0, x, y)):
@@ -201,6 +201,7 @@ def test_docstring_says_what_the_header_says(name):
     doc, about = UFUNCS[name].__doc__, FUNCTIONS[name]
     inputs = [argument for kind, argument in about["parameters"] if kind != "double *"]
     assert f"{name}({', '.join(inputs)})" in doc
+    assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
     for argument in inputs:
         assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0]}" in doc
     assert f"Source: {about['source']}." in doc and about["source"]

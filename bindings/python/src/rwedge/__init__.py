@@ -6,7 +6,7 @@ NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does 
 exception of it); NaN among the arguments gives NaN without one.
 
 ``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
-raises. These raise ValueError outside the domain; NaN gives NaN.
+raises. These raise ValueError outside the domain. NaN among points gives NaN; as a parameter, a load or a sample it is refused.
 
 Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
 in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
@@ -35,5 +35,5 @@ _stresses = _Points("stress")
 
 def stresses(alpha, f, c, x, y):
     """Stresses sxx, syy, txy in the broadcast shape of the arguments: the ufunc ``stress``, which see, but with a ValueError
-    that says where the domain was left. NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
+    that says where the domain was left; NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
     return _stresses(alpha, f, c, x, y)

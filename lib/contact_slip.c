@@ -81,7 +81,7 @@ static double slip_at(const rwedge_contact *contact, double x)
         w -= departure_displacement(contact, &departure, slip, x);
     const double at_centre = kept > 1 ? entry->base.corners[1].ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
-    return contact->f * g->theta * w;
+    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f; /* what is small last */
 }
 
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[])

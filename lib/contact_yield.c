@@ -11,7 +11,6 @@
  * Every maximum of the grid that is not far below the highest is then followed to its top. */
 #include "contact.h"
 
-#include "scaled.h"
 #include "stress.h"
 #include "von_mises.h"
 
@@ -212,11 +211,6 @@ static bool is_infinite(const rwedge_contact *contact, double kappa)
     return contact->geometry.a == 0 && (kappa > 0 || contact->f * contact->path.corners[1].ratio != 0);
 }
 
-static rw_scaled unit_stress(const rwedge_contact *contact)
-{
-    return rw_scaled_over(rw_scaled_from(contact->geometry.theta), rw_scaled_from(contact->geometry.A));
-}
-
 int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k, double *factor, double *x,
                                     double *y)
 {
@@ -234,7 +228,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
             search_around(&s, i);
         if (!(s.J2 > 0)) /* unreached: the grid has points with stress */
             return RWEDGE_ERANGE;
-        rw_scaled highest = rw_scaled_times(unit_stress(contact), rw_scaled_from(sqrt(s.J2)));
+        rw_scaled highest = rw_scaled_times(rw_unit_stress(&contact->geometry), rw_scaled_from(sqrt(s.J2)));
         highest.exponent -= doublings;
         found = rw_scaled_value(rw_scaled_over(rw_scaled_from(k), highest));
     }

@@ -3,7 +3,6 @@
 #include "rwedge.h"
 
 #include "geometry.h"
-#include "scaled.h"
 #include "solve.h"
 
 #include <float.h>
@@ -55,11 +54,21 @@ double rwedge_half_width(double theta, double a, double A, double P)
 }
 
 /* A P/(theta b). For Hertz a/b may be too large for a double, and for a sharp wedge, all but, too small. */
-static rw_scaled load_per_width(double a, double b)
+static rw_scaled load_per_width(double a, rw_scaled b)
 {
-    if (b > a)
-        return rw_scaled_from(rwedge_load(a / b));
-    return rw_scaled_over(rw_scaled_times(rw_scaled_from(RW_HALF_PI), rw_scaled_from(b)), rw_scaled_from(a));
+    if (a == 0)
+        return rw_scaled_from(rwedge_load(0));
+    const rw_scaled alpha = rw_scaled_over(rw_scaled_from(a), b);
+    if (alpha.exponent < 1)
+        return rw_scaled_from(rwedge_load(rw_scaled_value(alpha)));
+    return rw_scaled_over(rw_scaled_times(rw_scaled_from(RW_HALF_PI), b), rw_scaled_from(a));
+}
+
+/* The load of the half-width b, which may be no double where the load is one. */
+static double normal_load(const rw_geometry *geometry, rw_scaled b)
+{
+    const rw_scaled sharp = rw_scaled_times(rw_unit_stress(geometry), b);
+    return rw_scaled_value(rw_scaled_times(sharp, load_per_width(geometry->a, b)));
 }
 
 double rwedge_normal_load(double theta, double a, double A, double b)
@@ -67,10 +76,7 @@ double rwedge_normal_load(double theta, double a, double A, double b)
     const rw_geometry geometry = {theta, a, A};
     if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(b))
         return NAN;
-    if (b == 0)
-        return 0;
-    const rw_scaled stress = rw_scaled_over(rw_scaled_from(theta), rw_scaled_from(A));
-    return rw_scaled_value(rw_scaled_times(rw_scaled_times(stress, rw_scaled_from(b)), load_per_width(a, b)));
+    return b == 0 ? 0 : normal_load(&geometry, rw_scaled_from(b));
 }
 
 /* The peak of sqrt(J2) in theta/A, from the elastic limit P/(bk): P = (theta/A) b load(alpha). */
@@ -89,12 +95,12 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
-/* A k/theta; all that is larger than any peak is the same. */
-static double wanted_peak(const rw_geometry *geometry, double k)
+/* A k/theta, which may be no double where the load is one; all that is larger than any peak is the same. */
+static rw_scaled wanted_peak(const rw_geometry *geometry, double k)
 {
     const rw_scaled compliance = rw_scaled_over(rw_scaled_from(geometry->A), rw_scaled_from(geometry->theta));
     const rw_scaled wanted = rw_scaled_times(compliance, rw_scaled_from(k));
-    return wanted.exponent > 1000 ? 1e300 : rw_scaled_value(wanted);
+    return wanted.exponent > 1000 ? rw_scaled_from(1e300) : wanted;
 }
 
 /* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the
@@ -104,15 +110,16 @@ double rwedge_yield_load(double theta, double a, double A, double f, double nu, 
     const rw_geometry geometry = {theta, a, A};
     if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
         return NAN;
-    const yielding y = {f, nu, wanted_peak(&geometry, k)};
+    const rw_scaled wanted = wanted_peak(&geometry, k), rounding = rw_scaled_from(a);
+    const yielding y = {f, nu, rw_scaled_value(wanted)};
     if (a == 0)
-        return f == 0 && nu == 0.5 && y.wanted > peak(0, f, nu) ? HUGE_VAL : 0;
-    const double hertz = peak(1, f, nu);
-    if (y.wanted <= hertz)
-        return rwedge_normal_load(theta, a, A, a * (y.wanted / hertz));
+        return rw_friction(f) == 0 && nu == 0.5 && y.wanted > peak(0, f, nu) ? HUGE_VAL : 0;
+    const rw_scaled share = rw_scaled_over(wanted, rw_scaled_from(peak(1, f, nu)));
+    if (rw_scaled_value(share) <= 1)
+        return normal_load(&geometry, rw_scaled_times(rounding, share));
     const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
     if (!(excess(lowest, &y) < 0))
         return HUGE_VAL;
     const double alpha = exp(rw_root(excess, &y, lowest, 0, 1e-17));
-    return rwedge_normal_load(theta, a, A, rw_scaled_value(rw_scaled_over(rw_scaled_from(a), rw_scaled_from(alpha))));
+    return normal_load(&geometry, rw_scaled_over(rounding, rw_scaled_from(alpha)));
 }

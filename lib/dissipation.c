@@ -133,11 +133,19 @@ static double layer_integral(const layer *l)
 
 /* ---- The step ---- */
 
+/* Loads are over the unit. */
 typedef struct {
     const rw_path *path;
+    double per_unit;
     double top, run, rise; /* the step: t = 0 ... 1 */
     double corner_load;
 } step;
+
+/* How far a corner of the path lies below its end. */
+static double depth_of(const step *s, size_t i)
+{
+    return s->top - s->path->corners[i].load * s->per_unit;
+}
 
 /* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load has climbed by t climb
  * above that at t = 0, and the front is where the path has climbed as much: by 1 - slip D per depth. */
@@ -147,7 +155,7 @@ static double sweep(const step *s, int slip, double start, double end)
     const rw_corner *corners = s->path->corners;
     double front = fmax(0, -s->run * start), t = start, sum = 0;
     for (size_t i = s->path->count - 1; i > 0 && t < end; i--) {
-        const double bottom = s->top - corners[i - 1].load;
+        const double bottom = depth_of(s, i - 1);
         const double weight = 1 - slip * corners[i].ratio;
         if (bottom <= front || weight <= 0)
             front = fmax(front, bottom);
@@ -177,7 +185,7 @@ static double falling(const step *s)
     double t = 0, start = 0, missing = 0, sum = 0;
     int slip = 0;
     for (size_t i = s->path->count - 1; i > 0 && t < 1; i--) {
-        const double next = fmin(1, (s->top - corners[i - 1].load) / -s->run);
+        const double next = fmin(1, depth_of(s, i - 1) / -s->run);
         const double rate = s->rise - corners[i].ratio * s->run;
         const double then = missing + rate * (next - t);
         if (slip != 0 && slip * then < 0) {
@@ -195,13 +203,19 @@ static double falling(const step *s)
     return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
 }
 
-double rw_dissipation(const rw_path *path, double load, double shear, double corner_load)
+double rw_dissipation(const rw_path *path, double load, double shear, double unit, double corner_load)
 {
     const rw_corner *end = rw_path_end(path);
-    const step s = {path, end->load, load - end->load, shear - end->shear, corner_load};
+    const double per_unit = 1 / unit;
+    const step s = {.path = path,
+                    .per_unit = per_unit,
+                    .top = end->load * per_unit,
+                    .run = (load - end->load) * per_unit,
+                    .rise = (shear - end->shear) * per_unit,
+                    .corner_load = corner_load};
     if (s.run < 0)
         return falling(&s);
-    if (fabs(s.rise) <= s.run + rw_path_tolerance(load))
+    if (fabs(s.rise) <= s.run + rw_path_tolerance(load * per_unit))
         return 0;
     return sweep(&s, sign(s.rise), 0, 1);
 }

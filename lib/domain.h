@@ -35,6 +35,12 @@ static inline bool rw_is_friction(double f)
     return rw_is_nonnegative(f) && f <= 1e6;
 }
 
+/* A friction whose square would underflow is none. */
+static inline double rw_friction(double f)
+{
+    return f < 1e-100 ? 0 : f;
+}
+
 /* A half-width of the stick zone c/b, a load ratio Q/(fP). */
 static inline bool rw_is_fraction(double v)
 {

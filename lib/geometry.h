@@ -4,6 +4,7 @@
 #define RW_GEOMETRY_H
 
 #include "domain.h"
+#include "scaled.h"
 
 typedef struct {
     double theta, a, A;
@@ -17,6 +18,12 @@ static inline bool rw_is_angle(double theta)
 static inline bool rw_is_geometry(const rw_geometry *g)
 {
     return rw_is_angle(g->theta) && rw_is_nonnegative(g->a) && rw_is_nonnegative(g->A) && g->A > 0;
+}
+
+/* theta/A */
+static inline rw_scaled rw_unit_stress(const rw_geometry *g)
+{
+    return rw_scaled_over(rw_scaled_from(g->theta), rw_scaled_from(g->A));
 }
 
 /* Half-width under the load P >= 0. */

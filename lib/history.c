@@ -91,20 +91,30 @@ static bool is_straight(const rw_path *path, double load, double shear, double *
     return *least <= slope && slope <= *most;
 }
 
+/* The slope of what is left of a corner between two slopes. Where the longer part slipped, all did: |D| = 1 tells the zone of
+ * slip from that of stick, and what a sliver of rounding adds to the other part must not hide it. */
+static double joint_ratio(const rw_path *path, double load, double shear, double ratio)
+{
+    const rw_corner *end = rw_path_end(path), *from = end - 1;
+    if (ratio == end->ratio)
+        return ratio;
+    const double longer = load - end->load > end->load - from->load ? ratio : end->ratio;
+    return fabs(longer) == 1 ? longer : chord(from, load, shear);
+}
+
 /* A new end of the path. */
 static void push(rw_path *path, double load, double shear, double ratio)
 {
     rw_corner corner = {load, shear, ratio, -HUGE_VAL, HUGE_VAL, NAN};
     rw_corner *end = &path->corners[path->count - 1];
-    if (load <= end->load) /* within rounding of the corner that is there; unreached: departures are before the load */
+    if (load <= end->load) /* within rounding of the corner that is there */
         return;
     double least, most;
     if (!is_straight(path, load, shear, &least, &most)) {
         path->corners[path->count++] = corner;
         return;
     }
-    if (ratio != end->ratio)
-        corner.ratio = chord(end - 1, load, shear);
+    corner.ratio = joint_ratio(path, load, shear, ratio);
     corner.least = least;
     corner.most = most;
     *end = corner;

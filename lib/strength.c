@@ -9,12 +9,6 @@
 #include "surface.h"
 #include "von_mises.h"
 
-/* A friction whose square would underflow is none. */
-static double friction(double f)
-{
-    return f < 1e-100 ? 0 : f;
-}
-
 /* For alpha >= 1 load and stresses fall alike with 1/alpha: whatever is divided by the load
  * is that of alpha = 1. */
 static double shape(double alpha)
@@ -60,11 +54,11 @@ static rw_maximum global_maximum(double alpha, double f, double nu)
 static void yield_point(double alpha, double f, double nu, double *limit, double *x, double *y)
 {
     if (alpha == 0) {
-        *limit = sharp_limit(friction(f), nu);
+        *limit = sharp_limit(rw_friction(f), nu);
         *x = *y = 0;
         return;
     }
-    const rw_maximum maximum = global_maximum(alpha, friction(f), nu);
+    const rw_maximum maximum = global_maximum(alpha, rw_friction(f), nu);
     *limit = limit_of(alpha, maximum);
     *x = maximum.x;
     *y = maximum.y;
@@ -110,7 +104,7 @@ int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
     rw_maximum below;
-    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), friction(f), rw_plane_strain_weight(nu), &below))
+    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu), &below))
         return RWEDGE_EABSENT;
     *limit = limit_of(alpha, below);
     *x = below.x;
@@ -124,9 +118,9 @@ int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, d
         return RWEDGE_ENULL;
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
-    if (friction(f) == 0 && nu == 0.5)
+    if (rw_friction(f) == 0 && nu == 0.5)
         return RWEDGE_EABSENT;
-    const rw_maximum surface = alpha > 0 ? rw_surface_maximum(shape(alpha), friction(f), rw_plane_strain_weight(nu))
+    const rw_maximum surface = alpha > 0 ? rw_surface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu))
                                          : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
     *limit = limit_of(alpha, surface);
     *x = surface.x;

@@ -381,6 +381,57 @@ static void sizes_beyond_the_range_are_refused(void **state)
     }
 }
 
+/* theta, a, A, f, P: above what a sum of stresses can hold, or below the normal numbers. */
+static void pressures_beyond_the_range_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        double theta, a, A, f, P;
+        int32_t status;
+    } CASES[] = {
+        {1, 0, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},        {1, 1e-190, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
+        {1, 1e-170, 1e-303, 1e6, 1e148, RWEDGE_ERANGE},   {1e-8, 1e200, 1e299, 0.5, 1e-138, RWEDGE_ERANGE},
+        {1, 0, 1e-297, 0.5, 1e140, RWEDGE_OK},            {1, 0, 1e-291, 1e6, 1e140, RWEDGE_OK},
+        {1, 1e-160, 1e-297, 2, 1e140, RWEDGE_OK},         {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        rwedge_contact *contact = NULL;
+        const double f = CASES[i].f, P = CASES[i].P;
+        assert_int_equal(rwedge_contact_create(CASES[i].theta, CASES[i].a, CASES[i].A, f, &contact), RWEDGE_OK);
+        assert_int_equal(rwedge_contact_load(contact, P, 0), CASES[i].status);
+        if (CASES[i].status == RWEDGE_OK)
+            for (int n = 0; n < 6; n++)
+                load(contact, P, (n % 2 ? -0.9 : 1) * f * P);
+        const double b = rwedge_contact_half_width(contact);
+        for (double x = b / 2; x > 1e-307 * b; x /= 1e20) {
+            const double y = x / 3;
+            double s[3];
+            assert_true(isnormal(pressure(contact, x)) && isfinite(shear(contact, x)) && fabs(pressure(contact, x)) < 1e300);
+            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+            assert_true(isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]));
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* f theta, and f theta b, may be what no double is. */
+static void slip_is_small_where_friction_is(void **state)
+{
+    (void)state;
+    rwedge_contact *unit = NULL, *contact = NULL;
+    assert_int_equal(rwedge_contact_create(1, 0, 1, 1, &unit), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_create(ldexp(1, -660), 0, ldexp(1, -30), ldexp(1, -660), &contact), RWEDGE_OK);
+    load(unit, 1, 0);
+    load(unit, 1, 0.5);
+    load(contact, ldexp(1, 360), 0);
+    load(contact, ldexp(1, 360), ldexp(0.5, 360 - 660));
+    const double b = rwedge_contact_half_width(contact);
+    assert_true(b == ldexp(rwedge_contact_half_width(unit), 360 - 30 + 660));
+    assert_close(slip(contact, 0.9 * b), ldexp(slip(unit, 0.9 * rwedge_contact_half_width(unit)), 360 - 30 - 660), 1e-13);
+    rwedge_contact_destroy(unit);
+    rwedge_contact_destroy(contact);
+}
+
 /* Q falls short of sliding by 1e-14: c = 1e-14 b is below the smallest that a traction is evaluated for. */
 static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
 {
@@ -476,6 +527,8 @@ int main(void)
         cmocka_unit_test(missing_arrays_are_refused),
         cmocka_unit_test(a_unit_of_stress_beyond_the_doubles_is_refused),
         cmocka_unit_test(sizes_beyond_the_range_are_refused),
+        cmocka_unit_test(pressures_beyond_the_range_are_refused),
+        cmocka_unit_test(slip_is_small_where_friction_is),
         cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_is_none),
         cmocka_unit_test(steps_of_the_steepest_slope_may_bend),
         cmocka_unit_test(arrays_are_points_one_by_one),

@@ -49,6 +49,29 @@ static void tiny_tips_have_a_yield_load(void **state)
     assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
 }
 
+/* Where half-width, or k over theta/A, is no double but the load is: exact powers of two. */
+static void the_yield_load_scales_with_the_units(void **state)
+{
+    (void)state;
+    static const struct {
+        double f, nu, k;
+        int length, stress; /* octaves */
+    } CASES[] = {
+        {0, 0.3, 1e-10, -1000, 700}, {0, 0.3, 1e-60, 990, -700}, {0.1, 0.3, 2.25, 1000, -40},
+        {0.1, 0.3, 3.375, 1000, -60}, {0.5, 0.2, 1e-3, -1020, 1000}, {1e-3, 0.45, 0.7, 1020, -1000},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        const double f = CASES[i].f, nu = CASES[i].nu, a = ldexp(1, CASES[i].length), S = ldexp(1, CASES[i].stress);
+        const double expected = rwedge_yield_load(1, 1, 1, f, nu, CASES[i].k);
+        assert_true(expected > 0 && isfinite(expected));
+        assert_close(rwedge_yield_load(1, a, 1 / S, f, nu, CASES[i].k * S), ldexp(expected, CASES[i].length + CASES[i].stress),
+                     1e-15);
+    }
+    /* A k/theta = 1e-340: with Hertz, P = (pi/2) (theta/A) a (wanted/peak)^2, and the peak is that of a/b = 1 */
+    const double peak = PI / 2 / rwedge_elastic_limit(1, 0, 0.3);
+    assert_close(rwedge_yield_load(1, 1e300, 1e-300, 0, 0.3, 1e-40), PI / 2 * 1e-80 / (peak * peak), 1e-11);
+}
+
 static void what_never_yields_has_an_infinite_yield_load(void **state)
 {
     (void)state;
@@ -56,6 +79,8 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
     assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
+    assert_true(rwedge_yield_load(THETA, 0, A, 1e-101, 0.5, 1.001 * bound) == HUGE_VAL); /* no friction to speak of */
+    assert_true(rwedge_yield_load(THETA, 0, A, 1e-99, 0.5, 1.001 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
@@ -247,6 +272,7 @@ int main(void)
         cmocka_unit_test(half_width_and_load_are_inverse),
         cmocka_unit_test(the_yield_load_is_where_the_elastic_limit_says),
         cmocka_unit_test(tiny_tips_have_a_yield_load),
+        cmocka_unit_test(the_yield_load_scales_with_the_units),
         cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
         cmocka_unit_test(bad_design_arguments_are_not_numbers),
         cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),

@@ -147,6 +147,32 @@ static void energy_does_not_overflow(void **state)
 
 /* ---- Memory ---- */
 
+/* In units in which the squares of loads are below the smallest double, and with hardly any friction or slip: exact powers of
+ * two. */
+static void energy_does_not_underflow(void **state)
+{
+    (void)state;
+    static const double CASES[][2] = {{0.5, 0.5}, {0.5, 1e-6}, {0.5, 1e-8}, {1e-20, 0.5}, {1e-30, 0.5}}; /* f, Q/(fP) */
+    const int load_octaves = -490, compliance_octaves = 900;
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++)
+        for (double a = 0; a < 2; a += 0.3) {
+            const double f = CASES[i][0], P = ldexp(1, load_octaves), A_scaled = ldexp(1, compliance_octaves);
+            rwedge_contact *unit = NULL, *scaled = NULL;
+            assert_int_equal(rwedge_contact_create(1, a, 1, f, &unit), RWEDGE_OK);
+            assert_int_equal(rwedge_contact_create(1, a * P * A_scaled, A_scaled, f, &scaled), RWEDGE_OK);
+            load(unit, 1, 0);
+            load(unit, 1, CASES[i][1] * f);
+            load(scaled, P, 0);
+            load(scaled, P, CASES[i][1] * f * P);
+            const double expected = rwedge_contact_dissipated_energy(unit);
+            assert_true(expected > 0);
+            assert_close(rwedge_contact_dissipated_energy(scaled), ldexp(expected, compliance_octaves + 2 * load_octaves),
+                         1e-15);
+            rwedge_contact_destroy(unit);
+            rwedge_contact_destroy(scaled);
+        }
+}
+
 static void cycle_often(double P_low)
 {
     rwedge_contact *contact = create(0.1, 0.6);
@@ -248,6 +274,7 @@ int main(void)
         cmocka_unit_test(separation_forgets_all_but_the_energy),
         cmocka_unit_test(no_rounding_is_too_large),
         cmocka_unit_test(energy_does_not_overflow),
+        cmocka_unit_test(energy_does_not_underflow),
     };
     return RUN_CLAIMS("dissipation", tests);
 }

@@ -46,6 +46,43 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
     rw_path_destroy(&path);
 }
 
+/* A cycle of Q under a P that is constant but for rounding, after a first load in proportion: what slips has |D| = 1 to the
+ * last bit, or the stick zone would end at the edge. */
+static void rounding_of_the_load_hides_no_slip(void **state)
+{
+    (void)state;
+    static const double ROUNDINGS[][8] = {
+        {17, 0, -8, -3, 0, 19, 0, 0}, {0, -8, -16, -1, 3, 0, -11, 2}, {0, 5, -7, 0, 0, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
+        for (double T = 0.0131; T < 1; T += 0.0131) {
+            rw_path path;
+            assert_true(rw_path_create(&path));
+            for (int j = 0; j < 40; j++) {
+                const double *of = &ROUNDINGS[i][j % 4], shear = T * (1 + of[4] * DBL_EPSILON);
+                advance(&path, 1 + of[0] * DBL_EPSILON, j % 2 ? shear : -shear);
+                if (j == 0)
+                    continue;
+                assert_true(rw_path_end(&path)->ratio == (j % 2 ? 1 : -1));
+                assert_true(path.corners[path.count - 2].load <= 1 - T + 1e-14);
+            }
+            rw_path_destroy(&path);
+        }
+}
+
+/* A load that slips by no more than rounding, back to where the path has a corner, leaves that corner the end. */
+static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
+{
+    (void)state;
+    rw_path path;
+    assert_true(rw_path_create(&path));
+    advance(&path, 0.5, 0.5);
+    advance(&path, 0.99999999999999911, 0);
+    advance(&path, 0.5, 0.49999999999999956);
+    assert_int_equal(path.count, 2);
+    assert_corner(&path, 1, 0.5, 0.5);
+    rw_path_destroy(&path);
+}
+
 static void a_rising_load_sticks_where_it_can(void **state)
 {
     (void)state;
@@ -285,6 +322,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reversals_add_layers_that_larger_ones_wipe_out),
+        cmocka_unit_test(rounding_of_the_load_hides_no_slip),
+        cmocka_unit_test(a_slip_of_a_rounding_ends_at_the_corner),
         cmocka_unit_test(a_rising_load_sticks_where_it_can),
         cmocka_unit_test(a_falling_load_cuts_off_what_it_need_not_slip),
         cmocka_unit_test(collinear_steps_are_one),

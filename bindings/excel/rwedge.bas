@@ -550,11 +550,12 @@ End Function
 
 ' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
 '                                                                                                             Figs. 3 to 5
-' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0 (or below
+' 1e-100, which counts as 0): pi.
 '   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
 ' NaN outside the domain. Relative error below 1e-12.
 Public Function RWEDGE_ELASTIC_LIMIT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi."
+Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -722,8 +723,8 @@ End Function
 ' The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
 ' contact grows with P, so that a/b in the elastic limit depends on it: a root.                             Figs. 3 to 5
 '   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
-' nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 (or below
+' 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
 ' Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
 Public Function RWEDGE_YIELD_LOAD( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
@@ -755,12 +756,12 @@ Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contac
 End Function
 
 ' Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
-' after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL.                  Eq. (25); new
+' where there is no such zone, 0 in full sliding and when separated; NaN for NULL.                          Eq. (25); new
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_STICK_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL."
+Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when separated; NaN for NULL."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then

@@ -599,7 +599,8 @@ contains
 
     !> Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
     !> Figs. 3 to 5
-    !> It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0: pi.
+    !> It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0 (or below
+    !> 1e-100, which counts as 0): pi.
     !>   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
     !> NaN outside the domain. Relative error below 1e-12.
     elemental function rwedge_elastic_limit(alpha, f, nu) result(value)
@@ -654,8 +655,8 @@ contains
     !> The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
     !> contact grows with P, so that a/b in the elastic limit depends on it: a root.   Figs. 3 to 5
     !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-    !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 and
-    !> nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
+    !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 (or
+    !> below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
     !> Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
     elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
         real(c_double), intent(in) :: theta, a, compliance, f, nu, k
@@ -834,9 +835,10 @@ contains
     !>      dissipated energy is forgotten
     !>   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
     !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
-    !> 1e300, b, a/b or the peak pressure not a normal number, or the energy overflows (below the smallest double it is 0), and
-    !> where P is not 0 but below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads;
-    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before.
+    !> 1e300, b, a/b or the peak pressure not a normal number, the peak pressure times max(1, f) above 1e300 (of the sharp
+    !> wedge: 452 theta/A max(1, f)), or the energy overflows (below the smallest double it is 0), and where P is not 0 but
+    !> below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL; RWEDGE_ENOMEM.
+    !> Unless RWEDGE_OK, the contact is as before.
     !> It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
     !> cycle that is repeated costs the memory of one.
     subroutine contact_load(this, P, Q, stat, errmsg)
@@ -856,7 +858,7 @@ contains
     end function
 
     !> Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
-    !> after a load that let no point slip, 0 in full sliding and when separated; NaN for NULL.   Eq. (25); new
+    !> where there is no such zone, 0 in full sliding and when separated; NaN for NULL.   Eq. (25); new
     pure function contact_stick_half_width(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value

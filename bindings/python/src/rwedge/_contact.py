@@ -161,8 +161,8 @@ class Contact(Handle):
 
     @property
     def stick_half_width(self) -> float:
-        """Half-width c of the stick zone, length: where c < \\|x| < b friction is exhausted. It is b after a load that let no
-        point slip, 0 in full sliding and when separated. Source: Eq. (25); new."""
+        """Half-width c of the stick zone, length: where c < \\|x| < b friction is exhausted. It is b where there is no such
+        zone, 0 in full sliding and when separated. Source: Eq. (25); new."""
         return self._value(_stick_half_width)
 
     @property

@@ -7,7 +7,8 @@
  * and harmonic in the half-plane, so that y |G'| <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to
  * the surface between marks they continue across it. In polar coordinates around each mark, with ln r, no maximum is
  * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle, reaches from 3 b (beyond it
- * J2 falls like r^-2) to 1e-9 of the distance to the next mark, and has the marks themselves and the surface on it.
+ * J2 falls like r^-2) to 1e-9 of the distance to the next mark, however near that is, and has the marks themselves and the
+ * surface on it.
  * Every maximum of the grid that is not far below the highest is then followed to its top. */
 #include "contact.h"
 
@@ -16,20 +17,28 @@
 
 #include <float.h>
 
-enum { ANGLES = 17, RADII = 54, CLIMB_MAX = 400, NEWTON_MAX = 40 }; /* ANGLES <= RW_BLOCK */
+enum { ANGLES = 17, RADII = 64, LINE = 7, CLIMB_MAX = 60 }; /* ANGLES, LINE <= RW_BLOCK */
 
-/* The ratio of neighbouring radii: RADII of them span 1e9. */
+/* The ratio of neighbouring radii: RADII of them span 1e11. */
 static const double FALL = 0.67;
 
 /* A maximum of the grid is followed where it is above this fraction of the highest: the grid's steps cannot lose as
  * much. */
 static const double WORTHWHILE = 0.25;
 
+/* Of a line's places, in radians and ln r: at first, at last when it is to be known which top it is, at last, and where
+ * nothing is to be found; and the gain, relatively, that is none. */
+static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, LARGEST_SPAN = 1e3, ENOUGH = 4 * DBL_EPSILON;
+
+/* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
+static const double ROUGHLY = 0.05;
+
 /* The highest J2 so far, in (theta/A)^2 over the square of a power of two, and where. */
 typedef struct {
     const rwedge_contact *contact;
     double kappa, magnify;
     double J2, x, y;
+    double top_x, top_y, top_radius; /* of the highest that was climbed; its distance from the mark, infinite before */
 } search;
 
 /* The stresses of Hertz' contact are of the order b/a, whose square might underflow. */
@@ -85,110 +94,165 @@ static double reach(const rwedge_contact *contact, size_t i)
     return 2 * nearest;
 }
 
+/* Where it ends: next to all other marks, and where q is of the order of the unit next to an edge, at r = (b/f^2), if that is
+ * nearer; the mark itself is known to rounding. */
+static double innermost_radius(const rwedge_contact *contact, size_t i)
+{
+    double nearest = rwedge_contact_half_width(contact);
+    for (size_t j = 0; j < count_marks(contact); j++) {
+        const double distance = fabs(mark(contact, i) - mark(contact, j));
+        if (distance > 0)
+            nearest = fmin(nearest, distance);
+    }
+    const double f = fmax(1, 1e-3 * contact->f);
+    return fmax(fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i))), DBL_MIN);
+}
+
 /* ---- Climbing ---- */
 
-/* Newton's steps to the top, with differences over 1e-4 of the depth: they follow the long flat ridges of J2 that a
- * narrow rounding has, where the search in eight directions below would creep. */
-static void refine(search *s, double x, double y, double J2)
+/* In polar coordinates around a mark. */
+typedef struct {
+    double angle, log_radius;
+} place;
+
+typedef struct {
+    search *s;
+    double centre, innermost, outermost;
+    place top;
+    double J2;
+} climb;
+
+/* Beyond the surface is the surface. */
+static void evaluate_places(climb *c, size_t n, const place at[], double J2[])
 {
-    for (int i = 0; i < NEWTON_MAX && y > 0; i++) {
-        const double h = 1e-4 * y;
-        double px[9], py[9], v[9];
-        for (int j = 0; j < 9; j++) {
-            px[j] = x + h * (j % 3 - 1);
-            py[j] = y + h * (j / 3 - 1);
+    double x[LINE], y[LINE];
+    for (size_t i = 0; i < n; i++) {
+        const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius)));
+        x[i] = c->centre + r * cos(at[i].angle);
+        y[i] = at[i].angle > 0 && at[i].angle < RW_PI ? r * sin(at[i].angle) : 0;
+        if (at[i].angle <= 0 || at[i].angle >= RW_PI)
+            x[i] = c->centre + (at[i].angle <= 0 ? r : -r);
+        if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
+            y[i] = 1e-3 * r; /* beside the apex of the sharp wedge, where there is no stress to speak of */
+    }
+    evaluate(c->s, n, x, y, J2);
+}
+
+/* To the highest place along a line, both ways: the span is doubled as long as the highest of its points is at an end, and
+ * then narrowed to the points beside the highest. */
+static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
+{
+    const double length = hypot(to_angle, to_log_radius);
+    bool is_found = false; /* between two points of the line */
+    for (double span = FIRST_SPAN; length > 0 && span > last_span && span < LARGEST_SPAN;) {
+        place at[LINE];
+        double J2[LINE];
+        for (int i = 0; i < LINE; i++) {
+            const double t = span * (2.0 * (i + 1) / (LINE + 1) - 1) / length;
+            at[i] = (place){c->top.angle + t * to_angle, c->top.log_radius + t * to_log_radius};
         }
-        evaluate(s, 9, px, py, v);
-        const double g_x = (v[5] - v[3]) / 2, g_y = (v[7] - v[1]) / 2;
-        const double xx = v[5] - 2 * v[4] + v[3], yy = v[7] - 2 * v[4] + v[1], xy = (v[8] - v[6] - v[2] + v[0]) / 4;
-        const double determinant = xx * yy - xy * xy;
-        if (!(xx < 0 && determinant > 0)) /* no maximum nearby */
-            return;
-        const double to_x = (xy * g_y - yy * g_x) / determinant * h, to_y = (xy * g_x - xx * g_y) / determinant * h;
-        const double length = hypot(to_x, to_y), shorter = length > 0.5 * y ? 0.5 * y / length : 1;
-        const double next_x = x + shorter * to_x, next_y = y + shorter * to_y;
-        double next;
-        evaluate(s, 1, &next_x, &next_y, &next);
-        if (!(next > J2))
-            return;
-        x = next_x;
-        y = next_y;
-        J2 = next;
+        evaluate_places(c, LINE, at, J2);
+        int highest = 0;
+        for (int i = 1; i < LINE; i++)
+            if (J2[i] > J2[highest])
+                highest = i;
+        const bool is_higher = J2[highest] > c->J2;
+        if (is_higher) {
+            c->top = at[highest];
+            c->J2 = J2[highest];
+        }
+        is_found = is_found || !is_higher || (highest > 0 && highest < LINE - 1);
+        span *= is_found ? 2.0 / (LINE + 1) : 2;
     }
 }
 
-/* Eight neighbours at a distance, which is halved where none is higher: to a distance that no longer shows in a
- * maximum. */
-static void climb(search *s, double x, double y, double J2, double step)
+/* Two places that are highest for their radius give a line to the next: it follows the ridges of J2, flat to 1e-9, that
+ * narrow roundings have, and is exact where J2 is quadratic (Powell's conjugate direction). */
+static void climb_to(climb *c, double last_span)
 {
-    static const double AROUND[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-    const double smallest = step * 1e-8;
-    for (int i = 0; i < CLIMB_MAX && step > smallest; i++) {
-        double px[8], py[8], around[8];
-        for (int j = 0; j < 8; j++) {
-            px[j] = x + step * AROUND[j][0];
-            py[j] = fmax(0, y + step * AROUND[j][1]);
-            if (s->contact->geometry.a == 0 && px[j] == 0 && py[j] == 0)
-                py[j] = step / 2; /* beside the apex of the sharp wedge, where there is no stress to speak of */
-        }
-        evaluate(s, 8, px, py, around);
-        int highest = 0;
-        for (int j = 1; j < 8; j++)
-            if (around[j] > around[highest])
-                highest = j;
-        if (around[highest] > J2) {
-            x = px[highest];
-            y = py[highest];
-            J2 = around[highest];
-        } else {
-            step /= 2;
-        }
+    for (int i = 0; i < CLIMB_MAX; i++) {
+        const double before = c->J2;
+        climb_along(c, 1, 0, last_span);
+        const place one = c->top;
+        climb_along(c, 0, 1, last_span);
+        climb_along(c, 1, 0, last_span);
+        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
+        if (c->J2 - before <= ENOUGH * before || last_span == ROUGH_SPAN)
+            return;
     }
-    refine(s, x, y, J2);
+}
+
+/* Roughly first: not farther where it is a lower top, or the one that is known, and from no mark much farther away, which
+ * would have seen it in less detail. */
+static void climb_to_top(climb *c)
+{
+    search *s = c->s;
+    climb_to(c, ROUGH_SPAN);
+    const double r = exp(c->top.log_radius);
+    const double to_known = hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
+    if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
+        return;
+    climb_to(c, LAST_SPAN);
+    if (c->J2 >= s->J2) {
+        s->top_x = s->x;
+        s->top_y = s->y;
+        s->top_radius = r;
+    }
 }
 
 /* ---- The grid around one mark ---- */
 
+/* As many radii as are kept at a time: those of one annulus, rows of them. */
 typedef struct {
     double centre;
+    int rows;
     double radius[RADII], cosine[ANGLES], sine[ANGLES];
     double J2[RADII][ANGLES];
 } polar_grid;
 
-static void fill(search *s, polar_grid *grid, double centre, double outermost)
+static void fill(search *s, polar_grid *grid, double centre, double outermost, double innermost)
 {
     grid->centre = centre;
     for (int j = 0; j < ANGLES; j++) {
         grid->cosine[j] = cos(j * RW_PI / (ANGLES - 1));
         grid->sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
     }
-    for (int i = 0; i < RADII; i++) {
-        grid->radius[i] = i == 0 ? outermost : FALL * grid->radius[i - 1];
+    double radius = outermost;
+    int i = 0;
+    for (; i < RADII && radius > innermost; i++) {
         double x[ANGLES], y[ANGLES];
         for (int j = 0; j < ANGLES; j++) {
-            x[j] = centre + grid->radius[i] * grid->cosine[j];
-            y[j] = grid->radius[i] * grid->sine[j];
+            x[j] = centre + radius * grid->cosine[j];
+            y[j] = radius * grid->sine[j];
         }
         evaluate(s, ANGLES, x, y, grid->J2[i]);
+        grid->radius[i] = radius;
+        radius *= FALL;
     }
+    grid->rows = i;
 }
 
+/* On a plateau, the first of its points. */
 static bool is_maximum(const polar_grid *grid, int i, int j)
 {
-    for (int k = i > 0 ? i - 1 : 0; k <= i + 1 && k < RADII; k++)
+    for (int k = i > 0 ? i - 1 : 0; k <= i + 1 && k < grid->rows; k++)
         for (int l = j > 0 ? j - 1 : 0; l <= j + 1 && l < ANGLES; l++)
-            if (grid->J2[k][l] > grid->J2[i][j])
+            if (grid->J2[k][l] > grid->J2[i][j] || (grid->J2[k][l] == grid->J2[i][j] && (k < i || (k == i && l < j))))
                 return false;
     return true;
 }
 
-static void climb_from_grid(search *s, const polar_grid *grid)
+/* From the rows first ... end-1. */
+static void climb_from_grid(search *s, const polar_grid *grid, int first, int end)
 {
-    for (int i = 0; i < RADII; i++)
+    climb c = {.s = s, .centre = grid->centre, .innermost = 0.1 * grid->radius[end - 1], .outermost = 10 * grid->radius[0]};
+    for (int i = first; i < end; i++)
         for (int j = 0; j < ANGLES; j++)
-            if (grid->J2[i][j] >= WORTHWHILE * s->J2 && is_maximum(grid, i, j))
-                climb(s, grid->centre + grid->radius[i] * grid->cosine[j], grid->radius[i] * grid->sine[j],
-                      grid->J2[i][j], 0.25 * grid->radius[i]);
+            if (grid->J2[i][j] >= WORTHWHILE * s->J2 && is_maximum(grid, i, j)) {
+                c.top = (place){j * RW_PI / (ANGLES - 1), log(grid->radius[i])};
+                c.J2 = grid->J2[i][j];
+                climb_to_top(&c);
+            }
 }
 
 static void search_around(search *s, size_t i)
@@ -199,9 +263,16 @@ static void search_around(search *s, size_t i)
     double J2;
     if (centre != 0 || s->contact->geometry.a > 0)
         evaluate(s, 1, &centre, &surface, &J2);
+    const double innermost = innermost_radius(s->contact, i);
     polar_grid grid;
-    fill(s, &grid, centre, outermost);
-    climb_from_grid(s, &grid);
+    fill(s, &grid, centre, outermost, innermost);
+    int first = 0;
+    while (grid.rows == RADII) { /* goes on: with its last two rows, so that each row has both its neighbours once */
+        climb_from_grid(s, &grid, first, RADII - 1);
+        fill(s, &grid, centre, grid.radius[RADII - 2], innermost);
+        first = 1;
+    }
+    climb_from_grid(s, &grid, first, grid.rows);
 }
 
 /* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the material yields by shape
@@ -221,7 +292,10 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     if (contact->path.count < 2)
         return RWEDGE_EABSENT;
     const int doublings = magnification(contact);
-    search s = {.contact = contact, .kappa = rw_plane_strain_weight(nu), .magnify = rw_power_of_two(doublings)};
+    search s = {.contact = contact,
+                .kappa = rw_plane_strain_weight(nu),
+                .magnify = rw_power_of_two(doublings),
+                .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
         for (size_t i = 0; i < count_marks(contact); i++)

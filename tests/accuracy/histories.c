@@ -385,19 +385,12 @@ static void norm_of(arb_t norm, arb_srcptr s, slong prec)
     arb_clear(u);
 }
 
-/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths off by 1e-14 change, over 1e-13. */
-static void stress_scale(arb_t scale, const state *s, arb_srcptr stresses, const acb_t z, slong prec)
+/* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in the stresses of the patches. */
+static void stress_change_by_widths(arb_t sum, const state *s, const acb_t z, slong prec)
 {
-    arb_ptr w = _arb_vec_init(8);
-    arb_ptr far = w, change = w + 1, one = w + 2, other = w + 5;
-    width_of(change, s, s->now.corners[s->now.count - 1].load, prec);
-    acb_abs(far, z, prec);
-    arb_div(far, far, change, prec);
-    arb_add_ui(far, far, 1, prec);
-    arb_inv(far, far, prec);
-    norm_of(scale, stresses, prec);
-    arb_max(scale, scale, far, prec);
-    arb_mul_ui(scale, scale, (ulong)s->now.count - 1, prec);
+    arb_ptr w = _arb_vec_init(7);
+    arb_ptr change = w, one = w + 1, other = w + 4;
+    arb_zero(sum);
     for (int i = 1; i < s->now.count; i++) {
         traction t;
         traction_of(&t, s, i, -1e-14 * looseness(s, i), 0, prec);
@@ -408,11 +401,29 @@ static void stress_scale(arb_t scale, const state *s, arb_srcptr stresses, const
         traction_clear(&t);
         _arb_vec_sub(one, one, other, 3, prec);
         norm_of(change, one, prec);
-        arb_set_d(far, 1e-13);
-        arb_div(change, change, far, prec);
-        arb_add(scale, scale, change, prec);
+        arb_add(sum, sum, change, prec);
     }
-    _arb_vec_clear(w, 8);
+    _arb_vec_clear(w, 7);
+}
+
+/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths change, over 1e-13. */
+static void stress_scale(arb_t scale, const state *s, arb_srcptr stresses, const acb_t z, slong prec)
+{
+    arb_t far, change;
+    arb_init(far), arb_init(change);
+    width_of(change, s, s->now.corners[s->now.count - 1].load, prec);
+    acb_abs(far, z, prec);
+    arb_div(far, far, change, prec);
+    arb_add_ui(far, far, 1, prec);
+    arb_inv(far, far, prec);
+    norm_of(scale, stresses, prec);
+    arb_max(scale, scale, far, prec);
+    arb_mul_ui(scale, scale, (ulong)s->now.count - 1, prec);
+    stress_change_by_widths(change, s, z, prec);
+    arb_set_d(far, 1e-13);
+    arb_div(change, change, far, prec);
+    arb_add(scale, scale, change, prec);
+    arb_clear(far), arb_clear(change);
 }
 
 static void judge_stresses(arb_t error, const probe *call, slong prec)
@@ -679,7 +690,7 @@ static bool draw_yield_factor(probe *call)
         return true;
     if (call->value[2] == 0)
         return false;
-    const double nu = argument(call, "nu", between(call, 0, 0.45)), k = argument(call, "k", 1);
+    const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)), k = argument(call, "k", 1);
     double *r = call->result;
     if (rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]) != RWEDGE_OK)
         r[0] = NAN;
@@ -738,7 +749,8 @@ static bool J2_at_mark(arb_t J2, const state *s, const traction *t, double x, sl
     return found;
 }
 
-/* The stationary value next to where the library says the maximum is: below the surface, at a mark, or along the surface. */
+/* The stationary value next to where the library says the maximum is: below the surface, or at a mark or along the surface,
+ * whichever is higher. */
 static bool maximum_next_to(arb_t J2, const state *s, const traction *t, double x, double y, slong prec)
 {
     const double b = rwedge_contact_half_width(s->call->object);
@@ -750,9 +762,13 @@ static bool maximum_next_to(arb_t J2, const state *s, const traction *t, double 
     if (!proved && y < 1e-7 * b) {
         proved = J2_at_mark(J2, s, t, x, prec);
         arb_set_d(at, x);
-        if (!proved && ball_zero(at, at, b, slope_along_surface, t, prec)) {
+        if (ball_zero(at, at, b, slope_along_surface, t, prec)) {
             acb_set_arb(z, at);
-            ball_J2(J2, 0, t, z, prec);
+            ball_J2(at, 0, t, z, prec);
+            if (proved)
+                arb_max(J2, J2, at, prec);
+            else
+                arb_set(J2, at);
             proved = true;
         }
     }
@@ -764,21 +780,29 @@ static void judge_yield_factor(arb_t error, const probe *call, slong prec)
 {
     state s;
     traction t;
-    arb_t J2;
-    arb_init(J2);
+    arb_t factor, scale, promised;
+    acb_t z;
+    arb_init(factor), arb_init(scale), arb_init(promised), acb_init(z);
+    acb_set_d_d(z, call->result[1], call->result[2]);
     state_init(&s, call, prec);
     run_history(&s, prec);
     traction_of(&t, &s, 0, 0, call->value[4], prec);
-    if (maximum_next_to(J2, &s, &t, call->result[1], call->result[2], prec)) {
-        arb_rsqrt(J2, J2, prec);
-        arb_div(J2, J2, s.unit, prec);
-        relative_error(error, call->result[0], J2, prec);
+    if (maximum_next_to(factor, &s, &t, call->result[1], call->result[2], prec)) {
+        arb_rsqrt(factor, factor, prec);
+        stress_change_by_widths(scale, &s, z, prec);
+        arb_set_d(promised, 1e-12);
+        arb_div(scale, scale, promised, prec);
+        arb_mul(scale, scale, factor, prec); /* over sqrt(J2) */
+        arb_add_ui(scale, scale, 1, prec);
+        arb_div(factor, factor, s.unit, prec);
+        arb_mul(scale, scale, factor, prec);
+        error_over(error, call->result[0], factor, scale, prec);
     } else {
         arb_indeterminate(error);
     }
     traction_clear(&t);
     state_clear(&s);
-    arb_clear(J2);
+    arb_clear(factor), arb_clear(scale), arb_clear(promised), acb_clear(z);
 }
 
 const row HISTORY_ROWS[] = {
@@ -793,6 +817,7 @@ const row HISTORY_ROWS[] = {
      judge_stresses},
     {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1, draw_slip, judge_slip},
     {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1, draw_energy, judge_energy},
-    {"contact_yield_factor", "the same; nu 0 to 0.45", "relative", 1e-12, "1e-12", 0.01, draw_yield_factor, judge_yield_factor},
+    {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1, draw_yield_factor,
+     judge_yield_factor},
     {0},
 };

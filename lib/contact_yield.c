@@ -26,9 +26,9 @@ static const double FALL = 0.67;
  * much. */
 static const double WORTHWHILE = 0.25;
 
-/* Of a line's places, in radians and ln r: at first, at last when it is to be known which top it is, at last, and where
- * nothing is to be found; and the gain, relatively, that is none. */
-static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, LARGEST_SPAN = 1e3, ENOUGH = 4 * DBL_EPSILON;
+/* Of a line's places, in radians and ln r: at first, at last when it is to be known which top it is, and at last; and the
+ * gain, relatively, that is none. */
+static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, ENOUGH = 4 * DBL_EPSILON;
 
 /* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
 static const double ROUGHLY = 0.05;
@@ -132,19 +132,20 @@ static void evaluate_places(climb *c, size_t n, const place at[], double J2[])
         y[i] = at[i].angle > 0 && at[i].angle < RW_PI ? r * sin(at[i].angle) : 0;
         if (at[i].angle <= 0 || at[i].angle >= RW_PI)
             x[i] = c->centre + (at[i].angle <= 0 ? r : -r);
+        /* by rounding: the radius is the distance of the sharp wedge's apex, beside which there is no stress to speak of */
         if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
-            y[i] = 1e-3 * r; /* beside the apex of the sharp wedge, where there is no stress to speak of */
+            y[i] = 1e-3 * r;
     }
     evaluate(c->s, n, x, y, J2);
 }
 
-/* To the highest place along a line, both ways: the span is doubled as long as the highest of its points is at an end, and
- * then narrowed to the points beside the highest. */
+/* To the highest place along a line, both ways: the span is doubled as long as the highest of its points is at an end (beyond
+ * the ends of angle and radius nothing is higher), and then narrowed to the points beside the highest. */
 static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
 {
     const double length = hypot(to_angle, to_log_radius);
     bool is_found = false; /* between two points of the line */
-    for (double span = FIRST_SPAN; length > 0 && span > last_span && span < LARGEST_SPAN;) {
+    for (double span = FIRST_SPAN; length > 0 && span > last_span;) {
         place at[LINE];
         double J2[LINE];
         for (int i = 0; i < LINE; i++) {
@@ -170,7 +171,7 @@ static void climb_along(climb *c, double to_angle, double to_log_radius, double 
  * narrow roundings have, and is exact where J2 is quadratic (Powell's conjugate direction). */
 static void climb_to(climb *c, double last_span)
 {
-    for (int i = 0; i < CLIMB_MAX; i++) {
+    for (int i = 0; i < CLIMB_MAX; i++) { /* unreached: a few do */
         const double before = c->J2;
         climb_along(c, 1, 0, last_span);
         const place one = c->top;

@@ -137,13 +137,19 @@ int main(int count, char *arguments[])
         fprintf(stderr, "usage: accuracy [calls [seed [function]]]\n");
         return 2;
     }
-    bool kept = true;
+    bool kept = true, found = false;
     printf("| `rwedge_` | domain sampled | calls | worst, eps | 99.9 %%, eps | worst, and of what | promised | worst at |\n"
            "|---|---|---|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof SECTIONS / sizeof SECTIONS[0]; i++)
         for (const row *claim = SECTIONS[i]; claim->function; claim++)
-            if (count < 4 || strstr(claim->function, arguments[3]))
+            if (count < 4 || strstr(claim->function, arguments[3])) {
+                found = true;
                 kept &= report(claim, (size_t)calls, seed);
+            }
     flint_cleanup();
+    if (!found) {
+        fprintf(stderr, "accuracy: no row has \"%s\" in its first column\n", arguments[3]);
+        return 2;
+    }
     return kept ? EXIT_SUCCESS : EXIT_FAILURE;
 }

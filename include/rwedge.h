@@ -262,8 +262,8 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
  * 1e300, b, a/b or the peak pressure not a normal number, the peak pressure times max(1, f) above 1e300 (of the sharp wedge:
  * 452 theta/A max(1, f)), or the energy overflows (below the smallest double it is 0), and where P is not 0 but below 1e-8 of
- * the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK,
- * the contact is as before.
+ * the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL; RWEDGE_ENOMEM.
+ * Unless RWEDGE_OK, the contact is as before.
  * It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
  * cycle that is repeated costs the memory of one. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);

@@ -258,13 +258,13 @@ static void climb_from_grid(search *s, const polar_grid *grid, int first, int en
 
 static void search_around(search *s, size_t i)
 {
-    const double outermost = reach(s->contact, i), centre = mark(s->contact, i), surface = 0;
-    if (!(outermost > 0))
-        return;
+    const double outermost = reach(s->contact, i), innermost = innermost_radius(s->contact, i);
+    const double centre = mark(s->contact, i), surface = 0;
     double J2;
     if (centre != 0 || s->contact->geometry.a > 0)
         evaluate(s, 1, &centre, &surface, &J2);
-    const double innermost = innermost_radius(s->contact, i);
+    if (outermost <= innermost) /* the same as another mark, to rounding */
+        return;
     polar_grid grid;
     fill(s, &grid, centre, outermost, innermost);
     int first = 0;

@@ -392,7 +392,7 @@ static void pressures_beyond_the_range_are_refused(void **state)
         {1, 0, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},        {1, 1e-190, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
         {1, 1e-170, 1e-303, 1e6, 1e148, RWEDGE_ERANGE},   {1e-8, 1e200, 1e299, 0.5, 1e-138, RWEDGE_ERANGE},
         {1, 0, 1e-297, 0.5, 1e140, RWEDGE_OK},            {1, 0, 1e-291, 1e6, 1e140, RWEDGE_OK},
-        {1, 1e-160, 1e-297, 2, 1e140, RWEDGE_OK},         {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
+        {1, 1e-160, 1e-298, 2, 1e140, RWEDGE_OK},         {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         rwedge_contact *contact = NULL;

@@ -191,6 +191,25 @@ static void in_sliding_no_ridge_is_too_flat(void **state)
     }
 }
 
+/* A maximum at 1/f^2 of b from the edge, of Hertz' contact above all: seen from the centre too, but not in detail. */
+static void strong_friction_yields_next_to_the_edge(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9}, FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
+            for (double nu = 0.02; nu < 0.5; nu += 0.02) {
+                const double f = FRICTIONS[j], b = 0.7, P = rwedge_normal_load(THETA, ALPHAS[i] * b, A, b);
+                rwedge_contact *contact = create(ALPHAS[i] * b, f);
+                load(contact, P, f * P);
+                double x;
+                const double expected = rwedge_elastic_limit(ALPHAS[i], f, nu) * b / P;
+                assert_close(yield_factor(contact, nu, 1, &x, NULL), expected, 1e-13);
+                assert_true(fabs(x) > (1 - 10 / (f * f)) * b && fabs(x) < b);
+                rwedge_contact_destroy(contact);
+            }
+}
+
 static double root_J2(const rwedge_contact *contact, double nu, double x, double y)
 {
     double s[3];
@@ -294,6 +313,7 @@ int main(void)
         cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
         cmocka_unit_test(bad_design_arguments_are_not_numbers),
         cmocka_unit_test(in_sliding_no_ridge_is_too_flat),
+        cmocka_unit_test(strong_friction_yields_next_to_the_edge),
         cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
         cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
         cmocka_unit_test(no_scale_hides_a_higher_point),

@@ -127,11 +127,9 @@ static void evaluate_places(climb *c, size_t n, const place at[], double J2[])
 {
     double x[LINE], y[LINE];
     for (size_t i = 0; i < n; i++) {
-        const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius)));
-        x[i] = c->centre + r * cos(at[i].angle);
-        y[i] = at[i].angle > 0 && at[i].angle < RW_PI ? r * sin(at[i].angle) : 0;
-        if (at[i].angle <= 0 || at[i].angle >= RW_PI)
-            x[i] = c->centre + (at[i].angle <= 0 ? r : -r);
+        const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))), angle = at[i].angle;
+        x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
+        y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
         /* by rounding: the radius is the distance of the sharp wedge's apex, beside which there is no stress to speak of */
         if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
             y[i] = 1e-3 * r;
@@ -178,7 +176,7 @@ static void climb_to(climb *c, double last_span)
         climb_along(c, 0, 1, last_span);
         climb_along(c, 1, 0, last_span);
         climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
-        if (c->J2 - before <= ENOUGH * before || last_span == ROUGH_SPAN)
+        if (c->J2 - before <= ENOUGH * before || last_span >= ROUGH_SPAN)
             return;
     }
 }

@@ -100,7 +100,7 @@ static bool is_pressure_in_range(const rwedge_contact *contact, double b)
     const double peak = g->a > 0 ? rwedge_peak_pressure(g->a / b) : SHARP_PEAK;
     const rw_scaled pressure = rw_scaled_times(rw_unit_stress(g), rw_scaled_from(peak));
     const double traction = rw_scaled_value(rw_scaled_times(pressure, rw_scaled_from(fmax(1, contact->f))));
-    return rw_scaled_is_normal(pressure) && traction <= LARGEST_STRESS; /* NaN where it is too large for a double */
+    return rw_scaled_is_normal(pressure) && islessequal(traction, LARGEST_STRESS); /* it may be NaN */
 }
 
 /* Whether lengths and stresses under the load stay far from the ends of the range of a double; next to an a/b that

@@ -90,10 +90,11 @@ class Library:
                     self.includers[file].append(path.name)
 
     def compile(self, unit, folder):
-        """The object's path, None where it does not compile. By a path that is the same in every folder."""
+        """The object's path, None where it does not compile, or calls what nobody declares. By a path that is the same in every
+        folder."""
         target = folder / (unit + ".o")
         target.unlink(missing_ok=True)
-        run([*self.commands[unit], "-w", "-c", f"lib/{unit}", "-o", target.name], folder)
+        run([*self.commands[unit], "-Werror=implicit-function-declaration", "-c", f"lib/{unit}", "-o", target.name], folder)
         return target if target.exists() else None
 
 

@@ -94,8 +94,8 @@ static double reach(const rwedge_contact *contact, size_t i)
     return 2 * nearest;
 }
 
-/* Where it ends: next to all other marks, and where q is of the order of the unit next to an edge, at r = (b/f^2), if that is
- * nearer; the mark itself is known to rounding. */
+/* Where it ends: well inside the distance to the next of all marks; under strong friction, inside the b/f^2 from an edge at
+ * which p falls to 1/f and J2 may have its maximum; not below the rounding of the mark itself. */
 static double innermost_radius(const rwedge_contact *contact, size_t i)
 {
     double nearest = rwedge_contact_half_width(contact);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Threads take blocks of indices in turn, and put their results into a ring of blocks; the caller empties the ring. Without
- * threads the caller computes each block when it comes to it. */
+/* Threads take blocks of indices in turn, and put their results into a ring of blocks; the
+ * caller empties the ring. Without threads the caller computes each block when it comes to it. */
 #include "ahead.h"
 
 #include "message.h"
@@ -12,7 +12,8 @@
 #include <unistd.h>
 
 enum {
-    BLOCK = 32,          /* indices; a result takes some microseconds, to hand over a block about one */
+    /* indices; a result takes some microseconds, to hand over a block about one */
+    BLOCK = 32,
     BLOCKS_A_THREAD = 4, /* of the ring */
 };
 
@@ -59,10 +60,12 @@ static void compute_block(const ahead *work, int64_t block)
         work->compute(work->context, i, result_at(work, i));
 }
 
-/* The next block to compute, when there is room for it; -1 where there is none left. Under the lock. */
+/* The next block to compute, when there is room for it; -1 where there is none left. Under the
+ * lock. */
 static int64_t take_block(ahead *work)
 {
-    while (!work->stopped && work->begun < blocks_of(work->count) && work->begun >= work->freed + work->slots)
+    while (!work->stopped && work->begun < blocks_of(work->count) &&
+           work->begun >= work->freed + work->slots)
         pthread_cond_wait(&work->room, &work->lock);
     return work->stopped || work->begun >= blocks_of(work->count) ? -1 : work->begun++;
 }
@@ -82,8 +85,9 @@ static void *run_thread(void *context)
     return NULL;
 }
 
-/* Signals are for the caller's thread: threads inherit what is blocked. Not so a crash: it belongs to the thread that it is in,
- * and one that is blocked ends the process without the handler, which removes the unfinished file. */
+/* Signals are for the caller's thread: threads inherit what is blocked. Not so a crash: it
+ * belongs to the thread that it is in, and one that is blocked ends the process without the
+ * handler, which removes the unfinished file. */
 static void start_threads(ahead *work, int threads)
 {
     static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
@@ -92,12 +96,14 @@ static void start_threads(ahead *work, int threads)
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++)
         sigdelset(&blocked, crashes[i]);
     pthread_sigmask(SIG_SETMASK, &blocked, &before);
-    while (work->threads < threads && pthread_create(&work->thread[work->threads], NULL, run_thread, work) == 0)
+    while (work->threads < threads &&
+           pthread_create(&work->thread[work->threads], NULL, run_thread, work) == 0)
         work->threads++;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
-ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute, const void *context)
+ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
+                   const void *context)
 {
     ahead *work = malloc(sizeof *work);
     if (threads > blocks_of(count)) /* no thread without work */
@@ -112,8 +118,13 @@ ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
         failure("out of memory");
         return NULL;
     }
-    *work = (ahead){.compute = compute, .context = context, .count = count, .size = size,
-                    .ready = ready, .slots = slots, .results = results};
+    *work = (ahead){.compute = compute,
+                    .context = context,
+                    .count = count,
+                    .size = size,
+                    .ready = ready,
+                    .slots = slots,
+                    .results = results};
     pthread_mutex_init(&work->lock, NULL);
     pthread_cond_init(&work->room, NULL);
     pthread_cond_init(&work->progress, NULL);

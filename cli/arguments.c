@@ -68,7 +68,8 @@ static int show_help(const syntax *grammar, poptContext context)
     return STATUS_DONE;
 }
 
-/* Another value of an option that may be repeated, on a line of its own. Whether there was memory is seen afterwards. */
+/* Another value of an option that may be repeated, on a line of its own. Whether there was
+ * memory is seen afterwards. */
 static int append(char **lines, char *value)
 {
     const size_t before = strlen(*lines), length = strlen(value);
@@ -88,8 +89,8 @@ static int keep(arguments *given, const syntax *grammar, int number, char *value
         return append(&given->value[number], value);
     if (given->value[number] != NULL && value != NULL) {
         const struct poptOption *option = find(grammar->options, number);
-        const int status =
-            usage_error("--%s %s: given twice; allowed: once", option != NULL ? option->longName : "?", value);
+        const int status = usage_error("--%s %s: given twice; allowed: once",
+                                       option != NULL ? option->longName : "?", value);
         free(value);
         return status;
     }
@@ -101,19 +102,23 @@ static int keep(arguments *given, const syntax *grammar, int number, char *value
 static int read_options(arguments *given, const syntax *grammar)
 {
     int number, status = STATUS_DONE;
-    while (status == STATUS_DONE && (number = poptGetNextOpt(given->context)) > 0 && !is_out_of_memory()) {
+    while (status == STATUS_DONE && (number = poptGetNextOpt(given->context)) > 0 &&
+           !is_out_of_memory()) {
         char *value = poptGetOptArg(given->context);
         status = is_out_of_memory() ? STATUS_FAILED : keep(given, grammar, number, value);
     }
     if (is_out_of_memory())
         return failure("out of memory");
-    return status == STATUS_DONE && number < -1 ? bad_option(grammar, given->context, number) : status;
+    return status == STATUS_DONE && number < -1 ? bad_option(grammar, given->context, number)
+                                                : status;
 }
 
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status)
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
+                    int *status)
 {
     *given = (arguments){0};
-    unsetenv("POSIXLY_CORRECT"); /* for popt these mean that no option may follow an operand, such as a table's name */
+    /* for popt these mean that no option may follow an operand, such as a table's name */
+    unsetenv("POSIXLY_CORRECT");
     unsetenv("POSIX_ME_HARDER");
     errno = 0;
     given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
@@ -137,7 +142,8 @@ void arguments_free(arguments *given)
     poptFreeContext(given->context);
 }
 
-int arguments_run(const syntax *grammar, int argc, const char **argv, int (*run)(const arguments *given))
+int arguments_run(const syntax *grammar, int argc, const char **argv,
+                  int (*run)(const arguments *given))
 {
     arguments given;
     int status;

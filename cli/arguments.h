@@ -8,8 +8,8 @@
 
 #include <popt.h>
 
-/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg is NULL, so that popt
- * hands every value over. The first few are common to all commands. */
+/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg
+ * is NULL, so that popt hands every value over. The first few are common to all commands. */
 enum {
     OPTION_HELP = 1,
     OPTION_FORMAT,
@@ -25,22 +25,27 @@ typedef struct {
     const struct poptOption *options;
     const char *operands;            /* as the usage line shows them */
     void (*more_help)(FILE *stream); /* what follows the options */
-    int repeated;                    /* the option that may be given again, its values one to a line; 0 for none */
+    /* the option that may be given again, its values one to a line; 0 for none */
+    int repeated;
 } syntax;
 
 typedef struct {
-    char *value[OPTION_LIMIT]; /* by the option's number: NULL where not given, "" for one that takes no value */
-    const char **operand;      /* ends with NULL; NULL where there is none */
+    /* by the option's number: NULL where not given, "" for one that takes no value */
+    char *value[OPTION_LIMIT];
+    const char **operand; /* ends with NULL; NULL where there is none */
     poptContext context;
 } arguments;
 
-/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the command is to end at once,
- * with the status: after --help, or a mistake. Free what it gave in either case. */
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv, int *status);
+/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the
+ * command is to end at once, with the status: after --help, or a mistake. Free what it gave in
+ * either case. */
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
+                    int *status);
 void arguments_free(arguments *given);
 
 /* Reads the command line and hands it to the command; returns the exit status. */
-int arguments_run(const syntax *grammar, int argc, const char **argv, int (*run)(const arguments *given));
+int arguments_run(const syntax *grammar, int argc, const char **argv,
+                  int (*run)(const arguments *given));
 
 /* A mistake where there is a word that is no option. */
 int arguments_no_operand(const arguments *given);
@@ -48,9 +53,9 @@ int arguments_no_operand(const arguments *given);
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);
 
-#define OPTION_HELP_ENTRY                                                                                              \
-    {                                                                                                                  \
-        "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL                                 \
+#define OPTION_HELP_ENTRY                                                                          \
+    {                                                                                              \
+        "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL             \
     }
 
 #endif

@@ -59,10 +59,12 @@ static bool is_rigid(const input_texts *texts)
 {
     char complaint[COMPLAINT_SIZE];
     double E2;
-    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) && isinf(E2);
+    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) &&
+           isinf(E2);
 }
 
-/* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has no Poisson's ratio. */
+/* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has
+ * no Poisson's ratio. */
 static bool has_no_gap(const run *r, const input_texts *texts, char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
@@ -75,7 +77,8 @@ static bool has_no_gap(const run *r, const input_texts *texts, char complaint[CO
     return true;
 }
 
-/* Before any row: whether the columns and constants can give a contact. A second body may be rigid in every row. */
+/* Before any row: whether the columns and constants can give a contact. A second body may be
+ * rigid in every row. */
 static int check_complete(const run *r)
 {
     const char *present[INPUT_COUNT];
@@ -90,19 +93,22 @@ static int check_complete(const run *r)
     return failure("%s: %s%s", csv_input_name(r->in), complaint, header_separator_hint(&r->names));
 }
 
-/* A result that the file has as an input is not repeated; another column of its name would be mistaken for it. */
+/* A result that the file has as an input is not repeated; another column of its name would be
+ * mistaken for it. */
 static int choose_results(run *r)
 {
     for (int i = 0; i < RESULT_COUNT; i++) {
         const char *name = result_kinds[i].column;
-        const bool is_input =
-            (i == RESULT_ROUNDING && has_column(r, INPUT_A)) || (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
+        const bool is_input = (i == RESULT_ROUNDING && has_column(r, INPUT_A)) ||
+                              (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
         r->shown[i] = !is_input && (i != RESULT_YIELD_FACTOR || r->what->yield_factor);
         if (r->shown[i] && header_has(&r->names, name))
-            return failure("%s: column %s: a result has that name; allowed: any other", csv_input_name(r->in), name);
+            return failure("%s: column %s: a result has that name; allowed: any other",
+                           csv_input_name(r->in), name);
     }
     if (header_has(&r->names, error_column))
-        return failure("%s: column error: a result has that name; allowed: any other", csv_input_name(r->in));
+        return failure("%s: column error: a result has that name; allowed: any other",
+                       csv_input_name(r->in));
     return STATUS_DONE;
 }
 
@@ -124,7 +130,8 @@ static void write_header(run *r)
 static bool solve_row(const run *r, bool malformed, results *found, char complaint[COMPLAINT_SIZE])
 {
     if (malformed) {
-        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64, csv_input_line(r->in));
+        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64,
+                 csv_input_line(r->in));
         return false;
     }
     if (!header_fits(&r->names, r->in, complaint))
@@ -145,8 +152,9 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
 static void pass_through(run *r)
 {
     for (size_t i = 0; i < r->names.count; i++)
-        r->rows->format->value(r->rows, r->names.name[i],
-                               cell_text(i < csv_input_count(r->in) ? csv_input_cell(r->in, i) : ""));
+        r->rows->format->value(
+            r->rows, r->names.name[i],
+            cell_text(i < csv_input_count(r->in) ? csv_input_cell(r->in, i) : ""));
 }
 
 static void write_row(run *r, bool malformed)
@@ -157,7 +165,8 @@ static void write_row(run *r, bool malformed)
     pass_through(r);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->shown[i])
-            r->rows->format->value(r->rows, result_kinds[i].column, solved ? found.value[i] : cell_empty());
+            r->rows->format->value(r->rows, result_kinds[i].column,
+                                   solved ? found.value[i] : cell_empty());
     r->rows->format->value(r->rows, error_column, cell_text(complaint));
     r->rows->format->end_row(r->rows);
     r->count++;
@@ -173,7 +182,8 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     r->rows = rows;
     progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && (event = csv_input_next(r->in)) != CSV_END && event != CSV_FAILED)
+    while (records_go_on(r->rows) && (event = csv_input_next(r->in)) != CSV_END &&
+           event != CSV_FAILED)
         write_row(r, event == CSV_MALFORMED);
     r->rows->format->end(r->rows);
     progress_erase();
@@ -184,20 +194,23 @@ static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
     if (status == STATUS_DONE && r->failed > 0)
-        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error", csv_input_name(r->in),
-               r->failed, r->count);
+        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
+               csv_input_name(r->in), r->failed, r->count);
     return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
 }
 
 int batch_run(const batch *what, const output_options *how)
 {
-    run r = {.what = what, .how = how, .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',')};
+    run r = {.what = what,
+             .how = how,
+             .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',')};
     if (r.in == NULL)
         return STATUS_FAILED;
     bool wanted[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
         wanted[i] = true;
-    int status = header_read(r.in, wanted, &what->constants, &r.names) ? check_constants(&r) : STATUS_FAILED;
+    int status =
+        header_read(r.in, wanted, &what->constants, &r.names) ? check_constants(&r) : STATUS_FAILED;
     if (status == STATUS_DONE)
         status = check_complete(&r);
     if (status == STATUS_DONE)

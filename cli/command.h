@@ -8,7 +8,8 @@
 typedef struct {
     const char *name, *whole_name, *summary;
     const syntax *grammar;
-    const char *(*operand)(int i);      /* the words that may follow, NULL after the last; NULL where none may */
+    /* the words that may follow, NULL after the last; NULL where none may */
+    const char *(*operand)(int i);
     int (*run)(const arguments *given); /* returns the exit status */
 } command;
 

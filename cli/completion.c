@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What may follow an option is told by how help calls it: words between bars, a FILE, or something to type. */
+/* What may follow an option is told by how help calls it: words between bars, a FILE, or
+ * something to type. */
 #include "completion.h"
 
 #include "message.h"
@@ -36,7 +37,8 @@ static void print_words(const struct poptOption *option)
             putchar(*c == '|' ? ' ' : *c);
 }
 
-/* Within single quotes of any of the shells, with a backslash before the characters that are special there. */
+/* Within single quotes of any of the shells, with a backslash before the characters that are
+ * special there. */
 static void print_quoted(const char *text, const char *special)
 {
     for (const char *c = text; *c != '\0'; c++) {
@@ -81,7 +83,8 @@ static void bash_name(const struct poptOption *option, const command *of)
 static void print_bash(const command *const commands[], int count, const struct poptOption *own)
 {
     fputs("_rwedge()\n{\n"
-          "    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command= words= files=\n"
+          "    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command= "
+          "words= files=\n"
           "    COMPREPLY=()\n"
           "    [[ $prev == = ]] && prev=${COMP_WORDS[COMP_CWORD - 2]}\n"
           "    [[ $cur == = ]] && cur=\n"
@@ -123,8 +126,8 @@ static void zsh_option(const struct poptOption *option, const command *of)
     const char *repeated = of != NULL && of->grammar->repeated == option->val ? "*" : "";
     const char *value = option->argDescrip != NULL ? "=" : "";
     if (option->shortName != '\0')
-        printf(" \\\n            '(-%c --%s)'{-%c%s,--%s%s}'[", option->shortName, option->longName, option->shortName,
-               option->argDescrip != NULL ? "+" : "", option->longName, value);
+        printf(" \\\n            '(-%c --%s)'{-%c%s,--%s%s}'[", option->shortName, option->longName,
+               option->shortName, option->argDescrip != NULL ? "+" : "", option->longName, value);
     else
         printf(" \\\n            '%s--%s%s[", repeated, option->longName, value);
     print_quoted(option->descrip, "[]");
@@ -165,7 +168,8 @@ static void print_zsh(const command *const commands[], int count, const struct p
         fputs("\n        ;;\n", stdout);
     }
     fputs("    esac\n}\n"
-          "if [[ $funcstack[1] == _rwedge ]]; then\n    _rwedge \"$@\"\nelse\n    compdef _rwedge rwedge\nfi\n",
+          "if [[ $funcstack[1] == _rwedge ]]; then\n    _rwedge \"$@\"\nelse\n    compdef _rwedge "
+          "rwedge\nfi\n",
           stdout);
 }
 
@@ -209,13 +213,14 @@ static void print_fish(const command *const commands[], int count, const struct 
     }
 }
 
-int completion_print(const char *shell, const command *const commands[], int count, const struct poptOption *own)
+int completion_print(const char *shell, const command *const commands[], int count,
+                     const struct poptOption *own)
 {
     const bool zsh = strcmp(shell, "zsh") == 0, fish = strcmp(shell, "fish") == 0;
     if (!zsh && !fish && strcmp(shell, "bash") != 0)
         return usage_error("--completion %s: unknown shell; allowed: bash, zsh, fish", shell);
-    printf("%s# Completion of %s for rwedge, written by \"rwedge --completion %s\".\n", zsh ? "#compdef rwedge\n" : "",
-           shell, shell);
+    printf("%s# Completion of %s for rwedge, written by \"rwedge --completion %s\".\n",
+           zsh ? "#compdef rwedge\n" : "", shell, shell);
     (zsh ? print_zsh : fish ? print_fish : print_bash)(commands, count, own);
     if (fflush(stdout) != 0 || ferror(stdout))
         return failure("standard output: %s", strerror(errno));

@@ -6,6 +6,7 @@
 #include "command.h"
 
 /* Prints that of a shell; own is what may stand in front of a command. Returns the exit status. */
-int completion_print(const char *shell, const command *const commands[], int count, const struct poptOption *own);
+int completion_print(const char *shell, const command *const commands[], int count,
+                     const struct poptOption *own);
 
 #endif

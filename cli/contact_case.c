@@ -33,12 +33,14 @@ static bool excluded(const input_texts *given, int one, int other, char complain
     return false;
 }
 
-static bool missing(const input_texts *given, const alternatives *way, char complaint[COMPLAINT_SIZE])
+static bool missing(const input_texts *given, const alternatives *way,
+                    char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
     const bool two = way->other >= 0;
-    snprintf(complaint, COMPLAINT_SIZE, "%s: missing; needed: %s%s%s%s", input_name(given, way->one, first), first,
-             two ? " or " : "", two ? input_name(given, way->other, second) : "",
+    snprintf(complaint, COMPLAINT_SIZE, "%s: missing; needed: %s%s%s%s",
+             input_name(given, way->one, first), first, two ? " or " : "",
+             two ? input_name(given, way->other, second) : "",
              given->is_cell[way->one] ? ", as a column or an option" : "");
     return false;
 }
@@ -56,7 +58,8 @@ static bool second_body_is_whole(const input_texts *given, char complaint[COMPLA
     if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
         return true;
     const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+    snprintf(complaint, COMPLAINT_SIZE,
+             "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
              input_name(given, there, name), given->text[there], input_name(given, absent, other));
     return false;
 }
@@ -100,19 +103,22 @@ bool slides_away(double P, double Q, double f)
     return fabs(Q) > f * P * (1 + SLIDING_ROUNDING);
 }
 
-static bool has_equilibrium(const input_texts *given, const contact_case *what, char complaint[COMPLAINT_SIZE])
+static bool has_equilibrium(const input_texts *given, const contact_case *what,
+                            char complaint[COMPLAINT_SIZE])
 {
     if (!slides_away(what->P, what->Q, what->f))
         return true;
     char name[INPUT_NAME_SIZE], limit[NUMBER_SIZE];
     number_write(what->f * what->P, 6, '.', limit);
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must not exceed f P = %s: there is no equilibrium%s",
+    snprintf(complaint, COMPLAINT_SIZE,
+             "%s %.60s: must not exceed f P = %s: there is no equilibrium%s",
              input_name(given, INPUT_Q, name), given->text[INPUT_Q], limit,
              input_is_given(given, INPUT_F) ? "" : "; f is missing");
     return false;
 }
 
-bool case_read(const input_texts *given, bool needs_load, contact_case *what, char complaint[COMPLAINT_SIZE])
+bool case_read(const input_texts *given, bool needs_load, contact_case *what,
+               char complaint[COMPLAINT_SIZE])
 {
     if (!case_is_complete(given, needs_load, complaint))
         return false;
@@ -124,7 +130,8 @@ bool case_read(const input_texts *given, bool needs_load, contact_case *what, ch
     }
     fill(value, what);
     if (!isnormal(what->A) || !isnormal(what->theta / what->A) || !isfinite(what->a)) {
-        snprintf(complaint, COMPLAINT_SIZE, "the moduli and the rounding are so large or small that numbers overflow");
+        snprintf(complaint, COMPLAINT_SIZE,
+                 "the moduli and the rounding are so large or small that numbers overflow");
         return false;
     }
     return has_equilibrium(given, what, complaint);

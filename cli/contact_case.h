@@ -13,11 +13,13 @@ typedef struct {
     double beta; /* Dundurs' second constant */
 } contact_case;
 
-/* Whether inputs exclude each other, or one that is needed is missing; P counts as needed where needs_load is true. */
+/* Whether inputs exclude each other, or one that is needed is missing; P counts as needed where
+ * needs_load is true. */
 bool case_is_complete(const input_texts *given, bool needs_load, char complaint[COMPLAINT_SIZE]);
 
 /* Reads it; P and Q are 0 where they are not given. False, with the complaint. */
-bool case_read(const input_texts *given, bool needs_load, contact_case *what, char complaint[COMPLAINT_SIZE]);
+bool case_read(const input_texts *given, bool needs_load, contact_case *what,
+               char complaint[COMPLAINT_SIZE]);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *what);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Marching squares. A rim of low values around the grid closes every contour; its points have the coordinates of the
- * border. Each crossed edge is left into exactly one cell, with the higher values on the same side, so that a loop is
- * found by following one table. */
+/* Marching squares. A rim of low values around the grid closes every contour; its points have
+ * the coordinates of the border. Each crossed edge is left into exactly one cell, with the
+ * higher values on the same side, so that a loop is found by following one table. */
 #include "contour.h"
 
 #include <math.h>
@@ -14,7 +14,8 @@ typedef struct {
     const contour_grid *grid;
     double height;
     int across, down; /* nodes, with the rim */
-    int *next;        /* from an edge to the next: 2 n is that from node n to its right, 2 n + 1 to the one below */
+    /* from an edge to the next: 2 n is that from node n to its right, 2 n + 1 to the one below */
+    int *next;
 } tracer;
 
 static int clamp(int i, int count)
@@ -59,7 +60,8 @@ static void link_cell(tracer *t, int i, int j)
     }
     const bool saddle = high[0] == high[2] && high[1] == high[3] && high[0] != high[1];
     const bool joined = saddle && !rim && mean >= t->height;
-    for (int k = 0; k < 4; k++) { /* leave the high corners k, k - 1, ... through the side k, where they end */
+    /* leave the high corners k, k - 1, ... through the side k, where they end */
+    for (int k = 0; k < 4; k++) {
         if (!high[k] || high[(k + 1) % 4])
             continue;
         int in = (k + 1) % 4; /* past the one low corner, from the other high one */
@@ -74,7 +76,8 @@ static contour_point crossing(const tracer *t, int edge)
 {
     const int node = edge / 2, i = node % t->across, j = node / t->across;
     const int k = i + (edge % 2 == 0), l = j + edge % 2;
-    const double x0 = t->grid->x[clamp(i, t->grid->columns)], x1 = t->grid->x[clamp(k, t->grid->columns)];
+    const double x0 = t->grid->x[clamp(i, t->grid->columns)],
+                 x1 = t->grid->x[clamp(k, t->grid->columns)];
     const double y0 = t->grid->y[clamp(j, t->grid->rows)], y1 = t->grid->y[clamp(l, t->grid->rows)];
     const double v0 = value_at(t, i, j), v1 = value_at(t, k, l);
     const bool border = on_rim(t, i, j) || on_rim(t, k, l);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contours of values on a grid, as closed loops that can be filled: where a contour meets the grid's border it goes on
- * along the border, around the higher values. */
+/* Contours of values on a grid, as closed loops that can be filled: where a contour meets the
+ * grid's border it goes on along the border, around the higher values. */
 #ifndef CLI_CONTOUR_H
 #define CLI_CONTOUR_H
 

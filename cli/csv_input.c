@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The only file that knows libcsv. Its parser is pushed, and rows are pulled here: it gets the file line by line, so
- * that one push ends one row at the most. */
+/* The only file that knows libcsv. Its parser is pushed, and rows are pulled here: it gets the
+ * file line by line, so that one push ends one row at the most. */
 #include "csv_input.h"
 
 #include "message.h"
@@ -100,7 +100,8 @@ csv_input *csv_input_open(const char *path, char separator)
     in->at_start = true;
     in->line = 1;
     in->descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY);
-    const bool folder = in->descriptor >= 0 && fstat(in->descriptor, &about) == 0 && S_ISDIR(about.st_mode);
+    const bool folder =
+        in->descriptor >= 0 && fstat(in->descriptor, &about) == 0 && S_ISDIR(about.st_mode);
     if (in->descriptor < 0 || folder) {
         failure("%s: %s", name, strerror(folder ? EISDIR : errno));
         csv_input_close(in);
@@ -199,7 +200,8 @@ static csv_event push(csv_input *in)
         return CSV_FAILED;
     in->begin += length;
     const bool ends = bytes[length - 1] == '\n' || bytes[length - 1] == '\r';
-    const bool malformed = !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
+    const bool malformed =
+        !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
     if (malformed && is_out_of_memory(in))
         return CSV_FAILED;
     count_line(in, bytes, length);
@@ -209,7 +211,8 @@ static csv_event push(csv_input *in)
             restart(in);
         return ends ? CSV_MALFORMED : CSV_ROW;
     }
-    if (ends && !in->row_ended && in->count == 0 && in->parser.entry_pos == 0 && in->parser.quoted == 0) {
+    if (ends && !in->row_ended && in->count == 0 && in->parser.entry_pos == 0 &&
+        in->parser.quoted == 0) {
         in->first_line = in->line; /* a blank line */
         in->pushed = 0;
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of a CSV file (RFC 4180, UTF-8), one at a time: memory holds one row, however many there are. */
+/* Rows of a CSV file (RFC 4180, UTF-8), one at a time: memory holds one row, however many there
+ * are. */
 #ifndef CLI_CSV_INPUT_H
 #define CLI_CSV_INPUT_H
 
@@ -14,12 +15,14 @@ typedef struct csv_input csv_input;
 
 typedef enum {
     CSV_ROW,
-    CSV_MALFORMED, /* quotes are out of place: a row of the cells before that; the next line starts afresh */
+    /* quotes are out of place: a row of the cells before that; the next line starts afresh */
+    CSV_MALFORMED,
     CSV_END,
     CSV_FAILED /* it cannot be read on, and the reason has been said */
 } csv_event;
 
-/* Opens a file, or standard input where path is "-". NULL, with the reason said, where it cannot be read. */
+/* Opens a file, or standard input where path is "-". NULL, with the reason said, where it cannot
+ * be read. */
 csv_input *csv_input_open(const char *path, char separator);
 
 /* Reads the next row. Blank lines are no rows. */

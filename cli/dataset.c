@@ -8,7 +8,8 @@ void dataset_add(dataset *to, data_row row)
 {
     if (to->count == to->room) {
         const size_t room = 2 * to->room + 256;
-        data_row *longer = room < SIZE_MAX / sizeof row ? realloc(to->row, room * sizeof row) : NULL;
+        data_row *longer =
+            room < SIZE_MAX / sizeof row ? realloc(to->row, room * sizeof row) : NULL;
         to->failed = to->failed || longer == NULL;
         if (longer == NULL)
             return;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numbers behind a figure: rows in memory, in groups of one curve each. What is drawn and what --data writes are
- * the same rows. */
+/* The numbers behind a figure: rows in memory, in groups of one curve each. What is drawn and
+ * what --data writes are the same rows. */
 #ifndef CLI_DATASET_H
 #define CLI_DATASET_H
 
@@ -9,9 +9,10 @@
 enum { DATA_COLUMNS_MAX = 8 };
 
 typedef struct {
-    int curve;                       /* which group it belongs to */
-    const char *text;                /* of the text column, where there is one; not copied */
-    double number[DATA_COLUMNS_MAX]; /* of the others, in their order; what is not finite is empty */
+    int curve;        /* which group it belongs to */
+    const char *text; /* of the text column, where there is one; not copied */
+    /* of the others, in their order; what is not finite is empty */
+    double number[DATA_COLUMNS_MAX];
 } data_row;
 
 /* All zero is empty. Once memory runs out, no more rows are added and failed stays true. */

@@ -3,7 +3,8 @@
 
 #include <ctype.h>
 
-/* An exponent beyond this one is out of a double's range, however many digits come before it in an argument. */
+/* An exponent beyond this one is out of a double's range, however many digits come before it in
+ * an argument. */
 enum { EXPONENT_MAX = 1000000 };
 
 static bool multiply_by_ten(int64_t *units, int times)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only where needed. */
+/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only
+ * where needed. */
 #include "records.h"
 
 #include <math.h>
@@ -46,7 +47,8 @@ static void put_value(records *rows, const char *name, cell value)
     if (value.text != NULL)
         put_text(rows, value.text);
     else if (isfinite(value.number))
-        output_write(rows->out, text, number_write(value.number, rows->digits, rows->decimal_sign, text));
+        output_write(rows->out, text,
+                     number_write(value.number, rows->digits, rows->decimal_sign, text));
 }
 
 static void end_row(records *rows)

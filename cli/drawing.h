@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A picture, described without regard to what draws it: axes, curves over the rows of a dataset, labels. Lengths on
- * paper are for a column of 85 mm. In a text *a* is italic and _c is a subscript. */
+/* A picture, described without regard to what draws it: axes, curves over the rows of a dataset,
+ * labels. Lengths on paper are for a column of 85 mm. In a text *a* is italic and _c is a
+ * subscript. */
 #ifndef CLI_DRAWING_H
 #define CLI_DRAWING_H
 
@@ -10,7 +11,8 @@ enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
 
-/* The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which paper swallows. */
+/* The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which
+ * paper swallows. */
 enum { BLACK, BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, PALETTE_SIZE };
 
 enum { DASHES = 5 }; /* 0 is a solid line; the others differ in print without colour */
@@ -58,8 +60,8 @@ typedef struct {
     int label_count;
 } drawing;
 
-/* The next curve, a thin black line through all rows of the curve of a dataset, to be changed as needed; one beyond the
- * last is taken and forgotten. */
+/* The next curve, a thin black line through all rows of the curve of a dataset, to be changed as
+ * needed; one beyond the last is taken and forgotten. */
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
 
 /* The next label, its text made as by printf. */

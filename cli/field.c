@@ -13,17 +13,20 @@ static struct poptOption field_output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, "Its loads, or natural units:", NULL},
-    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Columns of the grid (default: 81 from -2 b to 2 b)", "RANGE"},
-    {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y, "Its rows, depths below the surface (default: 41 from 0 to 2 b)",
-     "RANGE"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
+     "Its loads, or natural units:", NULL},
+    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
+     "Columns of the grid (default: 81 from -2 b to 2 b)", "RANGE"},
+    {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
+     "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, field_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
 static void describe(FILE *stream)
 {
-    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk the last five as scalars:\n"
+    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk the last "
+          "five as scalars:\n"
           "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
           "  sxx, syy, txy  stresses in body 1, tension positive\n"
           "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
@@ -33,10 +36,12 @@ static void describe(FILE *stream)
 }
 
 /* The text of an axis, or its default between two multiples of b. */
-static int read_axis(const char *name, const char *text, double from, double to, int64_t count, range *values)
+static int read_axis(const char *name, const char *text, double from, double to, int64_t count,
+                     range *values)
 {
     if (text == NULL && to == 0)
-        return usage_error("--%s: missing; after the last load there is no contact to lay a grid around", name);
+        return usage_error(
+            "--%s: missing; after the last load there is no contact to lay a grid around", name);
     const char *complaint = NULL;
     if (text == NULL)
         *values = range_between(from, to, count);
@@ -47,7 +52,8 @@ static int read_axis(const char *name, const char *text, double from, double to,
 
 static bool ascends(const range *values)
 {
-    for (int64_t i = 1; i < values->count; i += values->items != NULL ? 1 : values->count) /* steps are all alike */
+    for (int64_t i = 1; i < values->count;
+         i += values->items != NULL ? 1 : values->count) /* steps are all alike */
         if (!(range_value(values, i) > range_value(values, i - 1)))
             return false;
     return true;
@@ -61,10 +67,12 @@ static int check_grid(const arguments *given, const grid *what, bool vtk)
         return usage_error("--y %s: depths must not be below 0", text[1]);
     if (grid_size(what) > RANGE_VALUES_MAX)
         return usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
-                           what->x.count > what->y.count ? "x" : "y", text[what->x.count > what->y.count ? 0 : 1]);
+                           what->x.count > what->y.count ? "x" : "y",
+                           text[what->x.count > what->y.count ? 0 : 1]);
     for (int i = 0; i < 2 && vtk; i++)
         if (!ascends(i == 0 ? &what->x : &what->y))
-            return usage_error("--%s %s: must ascend; so the format vtk wants it", i == 0 ? "x" : "y", text[i]);
+            return usage_error("--%s %s: must ascend; so the format vtk wants it",
+                               i == 0 ? "x" : "y", text[i]);
     return STATUS_DONE;
 }
 
@@ -85,7 +93,8 @@ static int field(const arguments *given)
     if (status == STATUS_DONE)
         status = check_grid(given, &what, how.format == NULL);
     if (status == STATUS_DONE)
-        status = output_options_write(&how, how.format == NULL ? grid_write_vtk : grid_write_rows, &what);
+        status = output_options_write(&how, how.format == NULL ? grid_write_vtk : grid_write_rows,
+                                      &what);
     state_free(&what.state);
     range_free(&what.x);
     range_free(&what.y);
@@ -94,4 +103,5 @@ static int field(const arguments *given)
 
 static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
 
-const command field_command = {"field", "rwedge field", "stresses on a grid below the surface", &grammar, NULL, field};
+const command field_command = {"field",  "rwedge field", "stresses on a grid below the surface",
+                               &grammar, NULL,           field};

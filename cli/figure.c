@@ -12,28 +12,40 @@
 
 #include <rwedge.h>
 
-enum { OPTION_FIGURE_VARIABLE = OPTION_OWN, OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES, OPTION_NO_TITLE };
+enum {
+    OPTION_FIGURE_VARIABLE = OPTION_OWN,
+    OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES,
+    OPTION_NO_TITLE
+};
 
-static const table_variable stick_width = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
+static const table_variable stick_width = {
+    "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + A_OVER_B,
-     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact", "RANGE"},
-    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + FRICTION, "Coefficient of friction f", "NUMBER"},
-    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU, "Poisson's ratio of the half-plane, 0 to 0.5", "NUMBER"},
+     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
+     "RANGE"},
+    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + FRICTION,
+     "Coefficient of friction f", "NUMBER"},
+    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU,
+     "Poisson's ratio of the half-plane, 0 to 0.5", "NUMBER"},
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + Q_OVER_FP,
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
     {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + C_OVER_B,
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
-    {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA, "Write the numbers behind the figure instead of a picture", NULL},
-    {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture", NULL},
-    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How it is written (default: as FILE ends, or svg; with --data csv)",
+    {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA,
+     "Write the numbers behind the figure instead of a picture", NULL},
+    {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture",
+     NULL},
+    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT,
+     "How it is written (default: as FILE ends, or svg; with --data csv)",
      "svg|png|pdf, csv|tsv|json|xlsx"},
-    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS, "Significant digits of --data, 1 to 17 (default 17)", "N"},
+    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
+     "Significant digits of --data, 1 to 17 (default 17)", "N"},
     {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
      "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
-    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT, "Write to FILE, whole or not at all (default: standard output)",
-     "FILE"},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
+     "Write to FILE, whole or not at all (default: standard output)", "FILE"},
     OPTION_HELP_ENTRY,
     POPT_TABLEEND,
 };
@@ -50,7 +62,8 @@ static void describe_uses(const figure *which, FILE *stream)
         const char *usual = which->use[i].usual;
         if (usual == NULL)
             continue;
-        fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "", usual);
+        fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
+                usual);
         before = ", ";
     }
     if (before[0] == ',')
@@ -99,8 +112,9 @@ static int refuse_variable(const figure *which, int variable, const char *text)
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (which->use[i].usual != NULL)
             append(allowed, sizeof allowed, "--", variable_of(i)->option);
-    return usage_error("--%s %s: figure %s does not depend on it; allowed: %s", variable_of(variable)->option, text,
-                       which->name, allowed[0] != '\0' ? allowed : "none of the variables");
+    return usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
+                       variable_of(variable)->option, text, which->name,
+                       allowed[0] != '\0' ? allowed : "none of the variables");
 }
 
 static int read_variable(const figure *which, int i, const char *text, range *values)
@@ -108,12 +122,14 @@ static int read_variable(const figure *which, int i, const char *text, range *va
     const int most = which->use[i].most;
     if (text == NULL && which->use[i].usual[0] == '\0')
         return STATUS_DONE;
-    const int status = variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    const int status =
+        variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
     if (status != STATUS_DONE || values->count <= most)
         return status;
     if (most == 1)
         return usage_error("--%s %s: must be one number", variable_of(i)->option, text);
-    return usage_error("--%s %s: must not have more than %d values, a curve each", variable_of(i)->option, text, most);
+    return usage_error("--%s %s: must not have more than %d values, a curve each",
+                       variable_of(i)->option, text, most);
 }
 
 static int read_case(const arguments *given, const figure *which, figure_case *of)
@@ -129,8 +145,9 @@ static int read_case(const arguments *given, const figure *which, figure_case *o
             return status;
     }
     if (of->value[C_OVER_B].count > 0 && of->value[Q_OVER_FP].count > 0)
-        return usage_error("--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
-                           given->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
+        return usage_error(
+            "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
+            given->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
     return STATUS_DONE;
 }
 
@@ -150,16 +167,20 @@ static const picture_format *format_of_file(const char *path)
     return found != NULL ? found : &picture_formats[0];
 }
 
-static int read_picture_format(const arguments *given, const picture_format **format, output_options *how)
+static int read_picture_format(const arguments *given, const picture_format **format,
+                               output_options *how)
 {
     const char *name = given->value[OPTION_FORMAT];
     if (given->value[OPTION_DIGITS] != NULL)
-        return usage_error("--digits %s: not for a picture; allowed with: --data", given->value[OPTION_DIGITS]);
+        return usage_error("--digits %s: not for a picture; allowed with: --data",
+                           given->value[OPTION_DIGITS]);
     if (given->value[OPTION_DECIMAL_COMMA] != NULL)
         return usage_error("--decimal-comma: not for a picture; allowed with: --data");
     *format = name != NULL ? format_named(name) : format_of_file(given->value[OPTION_OUTPUT]);
     if (*format == NULL)
-        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx", name);
+        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, "
+                           "tsv, json, xlsx",
+                           name);
     return output_options_read_or(given, name, how);
 }
 
@@ -214,7 +235,8 @@ static bool write_figure(void *of_work, records *rows, bool show_progress)
     work *what = of_work;
     if (!compute(what))
         return false;
-    return what->format != NULL ? draw(what, rows->out) : dataset_write(&what->rows, rows, show_progress);
+    return what->format != NULL ? draw(what, rows->out)
+                                : dataset_write(&what->rows, rows, show_progress);
 }
 
 static int write_work(const arguments *given, work *what)
@@ -224,8 +246,9 @@ static int write_work(const arguments *given, work *what)
     if (status == STATUS_DONE)
         status = read_case(given, what->which, &what->of);
     if (status == STATUS_DONE)
-        status = given->value[OPTION_DATA] != NULL ? output_options_read(given, &how)
-                                                   : read_picture_format(given, &what->format, &how);
+        status = given->value[OPTION_DATA] != NULL
+                     ? output_options_read(given, &how)
+                     : read_picture_format(given, &what->format, &how);
     if (status == STATUS_DONE)
         status = output_options_write(&how, write_figure, what);
     return status;
@@ -248,5 +271,6 @@ static const char *figure_name(int i)
 
 static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, 0};
 
-const command figure_command = {"figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
-                                &grammar, figure_name,     write_command};
+const command figure_command = {
+    "figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
+    &grammar, figure_name,     write_command};

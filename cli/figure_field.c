@@ -26,18 +26,22 @@ static double stick_width(const figure_case *of)
 {
     if (of->value[C_OVER_B].count > 0)
         return case_value(of, C_OVER_B);
-    return of->value[Q_OVER_FP].count > 0 ? rwedge_stick_width(case_value(of, A_OVER_B), case_value(of, Q_OVER_FP)) : 0;
+    return of->value[Q_OVER_FP].count > 0
+               ? rwedge_stick_width(case_value(of, A_OVER_B), case_value(of, Q_OVER_FP))
+               : 0;
 }
 
 static double von_mises(double nu, double sxx, double syy, double txy)
 {
-    const double mean = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy), out_of_plane = (1 - 2 * nu) * mean;
+    const double mean = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy),
+                 out_of_plane = (1 - 2 * nu) * mean;
     return sqrt(half * half + txy * txy + out_of_plane * out_of_plane / 3);
 }
 
 static int32_t compute_field(const figure_case *of, dataset *rows)
 {
-    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION), nu = case_value(of, NU);
+    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
+                 nu = case_value(of, NU);
     const double c = stick_width(of);
     for (int j = 0; j < FIELD_ROWS; j++)
         for (int i = 0; i < FIELD_COLUMNS; i++) {
@@ -48,7 +52,8 @@ static int32_t compute_field(const figure_case *of, dataset *rows)
                 sxx = syy = txy = NAN;
             else if (status != RWEDGE_OK)
                 return status;
-            dataset_add(rows, (data_row){.number = {x, y, sxx, syy, txy, von_mises(nu, sxx, syy, txy)}});
+            dataset_add(rows,
+                        (data_row){.number = {x, y, sxx, syy, txy, von_mises(nu, sxx, syy, txy)}});
         }
     return RWEDGE_OK;
 }
@@ -65,13 +70,16 @@ static double step_of_levels(double top)
 
 enum { AREA_CURVE, LINE_CURVE, KINDS };
 
-/* Whether a point can be left out: it is on the straight line between its neighbours, as far as an eye can see. */
-static bool is_needless(const contour_point *before, const contour_point *p, const contour_point *after)
+/* Whether a point can be left out: it is on the straight line between its neighbours, as far as
+ * an eye can see. */
+static bool is_needless(const contour_point *before, const contour_point *p,
+                        const contour_point *after)
 {
     static const double SEEN = 3e-4;
     const double dx = after->x - before->x, dy = after->y - before->y, length = hypot(dx, dy);
     const double off = dx * (p->y - before->y) - dy * (p->x - before->x);
-    return before->on_border == p->on_border && p->on_border == after->on_border && fabs(off) < SEEN * length;
+    return before->on_border == p->on_border && p->on_border == after->on_border &&
+           fabs(off) < SEEN * length;
 }
 
 static void simplify(contour_loop *one)
@@ -87,14 +95,18 @@ static void add_loop(const contour_loop *one, int number, dataset *points)
 {
     for (size_t i = 0; i <= one->count; i++) {
         const contour_point *p = &one->point[i % one->count];
-        dataset_add(points, (data_row){.curve = KINDS * number + AREA_CURVE, .number = {p->x, p->y}});
+        dataset_add(points,
+                    (data_row){.curve = KINDS * number + AREA_CURVE, .number = {p->x, p->y}});
     }
     bool border = false;
-    for (size_t i = 0; i <= one->count; i++) { /* no line along the border: a gap between its points */
+    /* no line along the border: a gap between its points */
+    for (size_t i = 0; i <= one->count; i++) {
         const contour_point *p = &one->point[i % one->count];
         if (border && p->on_border)
-            dataset_add(points, (data_row){.curve = KINDS * number + LINE_CURVE, .number = {NAN, NAN}});
-        dataset_add(points, (data_row){.curve = KINDS * number + LINE_CURVE, .number = {p->x, p->y}});
+            dataset_add(points,
+                        (data_row){.curve = KINDS * number + LINE_CURVE, .number = {NAN, NAN}});
+        dataset_add(points,
+                    (data_row){.curve = KINDS * number + LINE_CURVE, .number = {p->x, p->y}});
         border = p->on_border;
     }
 }
@@ -157,14 +169,15 @@ static double stress_at(const figure_case *of, double x, double y)
 {
     double sxx, syy, txy;
     const double f = case_value(of, FRICTION), nu = case_value(of, NU);
-    const int32_t status = rwedge_stress(case_value(of, A_OVER_B), f, stick_width(of), x, y, &sxx, &syy, &txy);
+    const int32_t status =
+        rwedge_stress(case_value(of, A_OVER_B), f, stick_width(of), x, y, &sxx, &syy, &txy);
     return status == RWEDGE_OK ? von_mises(nu, sxx, syy, txy) : HUGE_VAL;
 }
 
-/* Along a line from (x, y) in steps (dx, dy), where the stress grows from level to level, a label at each that is far
- * enough from the last one. */
-static int label_line(const figure_case *of, double x, double y, double dx, double dy, double step, int level, int levels,
-                      drawing *on)
+/* Along a line from (x, y) in steps (dx, dy), where the stress grows from level to level, a
+ * label at each that is far enough from the last one. */
+static int label_line(const figure_case *of, double x, double y, double dx, double dy, double step,
+                      int level, int levels, drawing *on)
 {
     const double apart = dx != 0 ? 0.3 : 0.13;
     double since = apart;
@@ -194,7 +207,8 @@ static void label_levels(const figure_case *of, double x, double step, int level
     int level = (int)floor(stress_at(of, side, deep) / step);
     level = label_line(of, side, deep, 0.005, 0, step, level, levels, on);
     const int above = (int)floor(stress_at(of, x, FIELD_DEPTH - 0.1) / step);
-    label_line(of, x, FIELD_DEPTH - 0.1, 0, -0.0025, step, above > level ? above : level, levels, on);
+    label_line(of, x, FIELD_DEPTH - 0.1, 0, -0.0025, step, above > level ? above : level, levels,
+               on);
 }
 
 static void add_bar(double from, double to, double top, double bottom, int number, drawing *on)
@@ -215,15 +229,19 @@ static void draw_zones(double c, drawing *on)
     drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.8;
 }
 
-/* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory short. */
+/* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory
+ * short. */
 static bool find_yield(const figure_case *of, double *x, double *y, double *top, drawing *on)
 {
-    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION), c = stick_width(of);
-    const double load = rwedge_load(alpha), Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
+    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
+                 c = stick_width(of);
+    const double load = rwedge_load(alpha),
+                 Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
     rwedge_contact *contact = NULL;
     double factor = 0;
     int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
-    if (status == RWEDGE_OK) /* Q grows under constant P: the straight line from 0 to both would give other tractions */
+    if (status ==
+        RWEDGE_OK) /* Q grows under constant P: the straight line from 0 to both would give other tractions */
         status = rwedge_contact_load(contact, load, 0);
     if (status == RWEDGE_OK)
         status = rwedge_contact_load(contact, load, Q);
@@ -260,8 +278,8 @@ static void write_title(const figure_case *of, double c, drawing *on)
     drawing_number(case_value(of, NU), nu);
     drawing_number(c, stick);
     const bool normal = case_value(of, FRICTION) == 0;
-    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s", alpha, f,
-             normal ? "" : ", *c*/*b* = ", normal ? "" : stick, nu);
+    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
+             alpha, f, normal ? "" : ", *c*/*b* = ", normal ? "" : stick, nu);
 }
 
 static void write_caption(const figure_case *of, double c, bool found, double top, drawing *on)
@@ -269,8 +287,8 @@ static void write_caption(const figure_case *of, double c, bool found, double to
     char value[NUMBER_SIZE];
     const char *zones = c > 0 ? ", black: stick" : case_value(of, FRICTION) > 0 ? ", sliding" : "";
     number_write(top, 3, '.', value);
-    snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones, found ? "; circle: first yield, " : "",
-             found ? value : "");
+    snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones,
+             found ? "; circle: first yield, " : "", found ? value : "");
 }
 
 static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
@@ -293,13 +311,21 @@ static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
         mark_yield(x, y, on);
 }
 
-static const char *const field_columns[] = {
-    "x_over_b", "y_over_b", "A_sxx_over_theta", "A_syy_over_theta", "A_txy_over_theta", "A_sqrt_J2_over_theta", NULL};
+static const char *const field_columns[] = {"x_over_b",
+                                            "y_over_b",
+                                            "A_sxx_over_theta",
+                                            "A_syy_over_theta",
+                                            "A_txy_over_theta",
+                                            "A_sqrt_J2_over_theta",
+                                            NULL};
 
-const figure figure_field = {
-    .name = "field",
-    .summary = "contours of von Mises stress below the contact",
-    .use = {[A_OVER_B] = {"0.5", 1}, [FRICTION] = {"0.3", 1}, [NU] = {"0.3", 1}, [Q_OVER_FP] = {"", 1}, [C_OVER_B] = {"", 1}},
-    .column = field_columns,
-    .compute = compute_field,
-    .draw = draw_field};
+const figure figure_field = {.name = "field",
+                             .summary = "contours of von Mises stress below the contact",
+                             .use = {[A_OVER_B] = {"0.5", 1},
+                                     [FRICTION] = {"0.3", 1},
+                                     [NU] = {"0.3", 1},
+                                     [Q_OVER_FP] = {"", 1},
+                                     [C_OVER_B] = {"", 1}},
+                             .column = field_columns,
+                             .compute = compute_field,
+                             .draw = draw_field};

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hysteresis loop of a cycle of Q under constant P.
  *
- * In plane strain the displacement of remote points grows like the logarithm of their distance d. Were the contact bonded
- * over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force; what the bodies move beyond that, because the contact
- * slips, depends on no d: it is the displacement of the loop. Each part of the traction with the shape of a flat punch of
- * half-width s moves them by (A dQ/pi) ln(b/s) beyond the bonded contact, and the contact |x| < b is made of such punches
- * with forces f dP(s): on first loading, with stick in |x| < c,
+ * In plane strain the displacement of remote points grows like the logarithm of their distance
+ * d. Were the contact bonded over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force; what
+ * the bodies move beyond that, because the contact slips, depends on no d: it is the
+ * displacement of the loop. Each part of the traction with the shape of a flat punch of
+ * half-width s moves them by (A dQ/pi) ln(b/s) beyond the bonded contact, and the contact |x| <
+ * b is made of such punches with forces f dP(s): on first loading, with stick in |x| < c,
  *
  *     displacement = (A f/pi) * integral of ln(b/s) dP(s), s from c to b.
  *
- * Unloading and reloading follow twice that curve (Masing), and the area of the loop is the energy dissipated, as the
- * part in proportion to Q encloses none. */
+ * Unloading and reloading follow twice that curve (Masing), and the area of the loop is the
+ * energy dissipated, as the part in proportion to Q encloses none. */
 #include "figures.h"
 
 #include <math.h>
@@ -30,7 +31,8 @@ static double load_integral(double alpha, double s)
     return 0.5 * s * ratio + 1.5 * root - alpha * acos(t);
 }
 
-/* The displacement on first loading, in f theta b, from the half-width of the stick zone; by parts. */
+/* The displacement on first loading, in f theta b, from the half-width of the stick zone; by
+ * parts. */
 static double first_displacement(double alpha, double c)
 {
     const double left_out = c > 0 ? c * rwedge_load(alpha / c) * log(c) : 0;
@@ -66,7 +68,8 @@ static int32_t add_part(const cycle *of, double from, double to, double start, c
         dataset_add(of->rows,
                     (data_row){.curve = of->number,
                                .text = what,
-                               .number = {of->alpha, of->amplitude, Q, moved, rwedge_contact_stick_half_width(of->contact),
+                               .number = {of->alpha, of->amplitude, Q, moved,
+                                          rwedge_contact_stick_half_width(of->contact),
                                           rwedge_contact_dissipated_energy(of->contact)}});
     }
     return status;
@@ -91,7 +94,8 @@ static int32_t compute_loop(const figure_case *of, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
     for (int n = 0; status == RWEDGE_OK && n < of->value[Q_OVER_FP].count; n++)
-        status = add_cycle(case_value(of, A_OVER_B), range_value(&of->value[Q_OVER_FP], n), n, rows);
+        status =
+            add_cycle(case_value(of, A_OVER_B), range_value(&of->value[Q_OVER_FP], n), n, rows);
     return status;
 }
 
@@ -122,13 +126,14 @@ static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
         curve *one = drawing_curve(on, rows, n, 3, 2);
         style_of_family(one, n);
         one->width = 1.3;
-        snprintf(one->legend, sizeof one->legend, "%.3g: *W* = %#.3g", range_value(&of->value[Q_OVER_FP], n),
-                 energy_of_cycle(one));
+        snprintf(one->legend, sizeof one->legend, "%.3g: *W* = %#.3g",
+                 range_value(&of->value[Q_OVER_FP], n), energy_of_cycle(one));
     }
 }
 
-static const char *const loop_columns[] = {"a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
-                                           "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
+static const char *const loop_columns[] = {
+    "a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
+    "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
 
 const figure figure_loop = {.name = "loop",
                             .summary = "hysteresis loops of a cycle of Q under constant P",

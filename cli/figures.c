@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "figures.h"
 
-const figure *const figures[FIGURE_COUNT] = {&figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point,
-                                             &figure_tension,  &figure_shear,  &figure_field,   &figure_loop};
+const figure *const figures[FIGURE_COUNT] = {&figure_pressure,    &figure_normal,  &figure_sliding,
+                                             &figure_yield_point, &figure_tension, &figure_shear,
+                                             &figure_field,       &figure_loop};
 
 double case_value(const figure_case *of, int variable)
 {

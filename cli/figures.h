@@ -9,7 +9,8 @@
 /* Those of variable.h, and one more. */
 enum { C_OVER_B = VARIABLE_COUNT, FIGURE_VARIABLES };
 
-/* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where it may be left out. */
+/* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where
+ * it may be left out. */
 typedef struct {
     const char *usual;
     int most; /* how many values it takes */
@@ -33,13 +34,14 @@ typedef struct {
     void (*draw)(const figure_case *of, const dataset *rows, drawing *on);
 } figure;
 
-extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point, figure_tension, figure_shear,
-    figure_field, figure_loop;
+extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
+    figure_tension, figure_shear, figure_field, figure_loop;
 
 enum { FIGURE_COUNT = 8 };
 extern const figure *const figures[FIGURE_COUNT];
 
-/* Style of the curve i of a family: colour and dashes both change, so that either tells neighbours apart. */
+/* Style of the curve i of a family: colour and dashes both change, so that either tells
+ * neighbours apart. */
 void style_of_family(curve *one, int i);
 
 #endif

@@ -11,7 +11,8 @@ static const char surface[] = "surface", subsurface[] = "subsurface";
 
 /* ---- Fig. 3 ---- */
 
-/* Equal steps, and below the first a decade in eight: the limit falls to 0 like the inverse of a logarithm. */
+/* Equal steps, and below the first a decade in eight: the limit falls to 0 like the inverse of a
+ * logarithm. */
 enum { NORMAL_STEPS = 200, NORMAL_DECADES = 8, NORMAL_PER_DECADE = 8 };
 static const double NORMAL_FINE_BELOW = 1.0 / NORMAL_STEPS;
 
@@ -30,7 +31,8 @@ static bool yields_at_surface(double alpha, double nu)
     return rwedge_yield_point(alpha, 0, nu, &limit, &x, &y) == RWEDGE_OK && y == 0;
 }
 
-/* The a/b at which the yield point of a normal load jumps; 0 where it does not between the first and the last. */
+/* The a/b at which the yield point of a normal load jumps; 0 where it does not between the first
+ * and the last. */
 static double jump_of_yield_point(double nu)
 {
     double lo = normal_alpha(1), hi = 1;
@@ -48,8 +50,9 @@ static double jump_of_yield_point(double nu)
 
 static void add_normal(double alpha, double nu, double limit, double y, bool below, dataset *rows)
 {
-    dataset_add(rows,
-                (data_row){.curve = below ? 1 : 0, .text = below ? subsurface : surface, .number = {alpha, nu, limit, y}});
+    dataset_add(rows, (data_row){.curve = below ? 1 : 0,
+                                 .text = below ? subsurface : surface,
+                                 .number = {alpha, nu, limit, y}});
 }
 
 /* Both branches at the jump: the curves end there, and the limit has no gap. */
@@ -70,7 +73,8 @@ static int32_t compute_normal(const figure_case *of, dataset *rows)
     const double nu = case_value(of, NU), jump = jump_of_yield_point(nu);
     bool jumped = jump == 0;
     int32_t status = RWEDGE_OK;
-    for (int i = 0; status == RWEDGE_OK && i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS; i++) {
+    for (int i = 0; status == RWEDGE_OK && i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS;
+         i++) {
         const double alpha = normal_alpha(i);
         double limit, x, y;
         if (!jumped && alpha > jump) {
@@ -107,7 +111,8 @@ static void draw_jump(const dataset *rows, drawing *on)
     jump->colour = VERMILLION;
     jump->dash = 2;
     const bool left = alpha < 0.5;
-    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.07, "jump at *a*/*b* = %.4f", alpha);
+    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.07,
+                               "jump at *a*/*b* = %.4f", alpha);
     one->second_axis = true;
     one->colour = VERMILLION;
     one->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
@@ -131,7 +136,8 @@ static void draw_normal(const figure_case *of, const dataset *rows, drawing *on)
         depth->colour = VERMILLION;
         depth->dash = 1;
     }
-    drawing_label(on, 0.42, normal_at(rows, 0.42, 2) + 0.05 * on->y.to, "← *P*/(*bk*)")->align = ALIGN_RIGHT;
+    drawing_label(on, 0.42, normal_at(rows, 0.42, 2) + 0.05 * on->y.to, "← *P*/(*bk*)")->align =
+        ALIGN_RIGHT;
     label *depth = drawing_label(on, 0.66, normal_at(rows, 0.66, 3) - 0.07, "*y*/*b* →");
     depth->second_axis = true;
     depth->colour = VERMILLION;
@@ -141,7 +147,8 @@ static void draw_normal(const figure_case *of, const dataset *rows, drawing *on)
 static const char *const normal_columns[] = {"a_over_b", "nu", "P_over_bk", "y_over_b", NULL};
 
 const figure figure_normal = {.name = "3",
-                              .summary = "elastic limit under a normal load, and depth of yield, over a/b",
+                              .summary =
+                                  "elastic limit under a normal load, and depth of yield, over a/b",
                               .use = {[NU] = {"0.3", 1}},
                               .column = normal_columns,
                               .text_column = "branch",
@@ -166,9 +173,12 @@ static int32_t add_sliding(double alpha, double f, double nu, bool below, int n,
     if (alpha == 0)
         status = rwedge_yield_point(alpha, f, nu, &limit, &x, &y);
     else
-        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y) : rwedge_surface_yield(alpha, f, nu, &limit, &x);
+        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y)
+                       : rwedge_surface_yield(alpha, f, nu, &limit, &x);
     if (status == RWEDGE_OK)
-        dataset_add(rows, (data_row){.curve = n, .text = below ? subsurface : surface, .number = {alpha, f, nu, limit}});
+        dataset_add(rows, (data_row){.curve = n,
+                                     .text = below ? subsurface : surface,
+                                     .number = {alpha, f, nu, limit}});
     return status;
 }
 
@@ -196,7 +206,8 @@ static int32_t compute_sliding(const figure_case *of, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
     for (int n = 0; status == RWEDGE_OK && n < of->value[A_OVER_B].count; n++)
-        status = add_sliding_curve(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
+        status =
+            add_sliding_curve(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
     return status;
 }
 
@@ -235,22 +246,25 @@ static void draw_sliding(const figure_case *of, const dataset *rows, drawing *on
 
 static const char *const sliding_columns[] = {"a_over_b", "f", "nu", "P_over_bk", NULL};
 
-const figure figure_sliding = {.name = "4",
-                               .summary = "elastic limit in full sliding over f",
-                               .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
-                               .column = sliding_columns,
-                               .text_column = "branch",
-                               .compute = compute_sliding,
-                               .draw = draw_sliding};
+const figure figure_sliding = {
+    .name = "4",
+    .summary = "elastic limit in full sliding over f",
+    .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
+    .column = sliding_columns,
+    .text_column = "branch",
+    .compute = compute_sliding,
+    .draw = draw_sliding};
 
 /* ---- Fig. 5 ---- */
 
-static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *what, dataset *rows)
+static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *what,
+                               dataset *rows)
 {
     double limit, x, y;
     const int32_t status = rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y);
     if (status == RWEDGE_OK)
-        dataset_add(rows, (data_row){.curve = number, .text = what, .number = {alpha, f, nu, x, y}});
+        dataset_add(rows,
+                    (data_row){.curve = number, .text = what, .number = {alpha, f, nu, x, y}});
     return status;
 }
 
@@ -261,7 +275,9 @@ static int32_t add_path(double alpha, double nu, int n, dataset *rows)
     int32_t status = isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK;
     for (int i = 0; status == RWEDGE_OK && friction_step(i) < critical; i++)
         status = add_yield_point(alpha, friction_step(i), nu, n, "step", rows);
-    return status == RWEDGE_OK && critical > 0 ? add_yield_point(alpha, critical, nu, n, "jump", rows) : status;
+    return status == RWEDGE_OK && critical > 0
+               ? add_yield_point(alpha, critical, nu, n, "jump", rows)
+               : status;
 }
 
 static int32_t compute_yield_point(const figure_case *of, dataset *rows)
@@ -301,7 +317,8 @@ static void draw_path(const dataset *rows, int n, drawing *on)
     const double *row = rows->row[crosses->first].number;
     drawing_number(row[0], text);
     label *one = drawing_label(on, on->label_count % 2 == 0 ? -0.015 : -0.11, row[4], "%s", text);
-    one->align = ALIGN_RIGHT; /* in two columns: near Hertz' contact they are closer than a text is high */
+    /* in two columns: near Hertz' contact they are closer than a text is high */
+    one->align = ALIGN_RIGHT;
 }
 
 static void explain_marks(drawing *on)
@@ -336,12 +353,14 @@ static void draw_yield_point(const figure_case *of, const dataset *rows, drawing
     explain_marks(on);
 }
 
-static const char *const yield_point_columns[] = {"a_over_b", "f", "nu", "x_over_b", "y_over_b", NULL};
+static const char *const yield_point_columns[] = {"a_over_b", "f",        "nu",
+                                                  "x_over_b", "y_over_b", NULL};
 
-const figure figure_yield_point = {.name = "5",
-                                   .summary = "path of the subsurface yield point with growing f",
-                                   .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
-                                   .column = yield_point_columns,
-                                   .text_column = "point",
-                                   .compute = compute_yield_point,
-                                   .draw = draw_yield_point};
+const figure figure_yield_point = {
+    .name = "5",
+    .summary = "path of the subsurface yield point with growing f",
+    .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
+    .column = yield_point_columns,
+    .text_column = "point",
+    .compute = compute_yield_point,
+    .draw = draw_yield_point};

@@ -9,7 +9,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a vertical tangent. */
+/* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
+ * vertical tangent. */
 enum { TRACTION_STEPS = 200 };
 static double traction_x(int i)
 {
@@ -24,21 +25,27 @@ static int32_t compute_pressure(const figure_case *of, dataset *rows)
         const double alpha = range_value(&of->value[A_OVER_B], n);
         for (int i = -TRACTION_STEPS; i <= TRACTION_STEPS; i++) {
             const double x = i < 0 ? -traction_x(-i) : traction_x(i);
-            dataset_add(rows, (data_row){.curve = n, .number = {alpha, x, -PI * rwedge_pressure(alpha, x)}});
+            dataset_add(rows, (data_row){.curve = n,
+                                         .number = {alpha, x, -PI * rwedge_pressure(alpha, x)}});
         }
     }
     return RWEDGE_OK;
 }
 
-/* Where the curves lie farthest apart, next to the axis; left and right in turn, as they are closer than a text is high.
- * A steep peak has its label beside it. */
+/* Where the curves lie farthest apart, next to the axis; left and right in turn, as they are
+ * closer than a text is high. A steep peak has its label beside it. */
 static void label_pressure(double alpha, int n, drawing *on)
 {
     char text[NUMBER_SIZE];
     const bool beside = alpha < 0.15;
-    const double x = n % 2 == 0 ? 0.13 : -0.13, y = -PI * rwedge_pressure(alpha, beside && alpha > 0 ? 0 : x);
+    const double x = n % 2 == 0 ? 0.13 : -0.13,
+                 y = -PI * rwedge_pressure(alpha, beside && alpha > 0 ? 0 : x);
     drawing_number(alpha, text);
-    label *one = drawing_label(on, !beside ? x : alpha == 0 ? 0.06 : -0.07, alpha == 0 ? 0.96 * on->y.to : y, "%s", text);
+    label *one = drawing_label(on,
+                               !beside      ? x
+                               : alpha == 0 ? 0.06
+                                            : -0.07,
+                               alpha == 0 ? 0.96 * on->y.to : y, "%s", text);
     one->align = !beside ? ALIGN_CENTRE : alpha == 0 ? ALIGN_LEFT : ALIGN_RIGHT;
     one->boxed = !beside;
     one->colour = on->curve[n].colour;
@@ -69,7 +76,8 @@ static void draw_pressure(const figure_case *of, const dataset *rows, drawing *o
     }
 }
 
-static const char *const pressure_columns[] = {"a_over_b", "x_over_b", "minus_pi_A_p_over_theta", NULL};
+static const char *const pressure_columns[] = {"a_over_b", "x_over_b", "minus_pi_A_p_over_theta",
+                                               NULL};
 
 const figure figure_pressure = {.name = "2",
                                 .summary = "contact pressure over x/b",
@@ -121,8 +129,10 @@ static void add_shear(const figure_case *of, double c, int n, dataset *rows)
     for (int i = -TRACTION_STEPS; i <= TRACTION_STEPS; i++) {
         const double x = i < 0 ? -traction_x(-i) : traction_x(i);
         for (; edge <= c && edge < x && c > 0; edge += 2 * c)
-            dataset_add(rows, (data_row){.curve = n, .number = {c, edge, -PI * rwedge_shear(alpha, c, edge)}});
-        dataset_add(rows, (data_row){.curve = n, .number = {c, x, -PI * rwedge_shear(alpha, c, x)}});
+            dataset_add(rows, (data_row){.curve = n,
+                                         .number = {c, edge, -PI * rwedge_shear(alpha, c, edge)}});
+        dataset_add(rows,
+                    (data_row){.curve = n, .number = {c, x, -PI * rwedge_shear(alpha, c, x)}});
         if (edge == x)
             edge += 2 * c;
     }
@@ -139,11 +149,13 @@ static int32_t compute_shear(const figure_case *of, dataset *rows)
 static void label_shear(const figure_case *of, int n, const label *last, drawing *on)
 {
     char text[NUMBER_SIZE];
-    const double c = range_value(&of->value[C_OVER_B], n), q = -PI * rwedge_shear(case_value(of, A_OVER_B), c, 0);
+    const double c = range_value(&of->value[C_OVER_B], n),
+                 q = -PI * rwedge_shear(case_value(of, A_OVER_B), c, 0);
     const double lift = 0.045 * on->y.to, y = c > 0 && q > 2 * lift ? q - lift : q + lift;
     drawing_number(c, text);
-    label *one = drawing_label(on, 0, isfinite(y) ? y : 0.95 * on->y.to,
-                               c > 0 ? "*c*/*b* = %s" : "*c*/*b* = %s, and the pressure −*pA*π/θ", text);
+    label *one =
+        drawing_label(on, 0, isfinite(y) ? y : 0.95 * on->y.to,
+                      c > 0 ? "*c*/*b* = %s" : "*c*/*b* = %s, and the pressure −*pA*π/θ", text);
     one->align = ALIGN_CENTRE;
     one->boxed = c > 0;
     one->colour = on->curve[n].colour;
@@ -178,11 +190,13 @@ static void draw_shear(const figure_case *of, const dataset *rows, drawing *on)
     }
 }
 
-static const char *const shear_columns[] = {"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta", NULL};
+static const char *const shear_columns[] = {"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta",
+                                            NULL};
 
-const figure figure_shear = {.name = "7",
-                             .summary = "shear tractions in partial slip over x/b",
-                             .use = {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", 6}},
-                             .column = shear_columns,
-                             .compute = compute_shear,
-                             .draw = draw_shear};
+const figure figure_shear = {
+    .name = "7",
+    .summary = "shear tractions in partial slip over x/b",
+    .use = {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", 6}},
+    .column = shear_columns,
+    .compute = compute_shear,
+    .draw = draw_shear};

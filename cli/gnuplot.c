@@ -50,7 +50,8 @@ static bool open_pipes(child *gnuplot)
 }
 
 /* What would change the picture: the locale, and the date in a PDF. */
-static char *const our_environment[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0", "TZ=UTC0"};
+static char *const our_environment[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0",
+                                        "TZ=UTC0"};
 enum { OUR_ENVIRONMENT = sizeof our_environment / sizeof our_environment[0] };
 
 static bool is_ours(const char *variable)
@@ -82,7 +83,8 @@ static char **environment(void)
 /* Signals that the tool ignores would stay ignored in gnuplot. */
 static int spawn(child *gnuplot, posix_spawn_file_actions_t *actions, posix_spawnattr_t *attributes)
 {
-    char *const words[] = {"gnuplot", "--default-settings", "-", NULL}; /* not the user's own start file */
+    /* not the user's own start file */
+    char *const words[] = {"gnuplot", "--default-settings", "-", NULL};
     sigset_t usual;
     sigemptyset(&usual);
     sigaddset(&usual, SIGPIPE);
@@ -94,7 +96,9 @@ static int spawn(child *gnuplot, posix_spawn_file_actions_t *actions, posix_spaw
         error = posix_spawn_file_actions_adddup2(actions, gnuplot->pipe[i][FAR], i);
     char **variables = environment();
     if (error == 0)
-        error = variables != NULL ? posix_spawnp(&gnuplot->process, words[0], actions, attributes, words, variables) : ENOMEM;
+        error = variables != NULL ? posix_spawnp(&gnuplot->process, words[0], actions, attributes,
+                                                 words, variables)
+                                  : ENOMEM;
     free(variables);
     return error;
 }
@@ -122,7 +126,8 @@ static bool may_try_again(ssize_t count)
 /* What gnuplot no longer reads (EPIPE) is not needed: its status says why. */
 static void feed(child *gnuplot, const bytes *script, size_t *fed)
 {
-    const ssize_t count = write(gnuplot->pipe[SCRIPT][NEAR], script->data + *fed, script->length - *fed);
+    const ssize_t count =
+        write(gnuplot->pipe[SCRIPT][NEAR], script->data + *fed, script->length - *fed);
     if (count > 0)
         *fed += (size_t)count;
     if (*fed == script->length || (count < 0 && !may_try_again(count)))
@@ -146,7 +151,8 @@ static void converse(child *gnuplot, const bytes *script, bytes *picture)
     while (gnuplot->pipe[PICTURE][NEAR] >= 0 || gnuplot->pipe[COMPLAINTS][NEAR] >= 0) {
         struct pollfd ends[PIPES];
         for (int i = 0; i < PIPES; i++)
-            ends[i] = (struct pollfd){.fd = gnuplot->pipe[i][NEAR], .events = i == SCRIPT ? POLLOUT : POLLIN};
+            ends[i] = (struct pollfd){.fd = gnuplot->pipe[i][NEAR],
+                                      .events = i == SCRIPT ? POLLOUT : POLLIN};
         if (poll(ends, PIPES, -1) < 0)
             continue; /* a signal came in between */
         if (ends[SCRIPT].revents != 0)
@@ -184,8 +190,9 @@ static const char *last_complaint(bytes *complaints)
 static bool refuse(child *gnuplot, const char *what, int number)
 {
     const char *said = last_complaint(&gnuplot->complaints);
-    failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo (package gnuplot-nox)", what,
-            number, said[0] != '\0' ? ": " : "", said);
+    failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo "
+            "(package gnuplot-nox)",
+            what, number, said[0] != '\0' ? ": " : "", said);
     return false;
 }
 
@@ -202,13 +209,15 @@ static bool is_whole(const bytes *picture, const picture_format *format)
     return false;
 }
 
-/* The date of a PDF, for the same bytes tomorrow; as many characters as before, since the file counts its bytes. */
+/* The date of a PDF, for the same bytes tomorrow; as many characters as before, since the file
+ * counts its bytes. */
 static void remove_date(bytes *picture)
 {
     static const char key[] = "/CreationDate (D:", usual[] = "20000101000000";
     const size_t length = sizeof key - 1, digits = sizeof usual - 1;
     for (size_t i = 0; i + length + digits <= picture->length; i++)
-        if (memcmp(picture->data + i, key, length) == 0 && strspn(picture->data + i + length, "0123456789") == digits)
+        if (memcmp(picture->data + i, key, length) == 0 &&
+            strspn(picture->data + i + length, "0123456789") == digits)
             memcpy(picture->data + i + length, usual, digits);
 }
 
@@ -241,7 +250,8 @@ static bool judge(child *gnuplot, int status, const picture_format *format, byte
     if (WEXITSTATUS(status) != 0)
         return refuse(gnuplot, "ended with status", WEXITSTATUS(status));
     if (!is_whole(picture, format))
-        return refuse(gnuplot, "gave no whole picture, but bytes:", (int)(picture->length % 1000000000));
+        return refuse(gnuplot,
+                      "gave no whole picture, but bytes:", (int)(picture->length % 1000000000));
     remove_date(picture);
     if (format->needs_spaces)
         keep_spaces(picture);
@@ -257,7 +267,8 @@ static bool run(child *gnuplot, const picture_format *format, const bytes *scrip
         close_end(gnuplot, i, FAR);
     bool drawn = false;
     if (error == ENOENT)
-        failure("gnuplot: not found on PATH; it draws the figures: install it (package gnuplot-nox), or use --data");
+        failure("gnuplot: not found on PATH; it draws the figures: install it (package "
+                "gnuplot-nox), or use --data");
     else if (error != 0)
         failure("gnuplot: %s", strerror(error));
     else {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* gnuplot, which draws the figures. It is looked for on PATH when one is drawn; nothing else of the program needs it.
- * Only gnuplot.c, which runs it, and gnuplot_script.c, which speaks its language, know of it. */
+/* gnuplot, which draws the figures. It is looked for on PATH when one is drawn; nothing else of
+ * the program needs it. Only gnuplot.c, which runs it, and gnuplot_script.c, which speaks its
+ * language, know of it. */
 #ifndef CLI_GNUPLOT_H
 #define CLI_GNUPLOT_H
 
@@ -8,9 +9,11 @@
 #include "drawing.h"
 
 typedef struct {
-    const char *name;          /* of the format, and of the file's extension */
-    const char *terminal;      /* what gnuplot is told, with the picture's height over its width as %g */
-    double width, height;      /* per unit of width and of height over width, in the terminal's unit */
+    const char *name; /* of the format, and of the file's extension */
+    /* what gnuplot is told, with the picture's height over its width as %g */
+    const char *terminal;
+    /* per unit of width and of height over width, in the terminal's unit */
+    double width, height;
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
     size_t begins_length, ends_length;
     bool needs_spaces; /* its viewers have to be told to keep them */
@@ -22,7 +25,8 @@ extern const picture_format picture_formats[PICTURE_FORMATS];
 /* The drawing in gnuplot's language. */
 void gnuplot_script(const drawing *what, const picture_format *format, bytes *script);
 
-/* Has gnuplot draw: the picture's bytes. False, with the reason said, where it is missing or fails. */
+/* Has gnuplot draw: the picture's bytes. False, with the reason said, where it is missing or
+ * fails. */
 bool gnuplot_draw(const drawing *what, const picture_format *format, bytes *picture);
 
 #endif

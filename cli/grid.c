@@ -6,12 +6,16 @@
 
 #include <math.h>
 
-const char *const grid_quantities[GRID_COUNT] = {
-    [GRID_SXX] = "sxx", [GRID_SYY] = "syy", [GRID_TXY] = "txy", [GRID_VON_MISES] = "von_mises", [GRID_S1] = "s1"};
+const char *const grid_quantities[GRID_COUNT] = {[GRID_SXX] = "sxx",
+                                                 [GRID_SYY] = "syy",
+                                                 [GRID_TXY] = "txy",
+                                                 [GRID_VON_MISES] = "von_mises",
+                                                 [GRID_S1] = "s1"};
 
 int64_t grid_size(const grid *what)
 {
-    const double size = (double)what->x.count * (double)what->y.count; /* the product may not fit an integer */
+    /* the product may not fit an integer */
+    const double size = (double)what->x.count * (double)what->y.count;
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
@@ -20,7 +24,8 @@ static void derive(double nu, double quantity[GRID_COUNT])
 {
     const double mean = (quantity[GRID_SXX] + quantity[GRID_SYY]) / 2;
     const double radius = hypot((quantity[GRID_SXX] - quantity[GRID_SYY]) / 2, quantity[GRID_TXY]);
-    quantity[GRID_VON_MISES] = sqrt(3 * radius * radius + (1 - 2 * nu) * (1 - 2 * nu) * mean * mean);
+    quantity[GRID_VON_MISES] =
+        sqrt(3 * radius * radius + (1 - 2 * nu) * (1 - 2 * nu) * mean * mean);
     quantity[GRID_S1] = mean + radius;
 }
 
@@ -31,8 +36,9 @@ bool grid_compute(const grid *what, double x, double y, double quantity[GRID_COU
         quantity[i] = NAN;
     if (state_is_apex(&what->state, at_x, at_y))
         return true;
-    const int32_t status = rwedge_contact_stresses(what->state.contact, 1, &at_x, &at_y, &quantity[GRID_SXX],
-                                                   &quantity[GRID_SYY], &quantity[GRID_TXY]);
+    const int32_t status =
+        rwedge_contact_stresses(what->state.contact, 1, &at_x, &at_y, &quantity[GRID_SXX],
+                                &quantity[GRID_SYY], &quantity[GRID_TXY]);
     if (status != RWEDGE_OK) {
         failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
         return false;

@@ -21,7 +21,8 @@ static bool copy_names(const csv_input *in, header *names)
     return false;
 }
 
-/* The letters and digits of two names, whatever stands between them; the first has that many characters. */
+/* The letters and digits of two names, whatever stands between them; the first has that many
+ * characters. */
 static bool is_like(const char *a, size_t length, const char *b)
 {
     for (const char *end = a + length;; a++, b++) {
@@ -56,7 +57,8 @@ static bool find(const csv_input *in, int input, header *names)
 
 /* ---- Columns that are none, but must be meant for one ---- */
 
-/* Other usual names. What they mean may be given in its own name, and they are then columns like any other. */
+/* Other usual names. What they mean may be given in its own name, and they are then columns like
+ * any other. */
 static const struct {
     const char *name;
     int input;
@@ -93,22 +95,24 @@ static bool is_given_somehow(const header *names, const input_texts *options, in
            (input_alternative(input) >= 0 && is_given(names, options, input_alternative(input)));
 }
 
-/* "Yield stress", " f" and "Q [N/mm]" are slips; but p beside P, or F beside f, may be another thing. */
-static int slip_for(const header *names, const char *name, size_t length, const bool wanted[INPUT_COUNT],
-                    const input_texts *options)
+/* "Yield stress", " f" and "Q [N/mm]" are slips; but p beside P, or F beside f, may be another
+ * thing. */
+static int slip_for(const header *names, const char *name, size_t length,
+                    const bool wanted[INPUT_COUNT], const input_texts *options)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
         char column[INPUT_NAME_SIZE];
         if (!wanted[i] || !is_like(name, length, input_column(i, column)))
             continue;
-        if (column[1] != '\0' || memchr(name, column[0], length) != NULL || !is_given_somehow(names, options, i))
+        if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
+            !is_given_somehow(names, options, i))
             return i;
     }
     return INPUT_COUNT;
 }
 
-static int synonym_for(const header *names, const char *name, size_t length, const bool wanted[INPUT_COUNT],
-                       const input_texts *options)
+static int synonym_for(const header *names, const char *name, size_t length,
+                       const bool wanted[INPUT_COUNT], const input_texts *options)
 {
     for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
         if (wanted[synonyms[i].input] && is_like(name, length, synonyms[i].name) &&
@@ -125,14 +129,16 @@ static bool is_input(const header *names, size_t column)
     return false;
 }
 
-/* Passed through, a column that is meant for an input would be missed by nobody: friction is 0 by default. */
-static bool check_other(const csv_input *in, const header *names, size_t column, const bool wanted[INPUT_COUNT],
-                        const input_texts *options)
+/* Passed through, a column that is meant for an input would be missed by nobody: friction is 0
+ * by default. */
+static bool check_other(const csv_input *in, const header *names, size_t column,
+                        const bool wanted[INPUT_COUNT], const input_texts *options)
 {
     const char *name = names->name[column];
     const size_t before_unit = strcspn(name, "[(");
     bool has_unit = false;
-    int meant = slip_for(names, name, strlen(name), wanted, options); /* "theta (deg)" is theta_deg */
+    /* "theta (deg)" is theta_deg */
+    int meant = slip_for(names, name, strlen(name), wanted, options);
     if (meant == INPUT_COUNT) {
         has_unit = name[before_unit] != '\0';
         meant = slip_for(names, name, before_unit, wanted, options);
@@ -143,7 +149,8 @@ static bool check_other(const csv_input *in, const header *names, size_t column,
     if (meant == INPUT_COUNT)
         return true;
     char allowed[INPUT_NAME_SIZE];
-    failure("%s: column %.60s: allowed: %s%s%s", csv_input_name(in), name, input_column(meant, allowed),
+    failure("%s: column %.60s: allowed: %s%s%s", csv_input_name(in), name,
+            input_column(meant, allowed),
             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
             slip ? "" : ", or another name if it is something else");
     return false;
@@ -151,7 +158,8 @@ static bool check_other(const csv_input *in, const header *names, size_t column,
 
 /* ---- The row ---- */
 
-bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options, header *names)
+bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options,
+                 header *names)
 {
     *names = (header){0};
     const csv_event event = csv_input_next(in);
@@ -195,7 +203,8 @@ bool header_fits(const header *names, const csv_input *row, char complaint[COMPL
 {
     if (csv_input_count(row) == names->count)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header", csv_input_count(row), names->count);
+    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header",
+             csv_input_count(row), names->count);
     return false;
 }
 
@@ -207,5 +216,7 @@ const char *header_separator_hint(const header *names)
         return "; the columns seem to be separated by ';': --decimal-comma reads that";
     if (strchr(names->name[0], ',') != NULL)
         return "; the columns seem to be separated by ',': leave --decimal-comma out";
-    return strchr(names->name[0], '\t') != NULL ? "; the columns seem to be separated by tabs; allowed: commas" : "";
+    return strchr(names->name[0], '\t') != NULL
+               ? "; the columns seem to be separated by tabs; allowed: commas"
+               : "";
 }

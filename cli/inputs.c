@@ -7,15 +7,16 @@
 #include <string.h>
 #include <strings.h>
 
-#define INPUT(option, input, help, unit)                                                                               \
-    {                                                                                                                  \
-        option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input), help, unit                                        \
+#define INPUT(option, input, help, unit)                                                           \
+    {                                                                                              \
+        option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input), help, unit                    \
     }
 
 struct poptOption input_option_table[] = {
     INPUT("E1", INPUT_E1, "Young's modulus of body 1, whose stresses are computed", "STRESS"),
     INPUT("nu1", INPUT_NU1, "Poisson's ratio of body 1, 0 to 0.5", "NUMBER"),
-    INPUT("E2", INPUT_E2, "Young's modulus of body 2, inf if it is rigid (default: as body 1)", "STRESS"),
+    INPUT("E2", INPUT_E2, "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
+          "STRESS"),
     INPUT("nu2", INPUT_NU2, "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER"),
     INPUT("theta", INPUT_THETA, "Angle between flank and surface, in radians", "ANGLE"),
     INPUT("theta-deg", INPUT_THETA_DEG, "The same in degrees", "ANGLE"),
@@ -29,7 +30,8 @@ struct poptOption input_option_table[] = {
 
 struct poptOption strength_option_table[] = {
     INPUT("k", INPUT_K, "Yield stress of body 1 in pure shear", "STRESS"),
-    INPUT("yield-stress", INPUT_YIELD_STRESS, "Yield stress in tension instead, sqrt(3) k", "STRESS"),
+    INPUT("yield-stress", INPUT_YIELD_STRESS, "Yield stress in tension instead, sqrt(3) k",
+          "STRESS"),
     POPT_TABLEEND,
 };
 
@@ -48,7 +50,8 @@ static const input_domain domains[INPUT_COUNT] = {
     [INPUT_NU1] = {"Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
     [INPUT_E2] = {"Young's modulus", 0, HUGE_VAL, true, "a number above 0, or inf"},
     [INPUT_NU2] = {"Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
-    [INPUT_THETA] = {"the angle", 0, 1.5707963267948966, true, "a number above 0 and below pi/2, in radians"},
+    [INPUT_THETA] = {"the angle", 0, 1.5707963267948966, true,
+                     "a number above 0 and below pi/2, in radians"},
     [INPUT_THETA_DEG] = {"the angle", 0, 90, true, "a number above 0 and below 90, in degrees"},
     [INPUT_A] = {"the half-width of the rounding", NOT_BELOW_0},
     [INPUT_RADIUS] = {"the radius", NOT_BELOW_0},
@@ -103,7 +106,8 @@ void input_texts_from_options(const arguments *given, input_texts *texts)
 
 bool input_is_given(const input_texts *given, int input)
 {
-    return given->text[input] != NULL && given->text[input][strspn(given->text[input], " \t")] != '\0';
+    return given->text[input] != NULL &&
+           given->text[input][strspn(given->text[input], " \t")] != '\0';
 }
 
 /* The commonest mistake has a reason of its own. */
@@ -114,12 +118,14 @@ static const char *hint(const input_texts *given, int input)
         return "; the decimal sign is a comma";
     if (strchr(given->text[input], ',') == NULL || (cell && given->cell_decimal_sign == ','))
         return "";
-    return cell ? "; the decimal sign is a point, or a comma with --decimal-comma" : "; the decimal sign is a point";
+    return cell ? "; the decimal sign is a point, or a comma with --decimal-comma"
+                : "; the decimal sign is a point";
 }
 
 static bool is_in(double value, const input_domain *domain)
 {
-    return domain->open ? value > domain->lo && value < domain->hi : value >= domain->lo && value <= domain->hi;
+    return domain->open ? value > domain->lo && value < domain->hi
+                        : value >= domain->lo && value <= domain->hi;
 }
 
 bool input_read(const input_texts *given, int input, double *value, char complaint[COMPLAINT_SIZE])
@@ -129,11 +135,13 @@ bool input_read(const input_texts *given, int input, double *value, char complai
     const input_domain *domain = &domains[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
     *value = HUGE_VAL;
-    if (rigid ? input == INPUT_E2 : number_read_cell(text, decimal_sign, value) && is_in(*value, domain))
+    if (rigid ? input == INPUT_E2
+              : number_read_cell(text, decimal_sign, value) && is_in(*value, domain))
         return true;
     char name[INPUT_NAME_SIZE];
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s%s", input_name(given, input, name), text, domain->name,
-             domain->domain,
-             rigid && input == INPUT_E1 ? "; a rigid body is body 2, with --E2 inf" : hint(given, input));
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s%s", input_name(given, input, name),
+             text, domain->name, domain->domain,
+             rigid && input == INPUT_E1 ? "; a rigid body is body 2, with --E2 inf"
+                                        : hint(given, input));
     return false;
 }

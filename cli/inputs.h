@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact is given by, one at a time: its names as option and as column, its domain, and how its text is read.
- */
+/* What a contact is given by, one at a time: its names as option and as column, its domain, and
+ * how its text is read.
+ * */
 #ifndef CLI_INPUTS_H
 #define CLI_INPUTS_H
 
@@ -54,7 +55,8 @@ void input_texts_from_options(const arguments *given, input_texts *texts);
 /* Whether a text is there, and is more than blanks. */
 bool input_is_given(const input_texts *given, int input);
 
-/* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be HUGE_VAL, "inf". */
+/* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be
+ * HUGE_VAL, "inf". */
 bool input_read(const input_texts *given, int input, double *value, char complaint[COMPLAINT_SIZE]);
 
 #endif

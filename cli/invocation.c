@@ -15,7 +15,8 @@ static const char *without_folder(const char *path)
 
 static void add(const char *before, const char *word)
 {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+%@";
+    static const char plain[] =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+%@";
     const bool quoted = word[strspn(word, plain)] != '\0' || word[0] == '\0';
     const size_t used = strlen(line);
     snprintf(line + used, sizeof line - used, quoted ? "%s'%s'" : "%s%s", before, word);

@@ -3,8 +3,9 @@
 #ifndef CLI_INVOCATION_H
 #define CLI_INVOCATION_H
 
-/* Keeps it: "rwedge" and the words that follow, quoted where a shell needs it. Of an output file only the name is kept,
- * not its folder: the same command writes the same file wherever it is called. */
+/* Keeps it: "rwedge" and the words that follow, quoted where a shell needs it. Of an output file
+ * only the name is kept, not its folder: the same command writes the same file wherever it is
+ * called. */
 void invocation_keep(int argc, const char *const argv[]);
 
 const char *invocation(void);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* JSON: an array of objects, one to a line; an empty cell is null. Texts are written by Jansson. Jansson builds an
- * array in memory before it writes it, and prints every number with the same digits; so the frame of the array is
- * written here, and the numbers are those of the other formats, whose grammar is JSON's too. */
+/* JSON: an array of objects, one to a line; an empty cell is null. Texts are written by Jansson.
+ * Jansson builds an array in memory before it writes it, and prints every number with the same
+ * digits; so the frame of the array is written here, and the numbers are those of the other
+ * formats, whose grammar is JSON's too. */
 #include "records.h"
 
 #include <errno.h>

@@ -75,7 +75,8 @@ static const computed *next_computed(const plan *what, ahead *work)
 {
     const computed *next = ahead_next(work);
     progress_step();
-    return next->status == RWEDGE_OK || not_computed(what->table, next->value, next->status) ? next : NULL;
+    return next->status == RWEDGE_OK || not_computed(what->table, next->value, next->status) ? next
+                                                                                             : NULL;
 }
 
 /* ---- Layouts ---- */
@@ -104,7 +105,8 @@ static void write_long_header(const plan *what, records *rows)
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
 static void name_across(const plan *what, const records *rows, int64_t i, char name[NUMBER_SIZE])
 {
-    number_write(range_value(&what->axis[what->table->across], i), NUMBER_DIGITS, rows->decimal_sign, name);
+    number_write(range_value(&what->axis[what->table->across], i), NUMBER_DIGITS,
+                 rows->decimal_sign, name);
 }
 
 static void write_grid_header(const plan *what, records *rows)
@@ -157,5 +159,6 @@ bool plan_write(void *plan_to_write, records *rows, bool show_progress)
     ahead_stop(work);
     rows->format->end(rows);
     progress_erase();
-    return records_are_sound(rows) && (done || rows->out->error != 0); /* that, output_finish() says */
+    /* that, output_finish() says */
+    return records_are_sound(rows) && (done || rows->out->error != 0);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A table as rows: long, a row for every combination of the variables; or as a grid, a/b down, a second variable
- * across. */
+/* A table as rows: long, a row for every combination of the variables; or as a grid, a/b down, a
+ * second variable across. */
 #ifndef CLI_LAYOUT_H
 #define CLI_LAYOUT_H
 
@@ -17,8 +17,8 @@ typedef struct {
 /* How many values it computes. */
 int64_t plan_size(const plan *what);
 
-/* Writes it, with progress; the records hold what went wrong with writing. False, with a message, where a value cannot
- * be computed or written as the format needs it. */
+/* Writes it, with progress; the records hold what went wrong with writing. False, with a
+ * message, where a value cannot be computed or written as the format needs it. */
 bool plan_write(void *plan_to_write, records *rows, bool show_progress);
 
 #endif

@@ -9,13 +9,15 @@
 #include <string.h>
 
 /* The next load; what is wrong with it goes to the complaint. */
-static bool apply(double P, double Q, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+static bool apply(double P, double Q, double f, rwedge_contact *contact,
+                  char complaint[COMPLAINT_SIZE])
 {
     const int32_t status = rwedge_contact_load(contact, P, Q);
     char limit[NUMBER_SIZE];
     number_write(f * P, 6, '.', limit);
     if (status == RWEDGE_ESLIDING)
-        snprintf(complaint, COMPLAINT_SIZE, "Q must not exceed f P = %s: there is no equilibrium", limit);
+        snprintf(complaint, COMPLAINT_SIZE, "Q must not exceed f P = %s: there is no equilibrium",
+                 limit);
     else if (status == RWEDGE_EDOMAIN)
         snprintf(complaint, COMPLAINT_SIZE, "P must not be below 0, and Q must be 0 where P is");
     else if (status != RWEDGE_OK)
@@ -42,9 +44,11 @@ int loads_apply_list(const char *lines, double f, rwedge_contact *contact)
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
         if (!read_pair(lines, length, &P, &Q))
-            return usage_error("--load %.*s: must be two numbers P,Q", (int)(length < 60 ? length : 60), lines);
+            return usage_error("--load %.*s: must be two numbers P,Q",
+                               (int)(length < 60 ? length : 60), lines);
         if (!apply(P, Q, f, contact, complaint))
-            return usage_error("--load %.*s: %s", (int)(length < 60 ? length : 60), lines, complaint);
+            return usage_error("--load %.*s: %s", (int)(length < 60 ? length : 60), lines,
+                               complaint);
         lines += length + 1;
     }
     return STATUS_DONE;
@@ -52,8 +56,8 @@ int loads_apply_list(const char *lines, double f, rwedge_contact *contact)
 
 /* ---- A file ---- */
 
-static bool read_row(const header *names, const csv_input *row, char decimal_sign, double *P, double *Q,
-                     char complaint[COMPLAINT_SIZE])
+static bool read_row(const header *names, const csv_input *row, char decimal_sign, double *P,
+                     double *Q, char complaint[COMPLAINT_SIZE])
 {
     static const int columns[] = {INPUT_P, INPUT_Q};
     double *const values[] = {P, Q};
@@ -63,19 +67,21 @@ static bool read_row(const header *names, const csv_input *row, char decimal_sig
         const char *text = csv_input_cell(row, names->column[columns[i]]);
         if (number_read_cell(text, decimal_sign, values[i]))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s", i == 0 ? "P" : "Q", text,
-                 decimal_sign == ',' ? "comma" : "point");
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
+                 i == 0 ? "P" : "Q", text, decimal_sign == ',' ? "comma" : "point");
         return false;
     }
     return true;
 }
 
 /* A row that cannot be applied ends it: what comes after would belong to another history. */
-static bool apply_row(const header *names, csv_input *in, bool malformed, char decimal_sign, double f, rwedge_contact *contact)
+static bool apply_row(const header *names, csv_input *in, bool malformed, char decimal_sign,
+                      double f, rwedge_contact *contact)
 {
     double P, Q;
     char complaint[COMPLAINT_SIZE] = "misplaced quotes";
-    if (!malformed && read_row(names, in, decimal_sign, &P, &Q, complaint) && apply(P, Q, f, contact, complaint))
+    if (!malformed && read_row(names, in, decimal_sign, &P, &Q, complaint) &&
+        apply(P, Q, f, contact, complaint))
         return true;
     failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
     return false;
@@ -88,8 +94,8 @@ static int find_columns(csv_input *in, header *names)
         return STATUS_FAILED;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (wanted[i] && names->column[i] == names->count)
-            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in), i == INPUT_P ? "P" : "Q",
-                           header_separator_hint(names));
+            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in),
+                           i == INPUT_P ? "P" : "Q", header_separator_hint(names));
     return STATUS_DONE;
 }
 
@@ -103,7 +109,8 @@ int loads_apply_file(const char *path, char decimal_sign, double f, rwedge_conta
     int64_t loads = 0;
     int status = find_columns(in, &names);
     while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END) {
-        const bool applied = event != CSV_FAILED && apply_row(&names, in, event == CSV_MALFORMED, decimal_sign, f, contact);
+        const bool applied = event != CSV_FAILED && apply_row(&names, in, event == CSV_MALFORMED,
+                                                              decimal_sign, f, contact);
         status = applied ? STATUS_DONE : STATUS_FAILED;
         loads++;
     }

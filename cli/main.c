@@ -19,22 +19,24 @@
 
 #include <rwedge.h>
 
-static const command *const commands[] = {&solve_command, &table_command, &profile_command, &field_command,
-                                         &figure_command, &workbook_command};
+static const command *const commands[] = {&solve_command, &table_command,  &profile_command,
+                                          &field_command, &figure_command, &workbook_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
 static const struct poptOption options[] = {
     OPTION_HELP_ENTRY,
-    {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION, "Print the completion of a shell, and end",
-     "bash|zsh|fish"},
+    {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION,
+     "Print the completion of a shell, and end", "bash|zsh|fish"},
     {"version", 'V', POPT_ARG_NONE, NULL, OPTION_VERSION, "Show the version, and end", NULL},
     POPT_TABLEEND,
 };
 
 static void list_commands(FILE *stream)
 {
-    fputs("\nThe contact of a wedge with a rounded apex and an elastically similar half-plane.\n\nCommands:\n", stream);
+    fputs("\nThe contact of a wedge with a rounded apex and an elastically similar "
+          "half-plane.\n\nCommands:\n",
+          stream);
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
     fputs("\n\"rwedge COMMAND --help\" describes a command.\n"
@@ -47,7 +49,8 @@ static int unknown_command(const char *name)
     char allowed[200] = "";
     for (int i = 0; i < COMMAND_COUNT; i++) {
         const size_t used = strlen(allowed);
-        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "", commands[i]->name);
+        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "",
+                 commands[i]->name);
     }
     if (name == NULL)
         return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
@@ -71,7 +74,8 @@ static int without_command(int argc, const char **argv)
         if (given.value[OPTION_VERSION] != NULL)
             status = show_version();
         else if (given.value[OPTION_COMPLETION] != NULL)
-            status = completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
+            status =
+                completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
         else
             status = unknown_command(given.operand != NULL ? given.operand[0] : NULL);
     }
@@ -79,12 +83,13 @@ static int without_command(int argc, const char **argv)
     return status;
 }
 
-/* A file must not get the number of a standard stream that was closed: messages would be written into it. The stand-in
- * for standard output refuses to be written to, as the closed one would. */
+/* A file must not get the number of a standard stream that was closed: messages would be written
+ * into it. The stand-in for standard output refuses to be written to, as the closed one would. */
 static bool fill_standard_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
-        if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
+        if (fcntl(stream, F_GETFD) < 0 &&
+            open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
             return false;
     return true;
 }

@@ -16,7 +16,8 @@ const char *message_speaker(void)
     return speaker_name;
 }
 
-/* Messages quote what the user typed: a newline or an escape sequence in it must not break the line or the terminal. */
+/* Messages quote what the user typed: a newline or an escape sequence in it must not break the
+ * line or the terminal. */
 static void say(const char *format, va_list values)
 {
     char line[2048];

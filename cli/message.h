@@ -15,8 +15,8 @@ enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 void message_speaker_is(const char *speaker);
 const char *message_speaker(void);
 
-/* One line on stderr each; what they return is the status to leave with. A line names the option or the file, its
- * value, and what is allowed or what went wrong. */
+/* One line on stderr each; what they return is the status to leave with. A line names the option
+ * or the file, its value, and what is allowed or what went wrong. */
 int usage_error(const char *format, ...) CLI_PRINTF_LIKE;
 int failure(const char *format, ...) CLI_PRINTF_LIKE;
 

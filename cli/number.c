@@ -59,7 +59,8 @@ bool number_read(const char *text, double *value)
 
 bool number_read_cell(const char *text, char decimal_sign, double *value)
 {
-    char plain[512]; /* no double needs more digits to be written exactly than this takes in any sensible form */
+    /* no double needs more digits to be written exactly than this takes in any sensible form */
+    char plain[512];
     text += strspn(text, " \t");
     size_t length = strlen(text);
     while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers as text, the same in every locale: the tool never calls setlocale(), so the decimal sign is a point unless
- * asked otherwise. */
+/* Numbers as text, the same in every locale: the tool never calls setlocale(), so the decimal
+ * sign is a point unless asked otherwise. */
 #ifndef CLI_NUMBER_H
 #define CLI_NUMBER_H
 
@@ -8,8 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0 where none starts
- * there. Neither spaces nor "inf", "nan" and hexadecimal numbers, which strtod() would take, are numbers here. */
+/* How many characters at the start of text are a decimal number: sign, digits, point, exponent.
+ * 0 where none starts there. Neither spaces nor "inf", "nan" and hexadecimal numbers, which
+ * strtod() would take, are numbers here. */
 size_t number_length(const char *text);
 
 /* Reads a whole text as a finite number, correctly rounded; -0 becomes 0. */
@@ -26,8 +27,9 @@ bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
 
 enum { NUMBER_SIZE = 32, NUMBER_DIGITS = 17 };
 
-/* Writes a finite number with so many significant digits, 1 to 17. 17 promises that it reads back to the same bits, and
- * takes the shortest of 15, 16 and 17 digits that does. Returns the length. */
+/* Writes a finite number with so many significant digits, 1 to 17. 17 promises that it reads
+ * back to the same bits, and takes the shortest of 15, 16 and 17 digits that does. Returns the
+ * length. */
 size_t number_write(double value, int digits, char decimal_sign, char text[NUMBER_SIZE]);
 
 #endif

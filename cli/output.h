@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where results go. A file appears whole or not at all: it is written beside its target under another name, flushed to
- * the disk, and renamed; whatever goes wrong before leaves the old file as it was. Standard output, pipes and devices
- * are written to directly, and checked. */
+/* Where results go. A file appears whole or not at all: it is written beside its target under
+ * another name, flushed to the disk, and renamed; whatever goes wrong before leaves the old file
+ * as it was. Standard output, pipes and devices are written to directly, and checked. */
 #ifndef CLI_OUTPUT_H
 #define CLI_OUTPUT_H
 
@@ -20,7 +20,8 @@ typedef struct {
     char buffer[OUTPUT_BUFFER];
 } output;
 
-/* NULL or "-" is standard output. Says what is wrong, and returns false, where it cannot be written to. */
+/* NULL or "-" is standard output. Says what is wrong, and returns false, where it cannot be
+ * written to. */
 bool output_open(output *out, const char *path);
 
 bool output_is_stdout(const output *out);
@@ -29,10 +30,12 @@ bool output_is_stdout(const output *out);
 bool output_write(output *out, const char *bytes, size_t count);
 bool output_text(output *out, const char *text);
 
-/* Makes the result appear. Says what went wrong, and returns false, where it did not. This or the next ends it. */
+/* Makes the result appear. Says what went wrong, and returns false, where it did not. This or
+ * the next ends it. */
 bool output_finish(output *out);
 
-/* Leaves a file as it was; what was meant for standard output, a pipe or a device up to here goes there. */
+/* Leaves a file as it was; what was meant for standard output, a pipe or a device up to here
+ * goes there. */
 void output_discard(output *out);
 
 #endif

@@ -15,7 +15,10 @@ static const struct {
     const char *name;
     const record_format *format;
     char separator;
-} formats[] = {{"csv", &delimited_format, ','}, {"tsv", &delimited_format, '\t'}, {"json", &json_format, ','}, {"xlsx", &xlsx_format, ','}};
+} formats[] = {{"csv", &delimited_format, ','},
+               {"tsv", &delimited_format, '\t'},
+               {"json", &json_format, ','},
+               {"xlsx", &xlsx_format, ','}};
 enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
 
 static int check_spreadsheet(const output_options *how)
@@ -39,8 +42,8 @@ static int read_format(const char *text, const char *other, output_options *how)
     how->separator = ',';
     if (other != NULL && strcmp(text, other) == 0)
         return STATUS_DONE;
-    return usage_error("--format %s: unknown format; allowed: csv, tsv, json, xlsx%s%s", text, other != NULL ? ", " : "",
-                       other != NULL ? other : "");
+    return usage_error("--format %s: unknown format; allowed: csv, tsv, json, xlsx%s%s", text,
+                       other != NULL ? ", " : "", other != NULL ? other : "");
 }
 
 static int read_digits(const char *text, output_options *how)
@@ -56,10 +59,11 @@ static int read_decimal_comma(bool given, output_options *how)
 {
     how->decimal_sign = given ? ',' : '.';
     if (given && how->format != &delimited_format)
-        return usage_error("--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
-                           how->format == &json_format   ? "JSON"
-                           : how->format == &xlsx_format ? "XLSX"
-                                                         : "VTK");
+        return usage_error(
+            "--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
+            how->format == &json_format   ? "JSON"
+            : how->format == &xlsx_format ? "XLSX"
+                                          : "VTK");
     if (given && how->separator == ',')
         how->separator = ';';
     return STATUS_DONE;

@@ -13,7 +13,8 @@ enum { OPTION_X = OPTION_AFTER_STATE, OPTION_POINTS };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, "Its loads, or natural units:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
+     "Its loads, or natural units:", NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},
     {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
      "Or how many points from edge to edge, dense at the edges (default 201)", "N"},
@@ -49,7 +50,8 @@ static double x_of(const plan *what, int64_t i)
     if (what->points == 0)
         return range_value(&what->x, i);
     const double half_pi = 1.5707963267948966;
-    return what->state.b * sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
+    return what->state.b *
+           sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
 }
 
 static const char *zone_of(const contact_state *state, double x)
@@ -59,7 +61,8 @@ static const char *zone_of(const contact_state *state, double x)
     return fabs(x) < rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
 }
 
-/* At the apex of the sharp wedge the stresses are infinite, outside the contact there is no slip: NAN, an empty cell. */
+/* At the apex of the sharp wedge the stresses are infinite, outside the contact there is no
+ * slip: NAN, an empty cell. */
 static int32_t look(const contact_state *state, double at, double value[])
 {
     const double surface = 0;
@@ -69,9 +72,11 @@ static int32_t look(const contact_state *state, double at, double value[])
     if (!state_is_apex(state, at, 0)) {
         status = rwedge_contact_tractions(state->contact, 1, &at, &value[P], &value[Q]);
         if (status == RWEDGE_OK)
-            status = rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+            status =
+                rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
     }
-    if (status == RWEDGE_OK && state->b > 0 && fabs(at) <= rwedge_contact_half_width(state->contact))
+    if (status == RWEDGE_OK && state->b > 0 &&
+        fabs(at) <= rwedge_contact_half_width(state->contact))
         status = rwedge_contact_slip(state->contact, 1, &at, &value[SLIP]);
     return status;
 }
@@ -138,7 +143,8 @@ static int read_points(const arguments *given, plan *what)
 static int check_contact(const plan *what)
 {
     if (what->points > 0 && what->state.b == 0)
-        return usage_error("--x: missing; after the last load there is no contact to take points from");
+        return usage_error(
+            "--x: missing; after the last load there is no contact to take points from");
     return STATUS_DONE;
 }
 
@@ -164,5 +170,6 @@ static int profile(const arguments *given)
 
 static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
 
-const command profile_command = {"profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar,
-                                 NULL,      profile};
+const command profile_command = {
+    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar,
+    NULL,      profile};

@@ -29,7 +29,9 @@ bool progress_wanted(bool rows_to_stdout)
 static double seconds(void)
 {
     struct timespec now;
-    return clock_gettime(CLOCK_MONOTONIC, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0;
+    return clock_gettime(CLOCK_MONOTONIC, &now) == 0
+               ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec
+               : 0;
 }
 
 void progress_start(bool wanted, int64_t total, const char *unit)

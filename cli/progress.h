@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far long work has come, on stderr: "rwedge table: 12345 of 650000 rows", once it has taken half a second. */
+/* How far long work has come, on stderr: "rwedge table: 12345 of 650000 rows", once it has taken
+ * half a second. */
 #ifndef CLI_PROGRESS_H
 #define CLI_PROGRESS_H
 
@@ -13,7 +14,8 @@ bool progress_wanted(bool rows_to_stdout);
 #define PROGRESS_NO_TOTAL INT64_C(-1)
 void progress_start(bool wanted, int64_t total, const char *unit);
 
-/* Call it for every row: it costs an increment, and a look at the clock every few rows where progress is wanted. */
+/* Call it for every row: it costs an increment, and a look at the clock every few rows where
+ * progress is wanted. */
 void progress_step(void);
 
 /* Takes the line off the terminal. Safe in a signal handler. */

@@ -29,7 +29,8 @@ static bool read_triple(const char *text, triple *numbers)
     numbers->all_exact = true;
     for (int i = 0; i < 3; i++) {
         const size_t length = number_length(text);
-        if (!number_read_part(text, length, &numbers->value[i]) || text[length] != (i < 2 ? ':' : '\0'))
+        if (!number_read_part(text, length, &numbers->value[i]) ||
+            text[length] != (i < 2 ? ':' : '\0'))
             return false;
         if (!decimal_read(text, length, &numbers->exact[i]))
             numbers->all_exact = false;
@@ -67,10 +68,12 @@ static const char *exact_range(const triple *numbers, range *values)
     return NULL;
 }
 
-/* In doubles STOP counts as hit where start + steps * step differs from it by no more than their rounding. */
+/* In doubles STOP counts as hit where start + steps * step differs from it by no more than their
+ * rounding. */
 static const char *rounded_range(const triple *numbers, range *values)
 {
-    const double start = numbers->value[START], stop = numbers->value[STOP], step = numbers->value[STEP];
+    const double start = numbers->value[START], stop = numbers->value[STOP],
+                 step = numbers->value[STEP];
     const double steps = (stop - start) / step, nearest = floor(steps + 0.5);
     const double rounding = 4 * DBL_EPSILON * (fabs(start) + fabs(stop));
     const bool hit = fabs(start + nearest * step - stop) <= rounding;
@@ -94,7 +97,8 @@ static const char *read_steps(const char *text, range *values)
         return zero_step;
     if ((way > 0 && step < 0) || (way < 0 && step > 0))
         return wrong_sign;
-    return in_common_places(&numbers) ? exact_range(&numbers, values) : rounded_range(&numbers, values);
+    return in_common_places(&numbers) ? exact_range(&numbers, values)
+                                      : rounded_range(&numbers, values);
 }
 
 static const char *read_list(const char *text, range *values)
@@ -121,7 +125,8 @@ static const char *read_list(const char *text, range *values)
 const char *range_read(const char *text, range *values)
 {
     *values = (range){0};
-    const char *complaint = strchr(text, ':') != NULL ? read_steps(text, values) : read_list(text, values);
+    const char *complaint =
+        strchr(text, ':') != NULL ? read_steps(text, values) : read_list(text, values);
     if (complaint != NULL)
         range_free(values);
     return complaint;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values that an option takes: START:STOP:STEP, a comma list, or one number. A value is computed from its index, so
- * that a range of a thousand million values takes no more memory than one of three. */
+/* The values that an option takes: START:STOP:STEP, a comma list, or one number. A value is
+ * computed from its index, so that a range of a thousand million values takes no more memory
+ * than one of three. */
 #ifndef CLI_RANGE_H
 #define CLI_RANGE_H
 
@@ -13,18 +14,20 @@ typedef struct {
     int64_t count;
     double *items; /* of a list; NULL for START:STOP:STEP */
     /* START:STOP:STEP as whole numbers over a power of ten, where they fit: the value i is then
-     * (first_units + i * step_units)/power, a correctly rounded quotient. power is 0 where they do not fit. */
+     * (first_units + i * step_units)/power, a correctly rounded quotient. power is 0 where they
+     * do not fit. */
     int64_t first_units, step_units;
     double power;
     double first, last, step;
     int64_t parts; /* of range_between; otherwise 0 */
 } range;
 
-/* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the option and the text. */
+/* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the
+ * option and the text. */
 const char *range_read(const char *text, range *values);
 
-/* So many values, at least 2, in equal steps. Between -x and x they are exact mirror images, 0 among them if their number
- * is odd. */
+/* So many values, at least 2, in equal steps. Between -x and x they are exact mirror images, 0
+ * among them if their number is odd. */
 range range_between(double first, double last, int64_t count);
 
 /* The value of index i, 0 <= i < count. */

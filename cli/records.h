@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take memory. The formats are
- * in delimited.c (CSV, TSV), json.c and spreadsheet.c (XLSX). */
+/* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take
+ * memory. The formats are in delimited.c (CSV, TSV), json.c and spreadsheet.c (XLSX). */
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 
@@ -56,8 +56,9 @@ extern const record_format delimited_format, json_format, xlsx_format;
 /* Whether to write on: an output that fails is given up at the next row. */
 bool records_go_on(const records *rows);
 
-/* False, with the reason said, where a format could not write a text; what an output could not, output_finish() says.
- */
+/* False, with the reason said, where a format could not write a text; what an output could not,
+ * output_finish() says.
+ * */
 bool records_are_sound(const records *rows);
 
 #endif

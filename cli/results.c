@@ -77,8 +77,10 @@ static bool friction(const contact_case *what, double b, cell row[], char compla
     return true;
 }
 
-/* Where it yields once P has grown to P_yield: the contact grows on the way. Q < 0 is the mirror image. */
-static bool yield_place(const contact_case *what, double P_yield, cell row[], char complaint[COMPLAINT_SIZE])
+/* Where it yields once P has grown to P_yield: the contact grows on the way. Q < 0 is the mirror
+ * image. */
+static bool yield_place(const contact_case *what, double P_yield, cell row[],
+                        char complaint[COMPLAINT_SIZE])
 {
     const double b = rwedge_half_width(what->theta, what->a, what->A, P_yield);
     const double alpha = b > 0 ? what->a / b : 0;
@@ -97,11 +99,13 @@ static bool strength(const contact_case *what, double b, cell row[], char compla
     const double alpha = what->a / b;
     const double limit = rwedge_elastic_limit(alpha, what->f, what->nu1);
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * what->P / b / limit);
-    row[RESULT_F_CRITICAL] = alpha > 0 ? cell_number(rwedge_critical_friction(alpha, what->nu1)) : cell_empty();
+    row[RESULT_F_CRITICAL] =
+        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, what->nu1)) : cell_empty();
     row[RESULT_P_OVER_BK] = cell_number(limit);
     if (isnan(what->k))
         return true;
-    const double P_yield = rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k);
+    const double P_yield =
+        rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k);
     if (isnan(P_yield))
         return not_computed("P_yield", rwedge_strerror(RWEDGE_ENOCONV), complaint);
     row[RESULT_LOAD_OVER_BK] = cell_number(what->P / b / what->k);
@@ -128,7 +132,8 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
     return true;
 }
 
-bool results_compute(const contact_case *what, bool wants_yield_factor, results *found, char complaint[COMPLAINT_SIZE])
+bool results_compute(const contact_case *what, bool wants_yield_factor, results *found,
+                     char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < RESULT_COUNT; i++)
         found->value[i] = cell_empty();
@@ -140,7 +145,8 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
         return false;
     if (wants_yield_factor && !isnan(what->k) && !yield_factor(what, found->value, complaint))
         return false;
-    warnings_write(what, found->value[RESULT_SAFETY].number, found->warnings, sizeof found->warnings);
+    warnings_write(what, found->value[RESULT_SAFETY].number, found->warnings,
+                   sizeof found->warnings);
     found->value[RESULT_WARNINGS] = cell_text(found->warnings);
     return true;
 }

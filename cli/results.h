@@ -48,7 +48,8 @@ typedef struct {
 } results;
 
 /* False, with the complaint, where one cannot be computed. */
-bool results_compute(const contact_case *what, bool yield_factor, results *found, char complaint[COMPLAINT_SIZE]);
+bool results_compute(const contact_case *what, bool yield_factor, results *found,
+                     char complaint[COMPLAINT_SIZE]);
 
 /* Adds to the warnings. */
 void results_warn(results *found, const char *warning);

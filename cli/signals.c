@@ -12,7 +12,8 @@
 static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 enum { ENDING_COUNT = sizeof ending / sizeof ending[0] };
 
-/* A library that fails, as libxlsxwriter does where memory is short: the unfinished file goes too. */
+/* A library that fails, as libxlsxwriter does where memory is short: the unfinished file goes
+ * too. */
 static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE};
 enum { CRASH_COUNT = sizeof crashes / sizeof crashes[0] };
 
@@ -23,14 +24,22 @@ static const char *volatile last_words;
 static const char *name_of(int number)
 {
     switch (number) {
-    case SIGINT: return "SIGINT";
-    case SIGTERM: return "SIGTERM";
-    case SIGHUP: return "SIGHUP";
-    case SIGQUIT: return "SIGQUIT";
-    case SIGABRT: return "SIGABRT";
-    case SIGFPE: return "SIGFPE";
-    case SIGBUS: return "SIGBUS";
-    default: return "SIGSEGV";
+    case SIGINT:
+        return "SIGINT";
+    case SIGTERM:
+        return "SIGTERM";
+    case SIGHUP:
+        return "SIGHUP";
+    case SIGQUIT:
+        return "SIGQUIT";
+    case SIGABRT:
+        return "SIGABRT";
+    case SIGFPE:
+        return "SIGFPE";
+    case SIGBUS:
+        return "SIGBUS";
+    default:
+        return "SIGSEGV";
     }
 }
 

@@ -12,8 +12,8 @@ enum { OPTION_INPUT_FILE = OPTION_AFTER_INPUTS, OPTION_LAYOUT, OPTION_YIELD_FACT
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE, "Solve every row of a CSV file; - is standard input",
-     "FILE"},
+    {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
+     "Solve every row of a CSV file; - is standard input", "FILE"},
     {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
@@ -107,14 +107,16 @@ static int read_layout(const arguments *given, bool *row)
     if (text != NULL && !*row && strcmp(text, "list") != 0)
         return usage_error("--layout %s: unknown layout; allowed: list, row", text);
     if (text != NULL && !*row && given->value[OPTION_INPUT_FILE] != NULL)
-        return usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
+        return usage_error(
+            "--layout list: a file has a row for each contact; allowed with --input: row");
     return STATUS_DONE;
 }
 
 static int read_yield_factor(const arguments *given, const input_texts *texts, bool *wanted)
 {
     *wanted = given->value[OPTION_YIELD_FACTOR] != NULL;
-    const bool strength = input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
+    const bool strength =
+        input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
     if (*wanted && !strength && given->value[OPTION_INPUT_FILE] == NULL)
         return usage_error("--yield-factor: needs --k or --yield-stress");
     return STATUS_DONE;

@@ -17,14 +17,18 @@ enum { SHEET_ROWS, SHEET_ABOUT_ROWS, WIDTH_LEAST = 11, WIDTH_MOST = 40 };
 static void write_about(xlsx *book)
 {
     static const char *const lines[] = {
-        "\"rwedge COMMAND --help\" describes the columns and their units; a cell without a value is empty.",
-        "Source: M. Ciavarella, D. A. Hills, G. Monno, \"Contact problems for a wedge with rounded apex\",",
-        "Int. J. Mech. Sci. 40 (1998) 977-988. Plane strain; a is half the width of the rounding, b that of the contact.",
+        "\"rwedge COMMAND --help\" describes the columns and their units; a cell without a value "
+        "is empty.",
+        "Source: M. Ciavarella, D. A. Hills, G. Monno, \"Contact problems for a wedge with rounded "
+        "apex\",",
+        "Int. J. Mech. Sci. 40 (1998) 977-988. Plane strain; a is half the width of the rounding, "
+        "b that of the contact.",
         "Numbers have 16 digits, one less than in CSV.",
     };
     char text[1200];
     xlsx_text(book, 0, 0, "About these rows", XLSX_TITLE);
-    snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(), invocation());
+    snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(),
+             invocation());
     xlsx_text(book, 2, 0, text, XLSX_PLAIN);
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
         xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
@@ -98,11 +102,13 @@ static void put_value(records *rows, const char *name, cell value)
     if (!has_room(rows))
         return;
     if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
-        rows->problem = "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";
+        rows->problem =
+            "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";
     else if (value.text != NULL && value.text[0] != '\0')
         xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
     else if (value.text == NULL && isfinite(value.number))
-        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits), style_for(value.number));
+        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits),
+                    style_for(value.number));
     rows->column++;
 }
 

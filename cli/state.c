@@ -9,8 +9,8 @@
 #include <math.h>
 
 struct poptOption state_option_table[] = {
-    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD, "The next load of a history instead of --P and --Q; repeat it",
-     "P,Q"},
+    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+     "The next load of a history instead of --P and --Q; repeat it", "P,Q"},
     {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
      "A history from a CSV file with the columns P and Q; - is standard input", "FILE"},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
@@ -35,7 +35,8 @@ void state_describe(FILE *stream)
 /* Powers of two with theta/A = 1: natural units are exact. */
 static const double NATURAL_THETA = 0.5, NATURAL_A = 0.5, NATURAL_NU = 0.3;
 
-static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", "0"};
+static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1",
+                                        "0"};
 
 /* ---- Natural units ---- */
 
@@ -44,12 +45,14 @@ static int refuse_dimensional(const arguments *given, const input_texts *texts)
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1)
-            return usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, --q-over-fp, --c-over-b",
+            return usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, "
+                               "--q-over-fp, --c-over-b",
                                input_name(texts, i, name), texts->text[i]);
     }
     if (given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL)
-        return usage_error("--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
-                           given->value[OPTION_LOAD] != NULL ? "load" : "history");
+        return usage_error(
+            "--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
+            given->value[OPTION_LOAD] != NULL ? "load" : "history");
     return STATUS_DONE;
 }
 
@@ -69,7 +72,8 @@ static int read_shear_ratio(const arguments *given, double alpha, double *ratio)
     const char *q = given->value[OPTION_Q_OVER_FP], *c = given->value[OPTION_C_OVER_B];
     *ratio = 0;
     if (q != NULL && c != NULL)
-        return usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
+        return usage_error(
+            "--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
     if (q != NULL)
         return variable_read_one(&variables[Q_OVER_FP], q, ratio);
     double width = 1;
@@ -83,7 +87,9 @@ static int load_monotonic(double P, double Q, contact_state *state)
     int32_t status = rwedge_contact_load(state->contact, P, 0);
     if (status == RWEDGE_OK)
         status = rwedge_contact_load(state->contact, P, Q);
-    return status == RWEDGE_OK ? STATUS_DONE : failure("the loads cannot be applied: %s", rwedge_strerror(status));
+    return status == RWEDGE_OK
+               ? STATUS_DONE
+               : failure("the loads cannot be applied: %s", rwedge_strerror(status));
 }
 
 static int create(double theta, double a, double A, double f, contact_state *state)
@@ -110,19 +116,22 @@ static int read_natural(const arguments *given, const input_texts *texts, contac
     const double P = rwedge_load(alpha);
     status = load_monotonic(P, ratio * f * P, state);
     state->b = 1;
-    state->length_unit = rwedge_contact_half_width(state->contact); /* 1 to rounding: the edge is at 1 exactly */
+    /* 1 to rounding: the edge is at 1 exactly */
+    state->length_unit = rwedge_contact_half_width(state->contact);
     state->slip_unit = NATURAL_THETA * state->length_unit;
     return status;
 }
 
 /* ---- Dimensional ---- */
 
-static int apply_loads(const arguments *given, char decimal_sign, const contact_case *what, contact_state *state)
+static int apply_loads(const arguments *given, char decimal_sign, const contact_case *what,
+                       contact_state *state)
 {
     if (given->value[OPTION_LOAD] != NULL)
         return loads_apply_list(given->value[OPTION_LOAD], what->f, state->contact);
     if (given->value[OPTION_HISTORY] != NULL)
-        return loads_apply_file(given->value[OPTION_HISTORY], decimal_sign, what->f, state->contact);
+        return loads_apply_file(given->value[OPTION_HISTORY], decimal_sign, what->f,
+                                state->contact);
     return load_monotonic(what->P, what->Q, state);
 }
 
@@ -130,12 +139,14 @@ static int check_loads(const arguments *given, const input_texts *texts)
 {
     const char *list = given->value[OPTION_LOAD], *file = given->value[OPTION_HISTORY];
     if (list != NULL && file != NULL)
-        return usage_error("--history %s: given together with --load; allowed: one of the two", file);
+        return usage_error("--history %s: given together with --load; allowed: one of the two",
+                           file);
     for (int i = INPUT_P; i <= INPUT_Q && (list != NULL || file != NULL); i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL)
-            return usage_error("%s %s: given together with --%s, which has the loads; allowed: one of the two",
-                               input_name(texts, i, name), texts->text[i], list != NULL ? "load" : "history");
+            return usage_error(
+                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
+                input_name(texts, i, name), texts->text[i], list != NULL ? "load" : "history");
     }
     for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
         if (given->value[i] != NULL)
@@ -144,11 +155,13 @@ static int check_loads(const arguments *given, const input_texts *texts)
     return STATUS_DONE;
 }
 
-static int read_dimensional(const arguments *given, char decimal_sign, const input_texts *texts, contact_state *state)
+static int read_dimensional(const arguments *given, char decimal_sign, const input_texts *texts,
+                            contact_state *state)
 {
     contact_case what;
     char complaint[COMPLAINT_SIZE];
-    const bool has_history = given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL;
+    const bool has_history =
+        given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL;
     int status = check_loads(given, texts);
     if (status == STATUS_DONE && !case_read(texts, !has_history, &what, complaint))
         status = usage_error("%s", complaint);

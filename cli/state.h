@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A loaded contact to look into, dimensional or in natural units: what "profile" and "field" have in common. */
+/* A loaded contact to look into, dimensional or in natural units: what "profile" and "field"
+ * have in common. */
 #ifndef CLI_STATE_H
 #define CLI_STATE_H
 
@@ -22,13 +23,14 @@ extern struct poptOption state_option_table[];
 typedef struct {
     rwedge_contact *contact;
     double a, nu;
-    double b;           /* half-width of the contact, as it is written: 1 in natural units; 0 when separated */
+    /* half-width of the contact, as it is written: 1 in natural units; 0 when separated */
+    double b;
     double length_unit; /* of what is written, in the contact's own unit; so is the next */
     double slip_unit;
 } contact_state;
 
-/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Returns the exit status; free it in
- * either case. */
+/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Returns the
+ * exit status; free it in either case. */
 int state_read(const arguments *given, char decimal_sign, contact_state *state);
 void state_free(contact_state *state);
 

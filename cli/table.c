@@ -9,20 +9,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_VARIABLE = OPTION_OWN, OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT, OPTION_QUANTITY, OPTION_THREADS };
+enum {
+    OPTION_VARIABLE = OPTION_OWN,
+    OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT,
+    OPTION_QUANTITY,
+    OPTION_THREADS
+};
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + A_OVER_B,
-     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact", "RANGE"},
-    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + FRICTION, "Coefficient of friction f", "RANGE"},
-    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + NU, "Poisson's ratio of the half-plane, 0 to 0.5", "RANGE"},
+     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
+     "RANGE"},
+    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + FRICTION,
+     "Coefficient of friction f", "RANGE"},
+    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + NU,
+     "Poisson's ratio of the half-plane, 0 to 0.5", "RANGE"},
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + Q_OVER_FP,
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
     {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
-     "A row for each combination, or a/b down and the second variable across (default long)", "long|grid"},
-    {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows", "COLUMN"},
+     "A row for each combination, or a/b down and the second variable across (default long)",
+     "long|grid"},
+    {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows",
+     "COLUMN"},
     {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
-     "Threads that compute; the table is the same for any N (default: one for each processor)", "N"},
+     "Threads that compute; the table is the same for any N (default: one for each processor)",
+     "N"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -90,8 +101,8 @@ static int refuse_variable(const table *which, int variable, const char *text)
         append(allowed, sizeof allowed, "--");
         strcat(allowed, variables[which->axis[i]].option);
     }
-    return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text, which->name,
-                       allowed);
+    return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option,
+                       text, which->name, allowed);
 }
 
 static int read_variables(const arguments *given, plan *what)
@@ -109,8 +120,8 @@ static int read_variables(const arguments *given, plan *what)
     return STATUS_DONE;
 }
 
-/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A range ascends or descends:
- * its smallest value above 0 is one of the two at either end. */
+/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A
+ * range ascends or descends: its smallest value above 0 is one of the two at either end. */
 static int check_tips(const arguments *given, plan *what)
 {
     const range *tips = &what->axis[A_OVER_B];
@@ -121,8 +132,9 @@ static int check_tips(const arguments *given, plan *what)
             i = tips->count - 2;
         const double tip = range_value(tips, i);
         if (tip > 0 && tip < 1e-14)
-            return usage_error("--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-                               given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+            return usage_error(
+                "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+                given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
     }
     return STATUS_DONE;
 }
@@ -137,18 +149,20 @@ static int check_size(const arguments *given, const plan *what)
         if (what->axis[i].count > what->axis[widest].count)
             widest = i;
     const char *text = given->value[OPTION_VARIABLE + widest];
-    return usage_error("--%s %s: must not give the table more than 1000000000 rows in all", variables[widest].option,
-                       text != NULL ? text : variables[widest].usual);
+    return usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
+                       variables[widest].option, text != NULL ? text : variables[widest].usual);
 }
 
 static int check_grid(const arguments *given, const plan *what)
 {
     if (what->table->across == VARIABLE_COUNT)
-        return usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
-                           what->table->name);
+        return usage_error(
+            "--layout grid: %s has one variable, and nothing to go across; allowed: long",
+            what->table->name);
     if (what->table->across != NU && table_depends_on(what->table, NU) && what->axis[NU].count > 1)
-        return usage_error("--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
-                           given->value[OPTION_VARIABLE + NU]);
+        return usage_error(
+            "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
+            given->value[OPTION_VARIABLE + NU]);
     return STATUS_DONE;
 }
 
@@ -168,7 +182,8 @@ static int read_quantity(const arguments *given, plan *what)
     if (text == NULL)
         return STATUS_DONE;
     if (!what->grid)
-        return usage_error("--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
+        return usage_error(
+            "--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
     char allowed[160] = "";
     for (int i = what->table->quantity; i < what->table->column_count; i++) {
         append(allowed, sizeof allowed, what->table->column[i]);
@@ -176,7 +191,8 @@ static int read_quantity(const arguments *given, plan *what)
         if (strcmp(text, what->table->column[i]) == 0)
             return STATUS_DONE;
     }
-    return usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, what->table->name, allowed);
+    return usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, what->table->name,
+                       allowed);
 }
 
 static int read_threads(const arguments *given, plan *what)
@@ -184,15 +200,16 @@ static int read_threads(const arguments *given, plan *what)
     const char *text = given->value[OPTION_THREADS];
     int64_t threads = ahead_processors();
     if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &threads))
-        return usage_error("--threads %s: must be a whole number from 1 to %d", text, AHEAD_THREADS_MAX);
+        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
+                           AHEAD_THREADS_MAX);
     what->threads = (int)threads;
     return STATUS_DONE;
 }
 
 static int read_plan(const arguments *given, plan *what)
 {
-    static int (*const steps[])(const arguments *, plan *) = {choose_table, read_variables, check_tips,
-                                                                   read_layout,  read_quantity,  read_threads};
+    static int (*const steps[])(const arguments *, plan *) = {
+        choose_table, read_variables, check_tips, read_layout, read_quantity, read_threads};
     int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++)
         status = steps[i](given, what);

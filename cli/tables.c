@@ -26,13 +26,16 @@ static int32_t find_branches(const double value[], branch *below, branch *surfac
     if (alpha == 0) /* it yields at the apex, and has no branches */
         return RWEDGE_OK;
     const int32_t status =
-        existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y), "subsurface", below);
+        existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y),
+                 "subsurface", below);
     if (status != RWEDGE_OK)
         return status;
-    return existing(rwedge_surface_yield(alpha, f, nu, &surface->limit, &surface->x), "surface", surface);
+    return existing(rwedge_surface_yield(alpha, f, nu, &surface->limit, &surface->x), "surface",
+                    surface);
 }
 
-static int32_t decisive(const double value[], const branch *below, const branch *surface, branch *first)
+static int32_t decisive(const double value[], const branch *below, const branch *surface,
+                        branch *first)
 {
     if (below->name != NULL && (surface->name == NULL || below->limit <= surface->limit))
         *first = *below;
@@ -40,7 +43,8 @@ static int32_t decisive(const double value[], const branch *below, const branch 
         *first = *surface;
     else {
         first->name = "surface";
-        return rwedge_yield_point(value[A_OVER_B], value[FRICTION], value[NU], &first->limit, &first->x, &first->y);
+        return rwedge_yield_point(value[A_OVER_B], value[FRICTION], value[NU], &first->limit,
+                                  &first->x, &first->y);
     }
     return RWEDGE_OK;
 }

@@ -13,10 +13,12 @@ typedef struct {
     const char *summary;
     int axis[AXES_MAX]; /* the variables, the slowest first */
     int axis_count;
-    int across; /* the variable that a grid has across, a/b being down; VARIABLE_COUNT where it has no grid */
+    /* the variable that a grid has across, a/b being down; VARIABLE_COUNT where it has no grid */
+    int across;
     const char *column[COLUMNS_MAX];
     int column_count;
-    int quantity; /* the column that a grid shows by default; the ones before it are the variables */
+    /* the column that a grid shows by default; the ones before it are the variables */
+    int quantity;
     /* Fills a row from the values of the variables. RWEDGE_OK, or the library's status. */
     int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
 } table;

@@ -25,7 +25,8 @@ static char *in_folder_of(const char *path, const char *name)
     return joined;
 }
 
-/* What the link at path says, from the point of view of this process; NULL with errno, EINVAL where it is no link. */
+/* What the link at path says, from the point of view of this process; NULL with errno, EINVAL
+ * where it is no link. */
 static char *one_link(const char *path)
 {
     char says[PATH_MAX];
@@ -55,7 +56,8 @@ char *target_of_links(const char *path)
     return NULL;
 }
 
-/* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that is allowed. */
+/* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that
+ * is allowed. */
 static int set_permissions(int descriptor, const char *target)
 {
     struct stat existing;
@@ -91,7 +93,8 @@ int target_open_beside(const char *target, char **unfinished)
     return -1;
 }
 
-/* A folder that cannot be opened or synced, for lack of permission or on a file system without it, is no failure. */
+/* A folder that cannot be opened or synced, for lack of permission or on a file system without
+ * it, is no failure. */
 int target_sync_folder(const char *target)
 {
     char *folder = in_folder_of(target, ".");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What tables depend on: for each variable its option, its column, its domain and the range that is tabulated unless
- * another is asked for. */
+/* What tables depend on: for each variable its option, its column, its domain and the range that
+ * is tabulated unless another is asked for. */
 #ifndef CLI_VARIABLE_H
 #define CLI_VARIABLE_H
 
@@ -19,7 +19,8 @@ typedef struct {
 
 extern const table_variable variables[VARIABLE_COUNT];
 
-/* Reads an option's text, or the usual range where it is NULL. STATUS_DONE, or what to leave with; free the range. */
+/* Reads an option's text, or the usual range where it is NULL. STATUS_DONE, or what to leave
+ * with; free the range. */
 int variable_read(const table_variable *which, const char *text, range *values);
 
 /* The same for one number. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID: one quantity after the other. A grid of any size
- * takes no memory, because every quantity computes the stresses anew: writing their digits takes longer. */
+/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID: one quantity after the other.
+ * A grid of any size takes no memory, because every quantity computes the stresses anew: writing
+ * their digits takes longer. */
 #include "grid.h"
 
 #include "progress.h"
@@ -32,9 +33,11 @@ static void put_axis(records *rows, const char *name, const range *values)
 static void put_grid(records *rows, const grid *what)
 {
     char line[160];
-    snprintf(line, sizeof line, "DATASET RECTILINEAR_GRID\nDIMENSIONS %" PRId64 " %" PRId64 " 1\n", what->x.count,
-             what->y.count);
-    output_text(rows->out, "# vtk DataFile Version 3.0\nrwedge field: y is the depth below the surface\nASCII\n");
+    snprintf(line, sizeof line, "DATASET RECTILINEAR_GRID\nDIMENSIONS %" PRId64 " %" PRId64 " 1\n",
+             what->x.count, what->y.count);
+    output_text(
+        rows->out,
+        "# vtk DataFile Version 3.0\nrwedge field: y is the depth below the surface\nASCII\n");
     output_text(rows->out, line);
     put_axis(rows, "X", &what->x);
     put_axis(rows, "Y", &what->y);
@@ -46,7 +49,8 @@ static void put_grid(records *rows, const grid *what)
 static bool put_quantity(records *rows, const grid *what, int which)
 {
     char line[80];
-    snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n", grid_quantities[which]);
+    snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n",
+             grid_quantities[which]);
     output_text(rows->out, line);
     for (int64_t j = 0; j < what->y.count; j++)
         for (int64_t i = 0; i < what->x.count; i++) {

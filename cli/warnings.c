@@ -7,16 +7,17 @@
 
 #include <rwedge.h>
 
-/* The wedge is taken for a half-plane: the part 2 theta/pi of its angle is missing, 6 % at this angle, and its
- * stiffness errs like that. The slope tan(theta) differs from theta by theta^2/3, 0.3 %. */
+/* The wedge is taken for a half-plane: the part 2 theta/pi of its angle is missing, 6 % at this
+ * angle, and its stiffness errs like that. The slope tan(theta) differs from theta by theta^2/3,
+ * 0.3 %. */
 static const double THETA_DOUBTFUL = 0.1;
 
 /* Rounding leaves Dundurs' beta this far from 0 where the bodies are alike. */
 static const double BETA_ROUNDING = 1e-12;
 
-/* From here on, or from its inverse, lengths or stresses look as if they came in different units: metals have k/E
- * between 1e-4 and 1e-2; a rounding is seldom 1e-4 or 1e4 times the contact, as mm for um, or MPa for GPa, would make
- * it. */
+/* From here on, or from its inverse, lengths or stresses look as if they came in different
+ * units: metals have k/E between 1e-4 and 1e-2; a rounding is seldom 1e-4 or 1e4 times the
+ * contact, as mm for um, or MPa for GPa, would make it. */
 static const double STRENGTH_RATIO_LOW = 1e-5, STRENGTH_RATIO_HIGH = 0.1, ROUNDING_RATIO = 1e4;
 
 typedef struct {
@@ -32,7 +33,8 @@ static void add(list *warnings, const char *format, ...)
     }
     va_list values;
     va_start(values, format);
-    const int length = vsnprintf(warnings->text + warnings->used, warnings->size - warnings->used, format, values);
+    const int length =
+        vsnprintf(warnings->text + warnings->used, warnings->size - warnings->used, format, values);
     va_end(values);
     if (length > 0)
         warnings->used += strlen(warnings->text + warnings->used);
@@ -53,7 +55,8 @@ void warnings_write(const contact_case *what, double safety, char *text, size_t 
     list warnings = {text, size, 0};
     text[0] = '\0';
     if (what->theta > THETA_DOUBTFUL)
-        add(&warnings, "theta = %.3g rad: above %g the wedge is hardly a half-plane", what->theta, THETA_DOUBTFUL);
+        add(&warnings, "theta = %.3g rad: above %g the wedge is hardly a half-plane", what->theta,
+            THETA_DOUBTFUL);
     if (what->f > 0 && fabs(what->beta) > BETA_ROUNDING)
         add(&warnings, "dundurs_beta = %.3g: with friction its coupling is neglected", what->beta);
     if (!isnan(what->k) && safety < 1)

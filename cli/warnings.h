@@ -5,7 +5,8 @@
 
 #include "contact_case.h"
 
-/* Writes the warnings, "; " between them; empty where there is none. safety is P_yield/P where k is given. */
+/* Writes the warnings, "; " between them; empty where there is none. safety is P_yield/P where k
+ * is given. */
 void warnings_write(const contact_case *what, double safety, char *text, size_t size);
 
 /* Adds one to those in the text. */

@@ -8,17 +8,19 @@
 #include <unistd.h>
 
 static const struct poptOption options[] = {
-    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT, "Write to FILE, whole or not at all; - is standard output", "FILE"},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
+     "Write to FILE, whole or not at all; - is standard output", "FILE"},
     OPTION_HELP_ENTRY,
     POPT_TABLEEND,
 };
 
 static void describe(FILE *stream)
 {
-    fputs("\nA workbook (XLSX) with a calculator, in plain formulas, and the tables that it uses:\n"
-          "for a/b from 0.01, f from 0 to 0.8, every Poisson's ratio. Its sheet \"About\" says how\n"
-          "exact it is.\n",
-          stream);
+    fputs(
+        "\nA workbook (XLSX) with a calculator, in plain formulas, and the tables that it uses:\n"
+        "for a/b from 0.01, f from 0 to 0.8, every Poisson's ratio. Its sheet \"About\" says how\n"
+        "exact it is.\n",
+        stream);
 }
 
 static bool fill(xlsx *book, const limit_table *table)
@@ -46,7 +48,8 @@ static bool write_workbook(const limit_table *table, output *out)
 {
     xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false);
     if (book == NULL || !fill(book, table)) {
-        failure("%s: %s", out->name, book == NULL ? XLSX_NOT_BEGUN : "a value of the tables could not be computed");
+        failure("%s: %s", out->name,
+                book == NULL ? XLSX_NOT_BEGUN : "a value of the tables could not be computed");
         xlsx_discard(book);
         return false;
     }
@@ -83,9 +86,11 @@ static int write_given(const arguments *given)
     if (status != STATUS_DONE)
         return status;
     if (path == NULL || path[0] == '\0')
-        return usage_error("--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
+        return usage_error(
+            "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
     if (path[0] == '-' && path[1] == '\0' && isatty(STDOUT_FILENO))
-        return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a file, or a redirected -");
+        return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
+                           "file, or a redirected -");
     if (!xlsx_available())
         return failure("%s: " XLSX_MISSING, path);
     return write_file(path);
@@ -93,5 +98,9 @@ static int write_given(const arguments *given)
 
 static const syntax grammar = {options, "-o FILE", describe, 0};
 
-const command workbook_command = {
-    "workbook", "rwedge workbook", "a spreadsheet that computes, with its tables and charts", &grammar, NULL, write_given};
+const command workbook_command = {"workbook",
+                                  "rwedge workbook",
+                                  "a spreadsheet that computes, with its tables and charts",
+                                  &grammar,
+                                  NULL,
+                                  write_given};

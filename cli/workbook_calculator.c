@@ -23,17 +23,21 @@ typedef struct {
 #define POISSON "OR(%s<=-1,%s>0.5)", "must be above -1 and not above 0.5"
 
 static const input_cell inputs[INPUTS] = {
-    [THETA] = {"Angle between flank and surface", "rw_theta", "rad", "small: up to about 0.1", "OR(%s<1E-30,%s>=PI()/2)",
-               "must be above 0 and below pi/2 rad"},
-    [ROUNDING] = {"Half-width of the rounding, a = R theta", "rw_a", "mm", "R is the radius of the apex", ABOVE_0},
+    [THETA] = {"Angle between flank and surface", "rw_theta", "rad", "small: up to about 0.1",
+               "OR(%s<1E-30,%s>=PI()/2)", "must be above 0 and below pi/2 rad"},
+    [ROUNDING] = {"Half-width of the rounding, a = R theta", "rw_a", "mm",
+                  "R is the radius of the apex", ABOVE_0},
     [E1] = {"Young's modulus, half-plane", "rw_E1", "MPa", "", ABOVE_0},
-    [NU1] = {"Poisson's ratio, half-plane", "rw_nu1", "-", "0 to 0.5; the body whose yield is looked at", POISSON},
+    [NU1] = {"Poisson's ratio, half-plane", "rw_nu1", "-",
+             "0 to 0.5; the body whose yield is looked at", POISSON},
     [E2] = {"Young's modulus, wedge", "rw_E2", "MPa", "1E+30 where it is rigid", ABOVE_0},
     [NU2] = {"Poisson's ratio, wedge", "rw_nu2", "-", "", POISSON},
     [LOAD] = {"Normal load per unit length", "rw_P", "N/mm", "", ABOVE_0},
-    [FRICTION_F] = {"Coefficient of friction", "rw_f", "-", "0 to 0.8; full sliding, 0: normal load", "OR(%s<0,%s>1E+6)",
+    [FRICTION_F] = {"Coefficient of friction", "rw_f", "-",
+                    "0 to 0.8; full sliding, 0: normal load", "OR(%s<0,%s>1E+6)",
                     "must not be below 0"},
-    [STRENGTH_K] = {"Yield stress in pure shear, half-plane", "rw_k", "MPa", "tensile yield stress / sqrt(3)", ABOVE_0},
+    [STRENGTH_K] = {"Yield stress in pure shear, half-plane", "rw_k", "MPa",
+                    "tensile yield stress / sqrt(3)", ABOVE_0},
 };
 
 /* Two steel bodies: a/b = 0.29, and yield at half as much again. */
@@ -41,9 +45,11 @@ static const workbook_inputs example = {0.01, 0.05, 210000, 0.3, 210000, 0.3, 19
 
 static void title(xlsx *book)
 {
-    xlsx_text(book, 0, LABEL, "Contact of a wedge with a rounded apex and a half-plane", XLSX_TITLE);
+    xlsx_text(book, 0, LABEL, "Contact of a wedge with a rounded apex and a half-plane",
+              XLSX_TITLE);
     xlsx_text(book, 1, LABEL,
-              "Type into the yellow cells. Any consistent units do; those shown are mm, N, MPa. Plane strain; "
+              "Type into the yellow cells. Any consistent units do; those shown are mm, N, MPa. "
+              "Plane strain; "
               "elastically similar bodies unless f = 0.",
               XLSX_NOTE);
 }
@@ -53,8 +59,9 @@ static void check_cell(xlsx *book, int i)
     char formula[FORMULA_SIZE], wrong[200];
     const input_cell *cell = &inputs[i];
     snprintf(wrong, sizeof wrong, cell->wrong, cell->name, cell->name);
-    compose(formula, "=IF(NOT(ISNUMBER(%s)),\"%s is missing or not a number\",IF(%s,\"%s %s\",\"\"))", cell->name, cell->name,
-            wrong, cell->name, cell->must);
+    compose(formula,
+            "=IF(NOT(ISNUMBER(%s)),\"%s is missing or not a number\",IF(%s,\"%s %s\",\"\"))",
+            cell->name, cell->name, wrong, cell->name, cell->must);
     xlsx_text(book, CHECK_ROW + i, CHECK_COLUMN, cell->name, XLSX_NOTE);
     xlsx_text_formula(book, CHECK_ROW + i, CHECK_COLUMN + 1, formula, "", XLSX_PLAIN);
     compose(formula, "rwt_check%d", i + 1);
@@ -77,7 +84,7 @@ static void input_rows(xlsx *book)
     }
 }
 
-/* ---- What holds --------------------------------------------------------------------------------------------------- */
+/* ---- What holds ------------------------------------------------------------------------------ */
 
 static void flag(xlsx *book, int i, const char *name, const char *formula)
 {
@@ -86,12 +93,15 @@ static void flag(xlsx *book, int i, const char *name, const char *formula)
     xlsx_name(book, name, CHECK_ROW + INPUTS + i, CHECK_COLUMN + 1);
 }
 
-/* A result is computed where all that it needs is there; the others go on. The comparison with 0.01 has room for
- * rounding. */
+/* A result is computed where all that it needs is there; the others go on. The comparison with
+ * 0.01 has room for rounding. */
 static void flags(xlsx *book)
 {
-    xlsx_text(book, CHECK_ROW - 1, CHECK_COLUMN, "What is wrong with an input; what can be computed (1)", XLSX_NOTE);
-    flag(book, 0, "rwt_ok", "=IF(rwt_check1&rwt_check2&rwt_check3&rwt_check4&rwt_check5&rwt_check6&rwt_check7=\"\",1,0)");
+    xlsx_text(book, CHECK_ROW - 1, CHECK_COLUMN,
+              "What is wrong with an input; what can be computed (1)", XLSX_NOTE);
+    flag(book, 0, "rwt_ok",
+         "=IF(rwt_check1&rwt_check2&rwt_check3&rwt_check4&rwt_check5&rwt_check6&rwt_check7=\"\",1,"
+         "0)");
     flag(book, 1, "rwt_ok_nu", "=IF(rwt_ok=1,IF(rw_nu1>=0,1,0),0)");
     flag(book, 2, "rwt_ok_f", "=IF(AND(rwt_ok_nu=1,rwt_check8=\"\"),IF(rw_f<=0.8,1,0),0)");
     flag(book, 3, "rwt_ok_tip", "=IF(rwt_ok=1,IF(rw_a_over_b>=0.01*(1-1E-9),1,0),0)");
@@ -108,9 +118,10 @@ static const char status_formula[] =
     "IF(rwt_reached=0,\"rw_P_yield has a/b below 0.01, outside the tables\",\"OK\")))))))))))))";
 
 /* The same thresholds as the command "solve" has. Short: all three fit beside the chart. */
-static const char remark_formula[] = "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. \",\"\")"
-                                     "&IF(rw_theta>0.1,\"theta is large. \",\"\")"
-                                     "&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
+static const char remark_formula[] =
+    "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. \",\"\")"
+    "&IF(rw_theta>0.1,\"theta is large. \",\"\")"
+    "&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
 
 static void status_rows(xlsx *book)
 {
@@ -124,7 +135,7 @@ static void status_rows(xlsx *book)
     xlsx_name(book, "rw_remarks", STATUS_ROW + 1, VALUE);
 }
 
-/* ---- Results ------------------------------------------------------------------------------------------------------ */
+/* ---- Results --------------------------------------------------------------------------------- */
 
 typedef struct {
     const char *label, *name, *unit, *hint, *formula;
@@ -136,26 +147,31 @@ typedef struct {
 static const result_cell results[] = {
     {"Composite compliance A", "rw_compliance", "1/MPa", "2(1-nu1^2)/E1 + 2(1-nu2^2)/E2",
      "=IF(rwt_ok=1,2*(1-rw_nu1^2)/rw_E1+2*(1-rw_nu2^2)/rw_E2,\"\")", RESULT(A)},
-    {"Half-width of the contact b", "rw_b", "mm", "", "=IF(rwt_ok=1,rw_a/rw_a_over_b,\"\")", RESULT(b)},
+    {"Half-width of the contact b", "rw_b", "mm", "", "=IF(rwt_ok=1,rw_a/rw_a_over_b,\"\")",
+     RESULT(b)},
     {"Rounding over contact a/b", "rw_a_over_b", "-", "1 and more: Hertz' contact",
      "=IF(rwt_ok=1,IF(rwt_x>=2/PI(),SQRT(PI()/2*rwt_x),rwt_n5),\"\")", RESULT(a_over_b)},
     {"Peak pressure p0", "rw_p0", "MPa", "at x = 0",
-     "=IF(rwt_ok=1,rw_theta/rw_compliance*IF(rw_a_over_b<1,2/PI()*(ASIN(rwt_tip)/rwt_tip+LN((1+rwt_c)/rwt_tip)),"
+     "=IF(rwt_ok=1,rw_theta/rw_compliance*IF(rw_a_over_b<1,2/PI()*(ASIN(rwt_tip)/"
+     "rwt_tip+LN((1+rwt_c)/rwt_tip)),"
      "1/rw_a_over_b),\"\")",
      RESULT(p0)},
     {"Maximum tension", "rw_max_tension", "MPa", "at the trailing edge, full sliding",
      "=IF(AND(rwt_ok=1,rwt_check8=\"\"),rw_f*rw_P/rw_b*rwt_ratio,\"\")", RESULT(tension)},
-    {"Load P/(bk)", "rw_load_over_bk", "-", "of the load given", "=IF(AND(rwt_ok=1,rwt_check9=\"\"),rw_P/(rw_b*rw_k),\"\")",
-     RESULT(load_over_bk)},
+    {"Load P/(bk)", "rw_load_over_bk", "-", "of the load given",
+     "=IF(AND(rwt_ok=1,rwt_check9=\"\"),rw_P/(rw_b*rw_k),\"\")", RESULT(load_over_bk)},
     {"Elastic limit P/(bk)", "rw_P_over_bk", "-", "at this a/b and f: it yields above",
      "=IF(AND(rwt_ok_f=1,rwt_ok_tip=1),MIN(rwt_limit_s,rwt_limit_b),\"\")", RESULT(limit)},
     {"Load at first yield", "rw_P_yield", "N/mm", "the contact grows on the way",
-     "=IF(rwt_ok_yield=1,IF(rwt_reached=0,\"\",rwt_y*rw_theta*rw_a/rw_compliance),\"\")", RESULT(P_yield)},
-    {"Safety factor P_yield/P", "rw_safety", "-", "below 1 it yields", "=IF(ISNUMBER(rw_P_yield),rw_P_yield/rw_P,\"\")",
-     RESULT(safety)},
+     "=IF(rwt_ok_yield=1,IF(rwt_reached=0,\"\",rwt_y*rw_theta*rw_a/rw_compliance),\"\")",
+     RESULT(P_yield)},
+    {"Safety factor P_yield/P", "rw_safety", "-", "below 1 it yields",
+     "=IF(ISNUMBER(rw_P_yield),rw_P_yield/rw_P,\"\")", RESULT(safety)},
     {"Critical friction", "rw_f_critical", "-", "above it, yield starts at the surface",
-     "=IF(AND(rwt_ok_nu=1,rwt_ok_tip=1),IF(rwt_gaps=0,0,SQRT(INDEX(rwt_f,rwt_g)^2+(INDEX(rwt_f,rwt_g+1)^2"
-     "-INDEX(rwt_f,rwt_g)^2)*INDEX(rwt_gap,rwt_g)/(INDEX(rwt_gap,rwt_g)-INDEX(rwt_gap,rwt_g+1)))),\"\")",
+     "=IF(AND(rwt_ok_nu=1,rwt_ok_tip=1),IF(rwt_gaps=0,0,SQRT(INDEX(rwt_f,rwt_g)^2+(INDEX(rwt_f,rwt_"
+     "g+1)^2"
+     "-INDEX(rwt_f,rwt_g)^2)*INDEX(rwt_gap,rwt_g)/"
+     "(INDEX(rwt_gap,rwt_g)-INDEX(rwt_gap,rwt_g+1)))),\"\")",
      RESULT(f_critical)},
 };
 enum { RESULTS = sizeof results / sizeof results[0] };
@@ -178,9 +194,12 @@ static void result_rows(xlsx *book, const workbook_results *out)
 static void notes(xlsx *book)
 {
     static const char *const lines[] = {
-        "Accuracy: a/b, b, p0 and the tension as exact as the spreadsheet computes; elastic limit within",
-        "0.05 %; load at yield within 0.15 % (0.4 % where its a/b is below 0.02); critical friction within",
-        "0.006. For 0.01 <= a/b (all above 1 is Hertz), 0 <= f <= 0.8, 0 <= nu1 <= 0.5. See \"About\".",
+        "Accuracy: a/b, b, p0 and the tension as exact as the spreadsheet computes; elastic limit "
+        "within",
+        "0.05 %; load at yield within 0.15 % (0.4 % where its a/b is below 0.02); critical "
+        "friction within",
+        "0.006. For 0.01 <= a/b (all above 1 is Hertz), 0 <= f <= 0.8, 0 <= nu1 <= 0.5. See "
+        "\"About\".",
         "The charts show the curve of your case in orange and the case as a red diamond.",
     };
     for (int i = 0; i < 4; i++)

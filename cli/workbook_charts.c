@@ -15,7 +15,8 @@ static const char *range_of(char text[], const char *sheet, int column, int firs
         snprintf(letters, sizeof letters, "%c%c", 'A' + column / 26 - 1, 'A' + column % 26);
     else
         snprintf(letters, sizeof letters, "%c", 'A' + column);
-    return compose(text, "='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters, first_row + rows);
+    return compose(text, "='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters,
+                   first_row + rows);
 }
 
 typedef struct {
@@ -40,7 +41,8 @@ static const char *working(ranges *kept, int column, int rows)
 /* The last four steps are the coordinates of the marks. */
 static const char *mark(ranges *kept, int which)
 {
-    return store(kept, "Calculator", WORKING_COLUMN + 2, WORKING_ROW + WORKING_STEPS - 4 + which, 1);
+    return store(kept, "Calculator", WORKING_COLUMN + 2, WORKING_ROW + WORKING_STEPS - 4 + which,
+                 1);
 }
 
 static void draw_normal_load(xlsx *book, int row, int column)
@@ -58,8 +60,8 @@ static void draw_normal_load(xlsx *book, int row, int column)
         .height = CHART_HEIGHT,
         .series = {{"P/(bk), f = 0, nu = 0.3", tips, "='Elastic limit'!$N$5:$N$65", XLSX_LINE},
                    {"its depth y/b", tips, "='Elastic limit'!$O$5:$O$65", XLSX_DASHED_LINE},
-                   {"P/(bk), your f and nu1", working(&kept, TIPS_COLUMN, TIPS), working(&kept, TIPS_COLUMN + 9, TIPS),
-                    XLSX_THICK_LINE},
+                   {"P/(bk), your f and nu1", working(&kept, TIPS_COLUMN, TIPS),
+                    working(&kept, TIPS_COLUMN + 9, TIPS), XLSX_THICK_LINE},
                    {"your case", mark(&kept, 0), mark(&kept, 2), XLSX_MARK}},
         .series_count = 4,
     };
@@ -68,7 +70,8 @@ static void draw_normal_load(xlsx *book, int row, int column)
 
 static void draw_friction(xlsx *book, int row, int column)
 {
-    static const char *const names[FAMILY] = {"a/b = 1.0", "0.9", "0.8", "0.7", "0.6", "0.5", "0.4", "0.3", "0.2", "0.1"};
+    static const char *const names[FAMILY] = {"a/b = 1.0", "0.9", "0.8", "0.7", "0.6",
+                                              "0.5",       "0.4", "0.3", "0.2", "0.1"};
     ranges kept = {.used = 0};
     xlsx_chart chart = {
         .title = "Fig. 4: elastic limit against friction (nu = 0.3)",
@@ -83,10 +86,13 @@ static void draw_friction(xlsx *book, int row, int column)
     };
     const char *f = store(&kept, "Elastic limit", 0, 4, 65);
     for (int i = 0; i < FAMILY; i++)
-        chart.series[i] = (xlsx_series){names[i], f, store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
-    chart.series[FAMILY] = (xlsx_series){"your a/b, nu1", working(&kept, FRICTIONS_COLUMN, FRICTIONS),
-                                         working(&kept, FRICTIONS_COLUMN + 7, FRICTIONS), XLSX_THICK_LINE};
-    chart.series[FAMILY + 1] = (xlsx_series){"your case", mark(&kept, 1), mark(&kept, 2), XLSX_MARK};
+        chart.series[i] =
+            (xlsx_series){names[i], f, store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
+    chart.series[FAMILY] =
+        (xlsx_series){"your a/b, nu1", working(&kept, FRICTIONS_COLUMN, FRICTIONS),
+                      working(&kept, FRICTIONS_COLUMN + 7, FRICTIONS), XLSX_THICK_LINE};
+    chart.series[FAMILY + 1] =
+        (xlsx_series){"your case", mark(&kept, 1), mark(&kept, 2), XLSX_MARK};
     xlsx_draw(book, row, column, &chart);
 }
 

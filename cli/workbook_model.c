@@ -21,14 +21,16 @@ double workbook_rounded(double value)
     return rounded;
 }
 
-/* ---- The table ---------------------------------------------------------------------------------------------------- */
+/* ---- The table ------------------------------------------------------------------------------- */
 
-/* Closer where the branch below the surface begins to be decisive, from nu = 0.18 on: it ends near there too, and a patch
- * that lacks one of its nine values leaves the case to the surface. f = 0.385 is above all critical frictions (0.378), and
- * the branch still lives there for Hertz. */
-static const double nus[NUS] = {0, 0.1, 0.175, 0.2, 0.225, 0.25, 0.275, 0.3, 0.325, 0.35, 0.375, 0.4, 0.425, 0.45, 0.475, 0.5};
-static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0.125, 0.15, 0.175, 0.2, 0.225, 0.25,
-                                            0.275, 0.3,   0.325, 0.35,  0.375, 0.385, 0.5,  0.6,   0.7, 0.8};
+/* Closer where the branch below the surface begins to be decisive, from nu = 0.18 on: it ends
+ * near there too, and a patch that lacks one of its nine values leaves the case to the surface.
+ * f = 0.385 is above all critical frictions (0.378), and the branch still lives there for Hertz. */
+static const double nus[NUS] = {0,     0.1,  0.175, 0.2, 0.225, 0.25, 0.275, 0.3,
+                                0.325, 0.35, 0.375, 0.4, 0.425, 0.45, 0.475, 0.5};
+static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0.125, 0.15,
+                                            0.175, 0.2,   0.225, 0.25,  0.275, 0.3,   0.325,
+                                            0.35,  0.375, 0.385, 0.5,   0.6,   0.7,   0.8};
 
 /* t equally spaced from a/b = 0.01 to 1, a/b to four digits. */
 static void fill_tips(limit_table *table)
@@ -58,7 +60,8 @@ static bool fill_surface(limit_table *table, int tip, int nu, int f)
 static bool fill_below(limit_table *table, int tip, int nu, int f)
 {
     double limit, x, y;
-    const int32_t status = rwedge_subsurface_yield(table->tip[tip], frictions[f], nus[nu], &limit, &x, &y);
+    const int32_t status =
+        rwedge_subsurface_yield(table->tip[tip], frictions[f], nus[nu], &limit, &x, &y);
     table->below[tip][nu][f] = status == RWEDGE_OK ? workbook_rounded(limit) : NAN;
     return status == RWEDGE_OK || status == RWEDGE_EABSENT;
 }
@@ -81,15 +84,15 @@ bool limit_table_fill(limit_table *table)
     return done;
 }
 
-/* ---- The contact -------------------------------------------------------------------------------------------------- */
+/* ---- The contact ----------------------------------------------------------------------------- */
 
 static double cosine_of(double alpha)
 {
     return sqrt((1 - alpha) * (1 + alpha));
 }
 
-/* a/b from x = theta a/(AP): Newton on a^2/(phi0 + a c0) = x, nearly a straight line; the parabola that it starts from is
- * exact at both ends. */
+/* a/b from x = theta a/(AP): Newton on a^2/(phi0 + a c0) = x, nearly a straight line; the
+ * parabola that it starts from is exact at both ends. */
 static void solve_contact(const workbook_inputs *in, workbook_results *out)
 {
     out->A = 2 * (1 - in->nu1 * in->nu1) / in->E1 + 2 * (1 - in->nu2 * in->nu2) / in->E2;
@@ -109,13 +112,14 @@ static void solve_contact(const workbook_inputs *in, workbook_results *out)
 static void derive_stresses(const workbook_inputs *in, workbook_results *out)
 {
     const double tip = out->tip, phi = asin(tip), c = out->cosine, unit = in->theta / out->A;
-    out->p0 = unit * (out->a_over_b < 1 ? 2 / PI * (phi / tip + log((1 + c) / tip)) : 1 / out->a_over_b);
+    out->p0 =
+        unit * (out->a_over_b < 1 ? 2 / PI * (phi / tip + log((1 + c) / tip)) : 1 / out->a_over_b);
     out->tension_ratio = 2 * tip / (phi + tip * c);
     out->tension = in->f * in->P / out->b * out->tension_ratio;
     out->beta = rwedge_dundurs_beta(in->E1, in->nu1, in->E2, in->nu2);
 }
 
-/* ---- Interpolation ------------------------------------------------------------------------------------------------ */
+/* ---- Interpolation --------------------------------------------------------------------------- */
 
 /* How many of the ascending nodes are not above the value. */
 static int match(const double node[], int count, double value)
@@ -139,7 +143,8 @@ static void lagrange(const double node[3], double at, double weight[3])
     }
 }
 
-/* In nu the third node is the next above, in f the one below: there the branch below the surface lives on. */
+/* In nu the third node is the next above, in f the one below: there the branch below the surface
+ * lives on. */
 static void place_patch(const limit_table *table, const workbook_inputs *in, workbook_results *out)
 {
     double node[3];
@@ -154,7 +159,8 @@ static void place_patch(const limit_table *table, const workbook_inputs *in, wor
     lagrange(node, in->f * in->f, out->weight_f);
 }
 
-/* 1/limit^2 may come out as 0 or less where it is next to 0: a limit of 1000 is never the smaller one. */
+/* 1/limit^2 may come out as 0 or less where it is next to 0: a limit of 1000 is never the
+ * smaller one. */
 static double limit_from(double sum)
 {
     return 1 / sqrt(fmax(sum, 1e-6));
@@ -211,20 +217,20 @@ static void find_limit(const limit_table *table, workbook_results *out)
     out->limit = fmin(out->limit_surface, out->limit_below); /* of a number and NAN, the number */
 }
 
-/* ---- The yield load ----------------------------------------------------------------------------------------------- */
+/* ---- The yield load -------------------------------------------------------------------------- */
 
-/* ln(AP/(theta a)) where the stress of a branch reaches the strength between the tips i and i + 1; NAN where it does
- * not. */
+/* ln(AP/(theta a)) where the stress of a branch reaches the strength between the tips i and i +
+ * 1; NAN where it does not. */
 static double crossing(const limit_table *table, const double stress[], int i, double strength)
 {
     if (stress[i] < strength || stress[i + 1] <= 0)
         return NAN;
-    return table->log_load[i] +
-           log(strength / stress[i]) / log(stress[i + 1] / stress[i]) * (table->log_load[i + 1] - table->log_load[i]);
+    return table->log_load[i] + log(strength / stress[i]) / log(stress[i + 1] / stress[i]) *
+                                    (table->log_load[i + 1] - table->log_load[i]);
 }
 
-/* The load that makes a tip grows as the tip shrinks, and so does the stress: the first tip that is strong enough is
- * counted, without a search. */
+/* The load that makes a tip grows as the tip shrinks, and so does the stress: the first tip that
+ * is strong enough is counted, without a search. */
 static void find_yield(const limit_table *table, const workbook_inputs *in, workbook_results *out)
 {
     out->strength = in->k * out->A / in->theta;
@@ -248,7 +254,7 @@ static void find_yield(const limit_table *table, const workbook_inputs *in, work
     out->load_over_bk = in->P / (out->b * in->k);
 }
 
-/* ---- Critical friction -------------------------------------------------------------------------------------------- */
+/* ---- Critical friction ----------------------------------------------------------------------- */
 
 static double over_nu(const workbook_results *out, const double *first, int stride)
 {
@@ -266,7 +272,8 @@ static void trace_friction(const limit_table *table, workbook_results *out)
         out->low_surface[f] = over_nu(out, &table->surface[node][nu][f], FRICTIONS);
         out->high_surface[f] = over_nu(out, &table->surface[node + 1][nu][f], FRICTIONS);
         out->low_below[f] = deep ? over_nu(out, &table->below[node][nu][f], FRICTIONS_BELOW) : NAN;
-        out->high_below[f] = deep ? over_nu(out, &table->below[node + 1][nu][f], FRICTIONS_BELOW) : NAN;
+        out->high_below[f] =
+            deep ? over_nu(out, &table->below[node + 1][nu][f], FRICTIONS_BELOW) : NAN;
         out->curve_surface[f] = between(out->low_surface[f], out->high_surface[f], out->share);
         out->curve_below[f] = between(out->low_below[f], out->high_below[f], out->share);
         out->curve[f] = fmin(out->curve_surface[f], out->curve_below[f]);
@@ -275,8 +282,9 @@ static void trace_friction(const limit_table *table, workbook_results *out)
     }
 }
 
-/* Where the branches cross: their difference, in 1/limit^2, is nearly linear in f^2. Where the branch below the surface
- * has ended at the node after, the line through the two nodes before is drawn on. */
+/* Where the branches cross: their difference, in 1/limit^2, is nearly linear in f^2. Where the
+ * branch below the surface has ended at the node after, the line through the two nodes before is
+ * drawn on. */
 static void find_critical(const limit_table *table, workbook_results *out)
 {
     out->gaps = 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The workbook's tables. Each has its title in the first row, a note in the second, its header in the fourth. */
+/* The workbook's tables. Each has its title in the first row, a note in the second, its header
+ * in the fourth. */
 #include "workbook_sheets.h"
 
 #include "tables.h"
@@ -17,9 +18,10 @@ static void head(xlsx *book, const char *title, const char *note)
     xlsx_text(book, 1, 0, note, XLSX_NOTE);
 }
 
-/* ---- Elastic limit ------------------------------------------------------------------------------------------------ */
+/* ---- Elastic limit --------------------------------------------------------------------------- */
 
-/* The paper's grid on the left, f down, for the reader and the charts; then f = 0; then what the calculator uses. */
+/* The paper's grid on the left, f down, for the reader and the charts; then f = 0; then what the
+ * calculator uses. */
 enum {
     GRID_TIPS = 10,
     GRID_FRICTIONS = 65,
@@ -70,8 +72,10 @@ static bool write_normal_load(xlsx *book, const limit_table *limits)
 static void write_branch_headers(xlsx *book, const limit_table *limits)
 {
     xlsx_text(book, HEADER_ROW - 1, TABLE_COLUMN, "The calculator's table", XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW - 1, SURFACE_COLUMN + 3, "P/(bk) at the surface, f across", XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW - 1, BELOW_COLUMN, "P/(bk) below the surface, f across; empty: no maximum there", XLSX_HEADING);
+    xlsx_text(book, HEADER_ROW - 1, SURFACE_COLUMN + 3, "P/(bk) at the surface, f across",
+              XLSX_HEADING);
+    xlsx_text(book, HEADER_ROW - 1, BELOW_COLUMN,
+              "P/(bk) below the surface, f across; empty: no maximum there", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW, TABLE_COLUMN, "a/b", XLSX_HEADER);
     xlsx_text(book, HEADER_ROW, TABLE_COLUMN + 1, "nu", XLSX_HEADER);
     for (int f = 0; f < FRICTIONS; f++) {
@@ -89,10 +93,12 @@ static void write_branches(xlsx *book, const limit_table *limits)
         xlsx_number(book, FIRST_ROW + row, TABLE_COLUMN, limits->tip[tip], XLSX_PLAIN);
         xlsx_number(book, FIRST_ROW + row, TABLE_COLUMN + 1, limits->nu[nu], XLSX_PLAIN);
         for (int f = 0; f < FRICTIONS; f++)
-            xlsx_number(book, FIRST_ROW + row, SURFACE_COLUMN + f, limits->surface[tip][nu][f], XLSX_LIMIT);
+            xlsx_number(book, FIRST_ROW + row, SURFACE_COLUMN + f, limits->surface[tip][nu][f],
+                        XLSX_LIMIT);
         for (int f = 0; f < FRICTIONS_BELOW; f++)
             if (!isnan(limits->below[tip][nu][f]))
-                xlsx_number(book, FIRST_ROW + row, BELOW_COLUMN + f, limits->below[tip][nu][f], XLSX_FIXED_4);
+                xlsx_number(book, FIRST_ROW + row, BELOW_COLUMN + f, limits->below[tip][nu][f],
+                            XLSX_FIXED_4);
     }
     xlsx_name_range(book, NAME_SURFACE, FIRST_ROW, SURFACE_COLUMN, TIPS * NUS, FRICTIONS);
     xlsx_name_range(book, NAME_BELOW, FIRST_ROW, BELOW_COLUMN, TIPS * NUS, FRICTIONS_BELOW);
@@ -101,7 +107,8 @@ static void write_branches(xlsx *book, const limit_table *limits)
 bool sheet_elastic_limit(xlsx *book, const limit_table *limits)
 {
     head(book, "Elastic limit P/(bk)",
-         "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in pure shear. a/b = 1 holds for "
+         "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in "
+         "pure shear. a/b = 1 holds for "
          "all a/b above 1. To the right: the two branches that the calculator interpolates.");
     xlsx_width(book, 0, BELOW_COLUMN + FRICTIONS_BELOW, 8);
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
@@ -112,11 +119,12 @@ bool sheet_elastic_limit(xlsx *book, const limit_table *limits)
     return done;
 }
 
-/* ---- The other tables --------------------------------------------------------------------------------------------- */
+/* ---- The other tables ------------------------------------------------------------------------ */
 
 void sheet_max_tension(xlsx *book)
 {
-    head(book, "Maximum tension", "At the trailing edge in full sliding. a/b = 1 holds for all a/b above 1.");
+    head(book, "Maximum tension",
+         "At the trailing edge in full sliding. a/b = 1 holds for all a/b above 1.");
     xlsx_text(book, HEADER_ROW - 1, 2, "b sigma/P, f across", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW, 0, "a/b", XLSX_HEADER);
     xlsx_text(book, HEADER_ROW, 1, "b sigma/(fP)", XLSX_HEADER);
@@ -127,7 +135,8 @@ void sheet_max_tension(xlsx *book)
         xlsx_number(book, FIRST_ROW + i, 0, i / 100.0, XLSX_PLAIN);
         xlsx_number(book, FIRST_ROW + i, 1, workbook_rounded(tension), XLSX_FIXED_6);
         for (int j = 1; j <= 8; j++)
-            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_rounded(tension * j / 10), XLSX_FIXED_6);
+            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_rounded(tension * j / 10),
+                        XLSX_FIXED_6);
     }
     xlsx_width(book, 0, 0, 8);
     xlsx_width(book, 1, 1, 13);
@@ -138,9 +147,12 @@ void sheet_max_tension(xlsx *book)
 
 void sheet_contact_law(xlsx *book)
 {
-    static const char *const names[] = {"a/b", "AP/(theta b)", "AP/(theta a)", "A p0/theta", "A p(a)/theta"};
+    static const char *const names[] = {"a/b", "AP/(theta b)", "AP/(theta a)", "A p0/theta",
+                                        "A p(a)/theta"};
     const table *law = table_named("contact-law");
-    head(book, "Contact law", "Load, pressure at x = 0 and where the rounding ends, x = a (0 where the contact ends before).");
+    head(book, "Contact law",
+         "Load, pressure at x = 0 and where the rounding ends, x = a (0 where the contact ends "
+         "before).");
     for (int j = 0; j < 5; j++)
         xlsx_text(book, HEADER_ROW, j, names[j], XLSX_HEADER);
     for (int i = 0; i < 200; i++) {
@@ -149,7 +161,8 @@ void sheet_contact_law(xlsx *book)
         value[A_OVER_B] = (i + 1) / 100.0;
         law->row(value, row);
         for (int j = 0; j < 5; j++)
-            xlsx_number(book, FIRST_ROW + i, j, workbook_rounded(row[j].number), j == 0 ? XLSX_PLAIN : XLSX_FIXED_6);
+            xlsx_number(book, FIRST_ROW + i, j, workbook_rounded(row[j].number),
+                        j == 0 ? XLSX_PLAIN : XLSX_FIXED_6);
     }
     xlsx_width(book, 0, 0, 8);
     xlsx_width(book, 1, 4, 15);
@@ -161,7 +174,8 @@ bool sheet_critical_friction(xlsx *book)
 {
     bool done = true;
     head(book, "Critical friction",
-         "The f at which first yield jumps from below to the surface; 0: it is at the surface without friction.");
+         "The f at which first yield jumps from below to the surface; 0: it is at the surface "
+         "without friction.");
     xlsx_text(book, HEADER_ROW - 1, 1, "nu across", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW, 0, "a/b", XLSX_HEADER);
     for (int j = 0; j <= 12; j++)

@@ -19,7 +19,9 @@ struct xlsx {
     char sheet_name[SHEETS_MAX][NAME_MAX_LENGTH];
     int sheet_count, current_index;
     lxw_format *style[XLSX_STYLE_COUNT];
-    FILE *spool; /* the library writes to a name, and back and forth: a file without a name in the folder, first */
+    /* the library writes to a name, and back and forth: a file without a name in the folder,
+     * first */
+    FILE *spool;
     lxw_error error;
 };
 
@@ -28,11 +30,12 @@ bool xlsx_available(void)
     return true;
 }
 
-/* Where memory is short, or the folder of its temporary files full, the library leaves things out, and only some of its
- * functions say so: errno does. */
+/* Where memory is short, or the folder of its temporary files full, the library leaves things
+ * out, and only some of its functions say so: errno does. */
 static void keep(xlsx *book, lxw_error error)
 {
-    if (error == LXW_NO_ERROR && (errno == ENOMEM || errno == ENOSPC || errno == EIO || errno == EINTR || errno == EFBIG))
+    if (error == LXW_NO_ERROR &&
+        (errno == ENOMEM || errno == ENOSPC || errno == EIO || errno == EINTR || errno == EFBIG))
         error = errno == ENOMEM ? LXW_ERROR_MEMORY_MALLOC_FAILED : LXW_ERROR_CREATING_TMPFILE;
     if (book->error == LXW_NO_ERROR)
         book->error = error;
@@ -48,7 +51,7 @@ static lxw_col_t column_of(int column)
     return (lxw_col_t)column;
 }
 
-/* ---- Styles ------------------------------------------------------------------------------------------------------- */
+/* ---- Styles ---------------------------------------------------------------------------------- */
 
 static void frame(lxw_format *style, lxw_color_t background)
 {
@@ -104,10 +107,10 @@ static bool make_styles(xlsx *book)
     return true;
 }
 
-/* ---- The file ----------------------------------------------------------------------------------------------------- */
+/* ---- The file -------------------------------------------------------------------------------- */
 
-/* The same file again for the same command: a date that SOURCE_DATE_EPOCH sets, as it does for other tools, or a fixed
- * one, never the clock's. */
+/* The same file again for the same command: a date that SOURCE_DATE_EPOCH sets, as it does for
+ * other tools, or a fixed one, never the clock's. */
 static time_t creation_date(void)
 {
     static const time_t fixed = 1767225600; /* 2026-01-01 */
@@ -121,7 +124,8 @@ static void set_properties(xlsx *book, const char *title)
 {
     char heading[120], version[] = "rwedge " RWEDGE_VERSION;
     snprintf(heading, sizeof heading, "%s", title);
-    lxw_doc_properties properties = {.title = heading, .author = version, .created = creation_date()};
+    lxw_doc_properties properties = {
+        .title = heading, .author = version, .created = creation_date()};
     keep(book, workbook_set_properties(book->workbook, &properties));
 }
 
@@ -159,7 +163,8 @@ xlsx *xlsx_begin(const char *title, bool in_order)
 
 void xlsx_sheet(xlsx *book, const char *name)
 {
-    lxw_worksheet *sheet = book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
+    lxw_worksheet *sheet =
+        book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
     if (sheet == NULL) {
         keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
@@ -204,35 +209,43 @@ void xlsx_discard(xlsx *book)
     release(book);
 }
 
-/* ---- Cells -------------------------------------------------------------------------------------------------------- */
+/* ---- Cells ----------------------------------------------------------------------------------- */
 
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
 {
     if (isfinite(value))
-        keep(book, worksheet_write_number(book->current, row_of(row), column_of(column), value, book->style[style]));
+        keep(book, worksheet_write_number(book->current, row_of(row), column_of(column), value,
+                                          book->style[style]));
     else
-        keep(book, worksheet_write_blank(book->current, row_of(row), column_of(column), book->style[style]));
+        keep(book, worksheet_write_blank(book->current, row_of(row), column_of(column),
+                                         book->style[style]));
 }
 
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
 {
-    keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text, book->style[style]));
+    keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text,
+                                      book->style[style]));
 }
 
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+                  xlsx_style style)
 {
-    keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column), formula, book->style[style], value));
+    keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column), formula,
+                                           book->style[style], value));
 }
 
-void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value, xlsx_style style)
+void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
+                       xlsx_style style)
 {
-    keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column), formula, book->style[style], value));
+    keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column), formula,
+                                           book->style[style], value));
 }
 
 void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns)
 {
     char place[NAME_MAX_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 4], cells[LXW_MAX_CELL_RANGE_LENGTH];
-    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1), column_of(column + columns - 1));
+    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1),
+                            column_of(column + columns - 1));
     snprintf(place, sizeof place, "='%s'!%s", book->sheet_name[book->current_index], cells);
     keep(book, workbook_define_name(book->workbook, name, place));
 }
@@ -242,11 +255,12 @@ void xlsx_name(xlsx *book, const char *name, int row, int column)
     xlsx_name_range(book, name, row, column, 1, 1);
 }
 
-/* ---- Sheets ------------------------------------------------------------------------------------------------------- */
+/* ---- Sheets ---------------------------------------------------------------------------------- */
 
 void xlsx_width(xlsx *book, int first_column, int last_column, double characters)
 {
-    keep(book, worksheet_set_column(book->current, column_of(first_column), column_of(last_column), characters, NULL));
+    keep(book, worksheet_set_column(book->current, column_of(first_column), column_of(last_column),
+                                    characters, NULL));
 }
 
 void xlsx_lines(xlsx *book, int row, int lines)
@@ -261,7 +275,8 @@ void xlsx_freeze(xlsx *book, int rows, int columns)
 
 void xlsx_print(xlsx *book, xlsx_page page)
 {
-    keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row), column_of(page.last_column)));
+    keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row),
+                                    column_of(page.last_column)));
     worksheet_fit_to_pages(book->current, 1, (uint16_t)(page.header_row < 0));
     if (page.header_row >= 0)
         keep(book, worksheet_repeat_rows(book->current, 0, row_of(page.header_row)));
@@ -271,18 +286,22 @@ void xlsx_print(xlsx *book, xlsx_page page)
     keep(book, worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
 }
 
-/* ---- Charts ------------------------------------------------------------------------------------------------------- */
+/* ---- Charts ---------------------------------------------------------------------------------- */
 
-/* Curves of a family differ in dashes as well as in shade: they stay apart in print and for every eye. */
+/* Curves of a family differ in dashes as well as in shade: they stay apart in print and for
+ * every eye. */
 static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
 {
     static const lxw_color_t shades[] = {LXW_COLOR_BLACK, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
     static const uint8_t dashes[] = {LXW_CHART_LINE_DASH_SOLID, LXW_CHART_LINE_DASH_DASH};
-    lxw_chart_line line = {.color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
+    lxw_chart_line line = {
+        .color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
     if (drawing == XLSX_THICK_LINE)
-        line = (lxw_chart_line){.color = 0xE69F00, .width = 3, .dash_type = LXW_CHART_LINE_DASH_SOLID};
+        line =
+            (lxw_chart_line){.color = 0xE69F00, .width = 3, .dash_type = LXW_CHART_LINE_DASH_SOLID};
     else if (drawing == XLSX_DASHED_LINE)
-        line = (lxw_chart_line){.color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
+        line = (lxw_chart_line){
+            .color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
     else if (drawing == XLSX_MARK)
         line = (lxw_chart_line){.none = LXW_TRUE};
     chart_series_set_line(series, &line);
@@ -345,5 +364,6 @@ void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart)
     chart_legend_set_position(drawn, LXW_CHART_LEGEND_RIGHT);
     chart_legend_set_font(drawn, &small);
     lxw_chart_options place = {.x_scale = chart->width / 480.0, .y_scale = chart->height / 288.0};
-    keep(book, worksheet_insert_chart_opt(book->current, row_of(row), column_of(column), drawn, &place));
+    keep(book,
+         worksheet_insert_chart_opt(book->current, row_of(row), column_of(column), drawn, &place));
 }

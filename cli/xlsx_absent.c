@@ -33,12 +33,14 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
     (void)book, (void)row, (void)column, (void)text, (void)style;
 }
 
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value, xlsx_style style)
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+                  xlsx_style style)
 {
     (void)book, (void)row, (void)column, (void)formula, (void)value, (void)style;
 }
 
-void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value, xlsx_style style)
+void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
+                       xlsx_style style)
 {
     (void)book, (void)row, (void)column, (void)formula, (void)value, (void)style;
 }

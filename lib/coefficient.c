@@ -3,8 +3,9 @@
  *     b_0 = (2/pi)(phi0 + alpha c0)/alpha,   b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
  * and 4 (-1)^n/(pi m) for the sharp wedge, where the paper prints (-1)^(2n) (E1).
  *
- * As a function of alpha b_n has zeros, near which the bracket cancels; near alpha = 1 it cancels like (1-alpha)^(3/2) as a
- * whole; and m phi0 loses the digits of m. All three are met by exp(i m phi0) as an integer power in twice the digits. */
+ * As a function of alpha b_n has zeros, near which the bracket cancels; near alpha = 1 it
+ * cancels like (1-alpha)^(3/2) as a whole; and m phi0 loses the digits of m. All three are met
+ * by exp(i m phi0) as an integer power in twice the digits. */
 #include "rwedge.h"
 
 #include "domain.h"
@@ -31,8 +32,8 @@ static complex_dd power(complex_dd base, uint32_t exponent)
     return result;
 }
 
-/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]. The smaller one of phi0 and pi/2 - phi0 is the angle that is raised, so
- * that a small sine keeps its relative accuracy. */
+/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]. The smaller one of phi0 and pi/2 - phi0 is the
+ * angle that is raised, so that a small sine keeps its relative accuracy. */
 static double bracket(double alpha, uint32_t m)
 {
     const rw_dd sine = rw_dd_from(alpha);
@@ -43,13 +44,15 @@ static double bracket(double alpha, uint32_t m)
         const rw_dd b = rw_dd_sub(rw_dd_div(rw_dd_mul(order, rw_dd_mul(e.im, cosine)), sine), e.re);
         return (m / 2) % 2 == 0 ? b.hi : -b.hi;
     }
-    const complex_dd e = power((complex_dd){sine, cosine}, m); /* angle pi/2 - phi0: the sign (-1)^n drops out */
+    /* angle pi/2 - phi0: the sign (-1)^n drops out */
+    const complex_dd e = power((complex_dd){sine, cosine}, m);
     return rw_dd_sub(rw_dd_div(rw_dd_mul(order, rw_dd_mul(e.re, cosine)), sine), e.im).hi;
 }
 
 double rwedge_coefficient(double alpha, int32_t n)
 {
-    static const double SHARP = 1e-9; /* for m alpha below it, the bracket is m^2 - 1 to its square */
+    /* for m alpha below it, the bracket is m^2 - 1 to its square */
+    static const double SHARP = 1e-9;
     if (!rw_is_nonnegative(alpha) || n < 0)
         return NAN;
     if (alpha >= 1)

@@ -9,18 +9,21 @@
 #include <float.h>
 #include <stdlib.h>
 
-/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller interpolates between
- * two loads, they are rounded like the larger. */
+/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller
+ * interpolates between two loads, they are rounded like the larger. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
-/* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP) is, 2e-7 of it here. */
+/* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP)
+ * is, 2e-7 of it here. */
 static const double STEEPEST_FALL = 1e-8;
 
-/* Loads that an arithmetic of squares and ratios can hold, a width that a search of the half-plane can multiply, and a
- * stress of which tensors can be summed. */
-static const double SMALLEST_LOAD = 1e-148, LARGEST_LOAD = 1e148, LARGEST_WIDTH = 1e300, LARGEST_STRESS = 1e300;
+/* Loads that an arithmetic of squares and ratios can hold, a width that a search of the
+ * half-plane can multiply, and a stress of which tensors can be summed. */
+static const double SMALLEST_LOAD = 1e-148, LARGEST_LOAD = 1e148, LARGEST_WIDTH = 1e300,
+                    LARGEST_STRESS = 1e300;
 
-/* Peak pressure of the sharp wedge in theta/A, as near to its apex as is_apex() allows: (2/pi) arcosh(1/DBL_MIN). */
+/* Peak pressure of the sharp wedge in theta/A, as near to its apex as is_apex() allows: (2/pi)
+ * arcosh(1/DBL_MIN). */
 static const double SHARP_PEAK = 452;
 
 static bool quotient_is_normal(double v, double divisor)
@@ -59,7 +62,8 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     *copied = *contact;
     copied->path = (rw_path){0};
     copied->entries = (rw_entries){0};
-    if (!rw_path_copy(&contact->path, &copied->path) || !rw_entries_copy(&contact->entries, &copied->entries)) {
+    if (!rw_path_copy(&contact->path, &copied->path) ||
+        !rw_entries_copy(&contact->entries, &copied->entries)) {
         rwedge_contact_destroy(copied);
         return RWEDGE_ENOMEM;
     }
@@ -99,18 +103,21 @@ static bool is_pressure_in_range(const rwedge_contact *contact, double b)
     const rw_geometry *g = &contact->geometry;
     const double peak = g->a > 0 ? rwedge_peak_pressure(g->a / b) : SHARP_PEAK;
     const rw_scaled pressure = rw_scaled_times(rw_unit_stress(g), rw_scaled_from(peak));
-    const double traction = rw_scaled_value(rw_scaled_times(pressure, rw_scaled_from(fmax(1, contact->f))));
-    return rw_scaled_is_normal(pressure) && islessequal(traction, LARGEST_STRESS); /* it may be NaN */
+    const double traction =
+        rw_scaled_value(rw_scaled_times(pressure, rw_scaled_from(fmax(1, contact->f))));
+    /* it may be NaN */
+    return rw_scaled_is_normal(pressure) && islessequal(traction, LARGEST_STRESS);
 }
 
-/* Whether lengths and stresses under the load stay far from the ends of the range of a double; next to an a/b that
- * underflows to 0 the apex of the sharp wedge would appear. */
+/* Whether lengths and stresses under the load stay far from the ends of the range of a double;
+ * next to an a/b that underflows to 0 the apex of the sharp wedge would appear. */
 static bool is_in_range(const rwedge_contact *contact, double P)
 {
     const rw_geometry *g = &contact->geometry;
     const double b = rw_half_width(g, P);
-    return P >= SMALLEST_LOAD && P <= LARGEST_LOAD && isnormal(b) && b <= LARGEST_WIDTH && rw_patch_matters(b, g->a) &&
-           (g->a == 0 || quotient_is_normal(g->a, b)) && is_pressure_in_range(contact, b);
+    return P >= SMALLEST_LOAD && P <= LARGEST_LOAD && isnormal(b) && b <= LARGEST_WIDTH &&
+           rw_patch_matters(b, g->a) && (g->a == 0 || quotient_is_normal(g->a, b)) &&
+           is_pressure_in_range(contact, b);
 }
 
 /* The load (pi/2) a theta/A under which the rounding is just filled, over 2^doublings. */
@@ -121,7 +128,8 @@ static double corner_load_of(const rw_geometry *g, int doublings)
     const rw_scaled width = rw_scaled_times(rw_scaled_from(RW_HALF_PI), rw_scaled_from(g->a));
     rw_scaled load = rw_scaled_times(width, rw_unit_stress(g));
     load.exponent -= doublings;
-    return load.exponent > 1000 ? 1e300 : rw_scaled_value(load); /* where all is Hertz, whatever it is */
+    /* where all is Hertz, whatever it is */
+    return load.exponent > 1000 ? 1e300 : rw_scaled_value(load);
 }
 
 /* NaN where it is too large for a double. */
@@ -135,9 +143,11 @@ static double energy_of(const rwedge_contact *contact, double P, double shear)
                                            corner_load_of(&contact->geometry, doublings));
     if (!(in_units > 0))
         return 0;
-    const rw_scaled f = rw_scaled_from(contact->f), f_over_pi = rw_scaled_over(f, rw_scaled_from(RW_PI));
+    const rw_scaled f = rw_scaled_from(contact->f),
+                    f_over_pi = rw_scaled_over(f, rw_scaled_from(RW_PI));
     const rw_scaled factor = rw_scaled_times(f, rw_scaled_from(contact->geometry.A));
-    rw_scaled energy = rw_scaled_times(factor, rw_scaled_times(f_over_pi, rw_scaled_from(in_units)));
+    rw_scaled energy =
+        rw_scaled_times(factor, rw_scaled_times(f_over_pi, rw_scaled_from(in_units)));
     energy.exponent += 2 * doublings;
     return rw_scaled_value(energy);
 }
@@ -155,7 +165,8 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
         return RWEDGE_ENULL;
     if (!rw_is_nonnegative(P) || !isfinite(Q))
         return RWEDGE_EDOMAIN;
-    if (P > 0 && (!is_in_range(contact, P) || P < STEEPEST_FALL * rw_path_end(&contact->path)->load))
+    if (P > 0 &&
+        (!is_in_range(contact, P) || P < STEEPEST_FALL * rw_path_end(&contact->path)->load))
         return RWEDGE_ERANGE;
     double shear;
     const int32_t status = shear_of(contact, P, Q, &shear);
@@ -164,8 +175,10 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     const double share = energy_of(contact, P, shear) + contact->energy_carry;
     if (!isfinite(share) || contact->energy / 2 + share / 2 > DBL_MAX / 2)
         return RWEDGE_ERANGE;
-    const double energy = fmax(contact->energy, contact->energy + share); /* the carry may be negative */
-    if (!rw_path_reserve(&contact->path, 2) || !rw_entries_advance(&contact->entries, &contact->path, P, shear))
+    /* the carry may be negative */
+    const double energy = fmax(contact->energy, contact->energy + share);
+    if (!rw_path_reserve(&contact->path, 2) ||
+        !rw_entries_advance(&contact->entries, &contact->path, P, shear))
         return RWEDGE_ENOMEM;
     rw_path_advance(&contact->path, P, shear);
     measure_new_corners(contact);
@@ -212,7 +225,8 @@ static double patch_pressure(const rw_corner *corner, double a, double x)
     return fabs(x) < s && rw_patch_matters(s, a) ? rw_patch_pressure(a, s, x) : 0;
 }
 
-int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[], double p[], double q[])
+int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
+                                 double p[], double q[])
 {
     if (!contact || (n > 0 && (!x || !p || !q)))
         return RWEDGE_ENULL;
@@ -244,9 +258,10 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
-/* The points at which a patch of half-width s is not remote beyond all bounds: which, and how many. */
-static int points_in_reach(double s, size_t n, const double x[], const double y[], size_t which[RW_BLOCK],
-                           double near_x[RW_BLOCK], double near_y[RW_BLOCK])
+/* The points at which a patch of half-width s is not remote beyond all bounds: which, and how
+ * many. */
+static int points_in_reach(double s, size_t n, const double x[], const double y[],
+                           size_t which[RW_BLOCK], double near_x[RW_BLOCK], double near_y[RW_BLOCK])
 {
     int count = 0;
     for (size_t i = 0; i < n; i++) {
@@ -259,8 +274,8 @@ static int points_in_reach(double s, size_t n, const double x[], const double y[
     return count;
 }
 
-void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[], const double y[],
-                          rw_contact_fields *fields)
+void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
+                          const double y[], rw_contact_fields *fields)
 {
     const rw_path *path = &contact->path;
     for (size_t i = 0; i < n; i++)
@@ -286,9 +301,10 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     }
 }
 
-/* Points in blocks, so that a patch is prepared once for many points, and an output may be an input. */
-int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[], const double y[],
-                                double sxx[], double syy[], double txy[])
+/* Points in blocks, so that a patch is prepared once for many points, and an output may be an
+ * input. */
+int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const double x[],
+                                const double y[], double sxx[], double syy[], double txy[])
 {
     if (!contact || (n > 0 && (!x || !y || !sxx || !syy || !txy)))
         return RWEDGE_ENULL;

@@ -22,15 +22,16 @@ static double excess(double alpha, const void *AP_over_theta_a)
     return *(const double *)AP_over_theta_a * alpha - rwedge_load(alpha);
 }
 
-/* The load lies between pi/2 (Hertz, alpha = 1) and 2 (sharp): that brackets alpha. The bracket's ends are moved outwards
- * by a few bits, because a root may lie at either to rounding. */
+/* The load lies between pi/2 (Hertz, alpha = 1) and 2 (sharp): that brackets alpha. The
+ * bracket's ends are moved outwards by a few bits, because a root may lie at either to rounding. */
 double rwedge_a_over_b(double AP_over_theta_a)
 {
     const double load = AP_over_theta_a;
     if (!isfinite(load) || load <= 0)
         return NAN;
     if (load <= RW_HALF_PI)
-        return sqrt(RW_HALF_PI) / sqrt(load); /* Hertz; the quotient of the squares might overflow */
+        /* Hertz; the quotient of the squares might overflow */
+        return sqrt(RW_HALF_PI) / sqrt(load);
     if (load > 2e8)
         return 2 / load; /* the next term is alpha^2/6 of it */
     const double outwards = 4e-16;

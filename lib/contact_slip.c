@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Slip. The surface displacement that a shear traction causes has the gradient -A Re G_T, Eq. (17); for a path with the
- * patches s_i, in the order of their size, and the slopes D_i between them that makes, at a point inside the contact,
+/* Slip. The surface displacement that a shear traction causes has the gradient -A Re G_T, Eq.
+ * (17); for a path with the patches s_i, in the order of their size, and the slopes D_i between
+ * them that makes, at a point inside the contact,
  *     w(x) = f theta [ sum (D_i - D_(i+1)) s_i gap(x/s_i) - D_1 h(x) ],
- * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w depends on the path below
- * u alone, the load with which the edge of the contact is at x.
+ * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w
+ * depends on the path below u alone, the load with which the edge of the contact is at x.
  *
- * While the point is in contact every slip changes the path, and w with it, and nothing else does: a rising load adds
- * to the path beyond u, a falling one cuts it off there. The slip is therefore w of the present path less w of the path
- * that was there when the point came into contact (entry.h). What both paths have in common is left out of both sums:
- * it would cancel. */
+ * While the point is in contact every slip changes the path, and w with it, and nothing else
+ * does: a rising load adds to the path beyond u, a falling one cuts it off there. The slip is
+ * therefore w of the present path less w of the path that was there when the point came into
+ * contact (entry.h). What both paths have in common is left out of both sums: it would cancel. */
 #include "contact.h"
 
 #include "slip.h"
 
-/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the profile. */
+/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the
+ * profile. */
 static double gap(double a, double s, double x)
 {
     if (!rw_patch_matters(s, fmax(a, x)))
@@ -23,26 +25,30 @@ static double gap(double a, double s, double x)
     return s * rw_gap(&patch, x / s);
 }
 
-/* The displacement at x over f theta, but for that of the profile, of the corners first ... count-1, with the slope
- * `beyond` after the last. */
-static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first, size_t count,
-                           double beyond, double x)
+/* The displacement at x over f theta, but for that of the profile, of the corners first ...
+ * count-1, with the slope `beyond` after the last. */
+static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first,
+                           size_t count, double beyond, double x)
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {
         const double s = path->corners[i].half_width;
         if (s >= x)
             continue;
-        const double step = path->corners[i].ratio - (i + 1 < count ? path->corners[i + 1].ratio : beyond);
+        const double step =
+            path->corners[i].ratio - (i + 1 < count ? path->corners[i + 1].ratio : beyond);
         sum += step * gap(contact->geometry.a, s, x);
     }
     return sum;
 }
 
-static double departure_displacement(const rwedge_contact *contact, const rw_corner *departure, double beyond, double x)
+static double departure_displacement(const rwedge_contact *contact, const rw_corner *departure,
+                                     double beyond, double x)
 {
     rw_corner corner = *departure;
-    if (isnan(corner.half_width)) /* unreached: a departure that is no corner of the path has none yet */
+    if (isnan(
+            corner
+                .half_width)) /* unreached: a departure that is no corner of the path has none yet */
         corner.half_width = rw_half_width(&contact->geometry, corner.load);
     const rw_path alone = {.corners = &corner, .count = 1};
     return displacement(contact, &alone, 0, 1, beyond, x);
@@ -53,7 +59,8 @@ static size_t last_common(const rw_path *one, const rw_path *other, size_t count
 {
     size_t i = 0;
     /* unreached: the path reaches the load that count ends at */
-    while (i + 1 < count && i + 1 < one->count && one->corners[i + 1].load == other->corners[i + 1].load &&
+    while (i + 1 < count && i + 1 < one->count &&
+           one->corners[i + 1].load == other->corners[i + 1].load &&
            one->corners[i + 1].ratio == other->corners[i + 1].ratio)
         i++;
     return i;
@@ -81,10 +88,12 @@ static double slip_at(const rwedge_contact *contact, double x)
         w -= departure_displacement(contact, &departure, slip, x);
     const double at_centre = kept > 1 ? entry->base.corners[1].ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
-    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f; /* what is small last */
+    /* what is small last */
+    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
 }
 
-int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[], double slip[])
+int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
+                            double slip[])
 {
     if (!contact || (n > 0 && (!x || !slip)))
         return RWEDGE_ENULL;

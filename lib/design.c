@@ -7,7 +7,8 @@
 
 #include <float.h>
 
-/* NaN where the result is too large for a double: nothing here may overflow, which a host may have made to trap. */
+/* NaN where the result is too large for a double: nothing here may overflow, which a host may
+ * have made to trap. */
 
 double rwedge_radius(double theta, double a)
 {
@@ -36,7 +37,8 @@ static rw_scaled half_width(const rw_geometry *geometry, double P)
         return sharp;
     const double ratio = rw_scaled_value(scaled_ratio);
     if (ratio <= RW_HALF_PI)
-        return rw_scaled_times(rw_scaled_root(rw_scaled_over(length, rw_scaled_from(RW_HALF_PI))), rw_scaled_root(a));
+        return rw_scaled_times(rw_scaled_root(rw_scaled_over(length, rw_scaled_from(RW_HALF_PI))),
+                               rw_scaled_root(a));
     return rw_scaled_over(a, rw_scaled_from(rwedge_a_over_b(ratio)));
 }
 
@@ -53,7 +55,8 @@ double rwedge_half_width(double theta, double a, double A, double P)
     return rw_half_width(&geometry, P);
 }
 
-/* A P/(theta b). For Hertz a/b may be too large for a double, and for a sharp wedge, all but, too small. */
+/* A P/(theta b). For Hertz a/b may be too large for a double, and for a sharp wedge, all but,
+ * too small. */
 static rw_scaled load_per_width(double a, rw_scaled b)
 {
     if (a == 0)
@@ -95,20 +98,23 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
-/* A k/theta, which may be no double where the load is one; all that is larger than any peak is the same. */
+/* A k/theta, which may be no double where the load is one; all that is larger than any peak is
+ * the same. */
 static rw_scaled wanted_peak(const rw_geometry *geometry, double k)
 {
-    const rw_scaled compliance = rw_scaled_over(rw_scaled_from(geometry->A), rw_scaled_from(geometry->theta));
+    const rw_scaled compliance =
+        rw_scaled_over(rw_scaled_from(geometry->A), rw_scaled_from(geometry->theta));
     const rw_scaled wanted = rw_scaled_times(compliance, rw_scaled_from(k));
     return wanted.exponent > 1000 ? rw_scaled_from(1e300) : wanted;
 }
 
-/* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in ln(alpha), because the
- * peak grows like a logarithm. */
+/* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in
+ * ln(alpha), because the peak grows like a logarithm. */
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) ||
+        !rw_is_nonnegative(k) || k == 0)
         return NAN;
     const rw_scaled wanted = wanted_peak(&geometry, k), rounding = rw_scaled_from(a);
     const yielding y = {f, nu, rw_scaled_value(wanted)};

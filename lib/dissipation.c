@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1 - D|, the shear
- * traction changes by f w times that of a flat punch of half-width eta(s). Outside it the points slip by
+/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1
+ * - D|, the shear traction changes by f w times that of a flat punch of half-width eta(s).
+ * Outside it the points slip by
  *     |d slip| = (A f w/pi) arcosh(|x|/eta(s)) ds,
  * and the pressure p = -int ds'/(pi sqrt(eta(s')^2 - x^2)) does the work
  *     int f |p| |d slip| dx = (A f^2 w/pi) ds int_s^P ln(eta(s')/eta(s)) ds'
- * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement ln(eta'/eta). Written
- * as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged, a layer s1 < s < s0 of constant w, passed
- * while the edge moves from P0 to P1, dissipates
+ * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement
+ * ln(eta'/eta). Written as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged,
+ * a layer s1 < s < s0 of constant w, passed while the edge moves from P0 to P1, dissipates
  *     (A f^2 w/pi) int B(u) du/(u m(u)),   B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
- * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp wedge. */
+ * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp
+ * wedge. */
 #include "dissipation.h"
 
 #include "domain.h"
@@ -17,8 +19,8 @@
 
 #include <float.h>
 
-/* A layer, in depths below the load `top` at the start of the step, because layers may be thin: the front goes from s0
- * to s1, the edge from p0 to p1, s0 <= s1, p <= s. */
+/* A layer, in depths below the load `top` at the start of the step, because layers may be thin:
+ * the front goes from s0 to s1, the edge from p0 to p1, s0 <= s1, p <= s. */
 typedef struct {
     double top, corner_load;
     double s0, s1, p0, p1;
@@ -32,7 +34,8 @@ static double overlap(const layer *l, double d)
     const double from = fmax(l->s0, d), length = l->s1 - from;
     if (length <= 0)
         return 0;
-    const double slope = l->s1 > l->s0 ? (l->p1 - l->p0) / (l->s1 - l->s0) : 0; /* unreached: the length is not 0 */
+    /* unreached: the length is not 0 */
+    const double slope = l->s1 > l->s0 ? (l->p1 - l->p0) / (l->s1 - l->s0) : 0;
     const double at_s1 = d - l->p1, at_from = d - (l->p0 + slope * (from - l->s0));
     if (at_s1 >= 0 && at_from >= 0)
         return length * (at_s1 + at_from) / 2;
@@ -40,8 +43,9 @@ static double overlap(const layer *l, double d)
     return above > 0 ? length * above / (above - below) * above / 2 : 0;
 }
 
-/* m(u) for a load u, which may be that at the end of the rounding. The half-width e = eta/a solves e load(1/e) =
- * (pi/2) ratio; the left side is concave, so that Newton's steps from below stay below: at most 4 are needed. */
+/* m(u) for a load u, which may be that at the end of the rounding. The half-width e = eta/a
+ * solves e load(1/e) = (pi/2) ratio; the left side is concave, so that Newton's steps from below
+ * stay below: at most 4 are needed. */
 static double logarithmic_slope(double u, double corner_load)
 {
     if (u <= corner_load)
@@ -71,10 +75,12 @@ static double integrand(const layer *l, double d)
 
 /* ---- Its integral ---- */
 
-/* A panel in u in which the integrand is smooth, but for a square root of u - corner_load where that is near. */
+/* A panel in u in which the integrand is smooth, but for a square root of u - corner_load where
+ * that is near. */
 typedef struct {
     const layer *l;
-    double depth, lo, hi; /* of hi; loads above that of the corner where they are replaced by their square root */
+    /* of hi; loads above that of the corner where they are replaced by their square root */
+    double depth, lo, hi;
 } panel;
 
 static double plain(double below, const void *context)
@@ -96,13 +102,15 @@ static double panel_integral(const layer *l, double shallow, double deep)
     const panel p = {l, shallow, l->top - deep - l->corner_load, l->top - shallow - l->corner_load};
     /* of a panel's end that was meant to be the corner, which may be far above the load */
     const double rounding = rw_path_tolerance(fmax(l->top, l->corner_load));
-    if (p.hi <= rounding || p.lo < -rounding || p.lo > deep - shallow) /* by rounding: panels are cut at the corner */
+    if (p.hi <= rounding || p.lo < -rounding ||
+        p.lo > deep - shallow) /* by rounding: panels are cut at the corner */
         return rw_integral(plain, &p, 0, deep - shallow);
     return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
 }
 
-/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for panels in geometric
- * sequence; those that rounding would not separate from u = 0 add nothing, as B is of order u there. */
+/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for
+ * panels in geometric sequence; those that rounding would not separate from u = 0 add nothing,
+ * as B is of order u there. */
 static double smooth_integral(const layer *l, double shallow, double deep)
 {
     double sum = 0;
@@ -147,8 +155,9 @@ static double depth_of(const step *s, size_t i)
     return s->top - s->path->corners[i].load * s->per_unit;
 }
 
-/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load has climbed by t climb
- * above that at t = 0, and the front is where the path has climbed as much: by 1 - slip D per depth. */
+/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load
+ * has climbed by t climb above that at t = 0, and the front is where the path has climbed as
+ * much: by 1 - slip D per depth. */
 static double sweep(const step *s, int slip, double start, double end)
 {
     const double climb = slip * s->rise - s->run;
@@ -162,7 +171,8 @@ static double sweep(const step *s, int slip, double start, double end)
         if (bottom <= front)
             continue;
         const double t_bottom = t + weight * (bottom - front) / climb;
-        const double next = t_bottom > end ? fmin(bottom, front + (end - t) * climb / weight) : bottom;
+        const double next =
+            t_bottom > end ? fmin(bottom, front + (end - t) * climb / weight) : bottom;
         const double t_next = fmin(t_bottom, end);
         const layer l = {s->top, s->corner_load, front, next, -s->run * t, -s->run * t_next};
         sum += weight * layer_integral(&l);
@@ -177,8 +187,9 @@ static int sign(double v)
     return (v > 0) - (v < 0);
 }
 
-/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead of the path's there.
- * Where it changes sign the zone of slip has shrunk to nothing and begins anew with the other sign. */
+/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead
+ * of the path's there. Where it changes sign the zone of slip has shrunk to nothing and begins
+ * anew with the other sign. */
 static double falling(const step *s)
 {
     const rw_corner *corners = s->path->corners;
@@ -203,7 +214,8 @@ static double falling(const step *s)
     return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
 }
 
-double rw_dissipation(const rw_path *path, double load, double shear, double unit, double corner_load)
+double rw_dissipation(const rw_path *path, double load, double shear, double unit,
+                      double corner_load)
 {
     const rw_corner *end = rw_path_end(path);
     const double per_unit = 1 / unit;

@@ -5,10 +5,11 @@
 
 #include "history.h"
 
-/* In the straight step from the end of the path to (load, shear): the integral of |p| |d(slip)|/f over the contact,
- * times pi/A, over unit^2: a power of two near the larger of the two loads, so that squares of loads stay in range.
- * corner_load is the load (pi/2) a theta/A under which the contact reaches the end of the rounding, over the unit. Never
- * negative. */
-double rw_dissipation(const rw_path *path, double load, double shear, double unit, double corner_load);
+/* In the straight step from the end of the path to (load, shear): the integral of |p|
+ * |d(slip)|/f over the contact, times pi/A, over unit^2: a power of two near the larger of the
+ * two loads, so that squares of loads stay in range. corner_load is the load (pi/2) a theta/A
+ * under which the contact reaches the end of the rounding, over the unit. Never negative. */
+double rw_dissipation(const rw_path *path, double load, double shear, double unit,
+                      double corner_load);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The domains of the arguments, and the constants that several rooms need. isfinite() comes first everywhere: comparing a
- * NaN with >= would raise the invalid-operation flag in the host. */
+/* The domains of the arguments, and the constants that several rooms need. isfinite() comes
+ * first everywhere: comparing a NaN with >= would raise the invalid-operation flag in the host. */
 #ifndef RW_DOMAIN_H
 #define RW_DOMAIN_H
 
@@ -20,8 +20,9 @@ static inline bool rw_is_nonnegative(double v)
     return isfinite(v) && v >= 0;
 }
 
-/* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction J2 is then flat to rounding
- * between the depths a and sqrt(a b), and its maximum there cannot be found. */
+/* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction
+ * J2 is then flat to rounding between the depths a and sqrt(a b), and its maximum there cannot
+ * be found. */
 #define RW_SMALLEST_TIP 1e-14
 
 static inline bool rw_is_tip(double alpha)
@@ -29,7 +30,8 @@ static inline bool rw_is_tip(double alpha)
     return rw_is_nonnegative(alpha) && (alpha == 0 || alpha >= RW_SMALLEST_TIP);
 }
 
-/* A coefficient of friction: at 10^6 the traction is all but tangential, and J2 is far from overflow. */
+/* A coefficient of friction: at 10^6 the traction is all but tangential, and J2 is far from
+ * overflow. */
 static inline bool rw_is_friction(double f)
 {
     return rw_is_nonnegative(f) && f <= 1e6;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Elliptic coordinates about the contact: z = sin(zeta), zeta = v + i w. The contact is w = 0, |v| <= pi/2. */
+/* Elliptic coordinates about the contact: z = sin(zeta), zeta = v + i w. The contact is w = 0,
+ * |v| <= pi/2. */
 #ifndef RW_ELLIPTIC_H
 #define RW_ELLIPTIC_H
 
@@ -16,10 +17,10 @@ typedef struct {
     double cos2; /* |cos(zeta)|^2, not 0 */
 } rw_elliptic;
 
-/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1.
- * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m
- * cancels (|z| near 1) its error is small beside 2 y. The root of its discriminant is |cos(zeta)|^2; next to the edge
- * x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
+/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. sinh(w) cos(v) = y and sinh(w)^2 -
+ * cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m cancels
+ * (|z| near 1) its error is small beside 2 y. The root of its discriminant is |cos(zeta)|^2;
+ * next to the edge x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
 RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
 {
     const double m = beyond * (x + 1) + y * y, size = m < 0 ? -m : m;

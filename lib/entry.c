@@ -16,7 +16,8 @@ static bool reserve(rw_entries *entries, size_t more)
 {
     if (entries->capacity - entries->count >= more)
         return true;
-    if (entries->count > SIZE_MAX / sizeof *entries->entries / 2 - more) /* unreached: memory ends before */
+    if (entries->count >
+        SIZE_MAX / sizeof *entries->entries / 2 - more) /* unreached: memory ends before */
         return false;
     const size_t capacity = entries->count + entries->count / 2 + more;
     rw_entry *grown = realloc(entries->entries, capacity * sizeof *grown);

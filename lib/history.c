@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The memory diagram as a path in the plane of load and shear.
  *
- * Memory: a load adds two corners at most, where its line meets the path and where it ends, and a corner stays only
- * until a later load's line passes beyond it. So the corners are what the state still depends on: rises of different
- * slopes, and extremes of T + s or T - s that no later load has exceeded. They grow in number only with loads that
- * curve, and with reversals each smaller than all that remain; nothing shorter would do for these. In a repeated cycle
- * the lines meet the path at corners that are there already, and rounding must not leave a sliver at each pass: hence
- * the tolerance. */
+ * Memory: a load adds two corners at most, where its line meets the path and where it ends, and
+ * a corner stays only until a later load's line passes beyond it. So the corners are what the
+ * state still depends on: rises of different slopes, and extremes of T + s or T - s that no
+ * later load has exceeded. They grow in number only with loads that curve, and with reversals
+ * each smaller than all that remain; nothing shorter would do for these. In a repeated cycle the
+ * lines meet the path at corners that are there already, and rounding must not leave a sliver at
+ * each pass: hence the tolerance. */
 #include "history.h"
 
 #include "domain.h"
@@ -16,7 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A corner is where two lines meet whose ends are rounded by epsilon/2 of the load: four roundings. */
+/* A corner is where two lines meet whose ends are rounded by epsilon/2 of the load: four
+ * roundings. */
 static const double ROUNDINGS = 4 * DBL_EPSILON;
 
 double rw_path_tolerance(double load)
@@ -55,7 +57,8 @@ bool rw_path_reserve(rw_path *path, size_t more)
 {
     if (path->capacity - path->count >= more)
         return true;
-    if (path->count > SIZE_MAX / sizeof *path->corners / 2 - more) /* unreached: memory ends before */
+    if (path->count >
+        SIZE_MAX / sizeof *path->corners / 2 - more) /* unreached: memory ends before */
         return false;
     const size_t capacity = path->count + path->count / 2 + more;
     rw_corner *corners = realloc(path->corners, capacity * sizeof *corners);
@@ -76,8 +79,9 @@ static double chord(const rw_corner *from, double load, double shear)
     return clipped((shear - from->shear) / (load - from->load));
 }
 
-/* Whether the path can go straight from the corner before its end to (load, shear). Every corner that was left out so
- * has narrowed the slopes that remain; without that, a slow bend in many small steps would be straightened away. */
+/* Whether the path can go straight from the corner before its end to (load, shear). Every corner
+ * that was left out so has narrowed the slopes that remain; without that, a slow bend in many
+ * small steps would be straightened away. */
 static bool is_straight(const rw_path *path, double load, double shear, double *least, double *most)
 {
     if (path->count < 2)
@@ -91,8 +95,9 @@ static bool is_straight(const rw_path *path, double load, double shear, double *
     return *least <= slope && slope <= *most;
 }
 
-/* The slope of what is left of a corner between two slopes. Where the longer part slipped, all did: |D| = 1 tells the zone of
- * slip from that of stick, and what a sliver of rounding adds to the other part must not hide it. */
+/* The slope of what is left of a corner between two slopes. Where the longer part slipped, all
+ * did: |D| = 1 tells the zone of slip from that of stick, and what a sliver of rounding adds to
+ * the other part must not hide it. */
 static double joint_ratio(const rw_path *path, double load, double shear, double ratio)
 {
     const rw_corner *end = rw_path_end(path), *from = end - 1;
@@ -146,7 +151,8 @@ static int sign_of_slip(const rw_path *path, double load, double shear)
     return rise > 0 ? 1 : -1;
 }
 
-/* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls along the path. */
+/* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls
+ * along the path. */
 static double inside(const rw_corner *corner, int slip, double load, double shear)
 {
     return (load - corner->load) - slip * (shear - corner->shear);
@@ -184,21 +190,23 @@ rw_corner rw_path_departure(const rw_path *path, double load, double shear, size
         return stuck_departure(path, load, kept);
     const double tolerance = rw_path_tolerance(fmax(load, rw_path_end(path)->load));
     size_t last = path->count - 1; /* the last corner inside the line; the origin always is */
-    while (last > 0 &&
-           (path->corners[last].load > load || inside(&path->corners[last], *slip, load, shear) < -tolerance))
+    while (last > 0 && (path->corners[last].load > load ||
+                        inside(&path->corners[last], *slip, load, shear) < -tolerance))
         last--;
     *kept = last + 1;
     const rw_corner *before = &path->corners[last];
     const double depth = inside(before, *slip, load, shear);
-    if (last + 1 == path->count || depth <= tolerance) /* unreached: what slips passes the end of the path */
+    if (last + 1 == path->count ||
+        depth <= tolerance) /* unreached: what slips passes the end of the path */
         return *before;
     const double beyond = inside(before + 1, *slip, load, shear);
     const rw_corner corner = between(before, before + 1, depth / (depth - beyond));
-    return corner.load < load ? corner : *before; /* unreached: the line meets the path before its end */
+    /* unreached: the line meets the path before its end */
+    return corner.load < load ? corner : *before;
 }
 
-/* Where a step changes less than the tolerance the path stays as it is, and does not take over the new values: so that
- * many small steps cannot shift it unnoticed. */
+/* Where a step changes less than the tolerance the path stays as it is, and does not take over
+ * the new values: so that many small steps cannot shift it unnoticed. */
 void rw_path_advance(rw_path *path, double load, double shear)
 {
     const rw_corner end = *rw_path_end(path);

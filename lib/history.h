@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram of a contact. The tractions after any history of loads (P, Q) are those of a load that grew along
- * one path from the origin, never steeper than friction: with load s = P on the path and shear T = Q/f,
+/* The memory diagram of a contact. The tractions after any history of loads (P, Q) are those of
+ * a load that grew along one path from the origin, never steeper than friction: with load s = P
+ * on the path and shear T = Q/f,
  *     q(x) = f int D(s) dp(x; s),   D = dT/ds in [-1, 1],   0 <= s <= P,
- * p(x; s) being the pressure under the load s. The path is a polygon; this room keeps its corners and knows no
- * geometry.
+ * p(x; s) being the pressure under the load s. The path is a polygon; this room keeps its
+ * corners and knows no geometry.
  *
- * A new load (P', T') extends the path where the step is not steeper than 1; otherwise the edge slips, D = +-1 there:
- * from (P', T') a line of that slope is drawn back to where it meets the path, and what lay beyond is forgotten. The
- * path meets the two lines |T - T'| = P' - s once, since it is never steeper than they are. */
+ * A new load (P', T') extends the path where the step is not steeper than 1; otherwise the edge
+ * slips, D = +-1 there: from (P', T') a line of that slope is drawn back to where it meets the
+ * path, and what lay beyond is forgotten. The path meets the two lines |T - T'| = P' - s once,
+ * since it is never steeper than they are. */
 #ifndef RW_HISTORY_H
 #define RW_HISTORY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A corner, with the slope D of the path from the corner before it. half_width is the caller's: of the contact under
- * that load, NaN when the corner is new. least and most bound the slope so that no corner that was left out is farther
- * from the path than its rounding error. */
+/* A corner, with the slope D of the path from the corner before it. half_width is the caller's:
+ * of the contact under that load, NaN when the corner is new. least and most bound the slope so
+ * that no corner that was left out is farther from the path than its rounding error. */
 typedef struct {
     double load, shear, ratio;
     double least, most;
@@ -40,10 +42,12 @@ bool rw_path_reserve(rw_path *path, size_t more);
 /* Goes on to (load, shear), |shear| <= load, with room for two more corners. */
 void rw_path_advance(rw_path *path, double load, double shear);
 
-/* The corner where the path to (load, shear) would leave this one: half_width is NaN unless it is a corner of the path.
- * *kept receives how many corners of the path stay, *slip the slope beyond: the sign of slip, or 0 where nothing slips
- * and the path is only cut off at that corner or extended. */
-rw_corner rw_path_departure(const rw_path *path, double load, double shear, size_t *kept, int *slip);
+/* The corner where the path to (load, shear) would leave this one: half_width is NaN unless it
+ * is a corner of the path. *kept receives how many corners of the path stay, *slip the slope
+ * beyond: the sign of slip, or 0 where nothing slips and the path is only cut off at that corner
+ * or extended. */
+rw_corner rw_path_departure(const rw_path *path, double load, double shear, size_t *kept,
+                            int *slip);
 
 /* The last corner. */
 static inline const rw_corner *rw_path_end(const rw_path *path)

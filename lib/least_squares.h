@@ -5,9 +5,9 @@
 
 #include <stdint.h>
 
-/* Minimises |A u - v| over u. A is rows x columns, column by column, rows >= columns >= 1, all entries finite; A and v are
- * overwritten, v[0 ... columns-1] with u. RWEDGE_ERANK where the condition number of A exceeds 1/sqrt(epsilon),
- * RWEDGE_ENOMEM, RWEDGE_ENOCONV. */
+/* Minimises |A u - v| over u. A is rows x columns, column by column, rows >= columns >= 1, all
+ * entries finite; A and v are overwritten, v[0 ... columns-1] with u. RWEDGE_ERANK where the
+ * condition number of A exceeds 1/sqrt(epsilon), RWEDGE_ENOMEM, RWEDGE_ENOCONV. */
 int32_t rw_least_squares(int32_t rows, int32_t columns, double *A, double *v);
 
 #endif

@@ -15,7 +15,9 @@ static bool is_body(double E, double nu)
 /* (1-nu^2)/E: half of a body's share of A; 0 for a rigid one, NaN where it is too large. */
 static double half_share(double E, double nu)
 {
-    return isinf(E) ? 0 : rw_scaled_value(rw_scaled_over(rw_scaled_from((1 - nu) * (1 + nu)), rw_scaled_from(E)));
+    return isinf(E) ? 0
+                    : rw_scaled_value(
+                          rw_scaled_over(rw_scaled_from((1 - nu) * (1 + nu)), rw_scaled_from(E)));
 }
 
 double rwedge_compliance(double E1, double nu1, double E2, double nu2)

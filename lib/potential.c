@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The closed form of the potential. In elliptic coordinates z = sin(zeta), zeta = v + i w, w >= 0, it is Eq. (8) read at a
- * complex angle (lib/README.md, "The potential"). With R = z - X = -i exp(i zeta), X = sqrt(z^2-1) = i cos(zeta),
+/* The closed form of the potential. In elliptic coordinates z = sin(zeta), zeta = v + i w, w >=
+ * 0, it is Eq. (8) read at a complex angle (lib/README.md, "The potential"). With R = z - X = -i
+ * exp(i zeta), X = sqrt(z^2-1) = i cos(zeta),
  *
  *     G  =  (2/pi) [ B - ((z-alpha)/alpha) A + (phi0/alpha) R ],     S+- = sin(zeta +- phi0),
  *     G' = -(2/pi) [ A/alpha + (phi0/alpha) R/X ],                   A = (i/2) ln( e^(-2i phi0) S-/S+ ),
  *     B  = i ln( -i e^(i phi0) S+/(cos(zeta) + c0) )
  *
- * for x >= 0; the other half follows by symmetry. Nothing in it is large that cancels: near z = alpha, where A is infinite,
- * it is multiplied by z - alpha, and far away A, B and R all are small, as G is. sin v, cos v, sinh w, cosh w are
- * nonnegative and each is had from z by square roots to full relative accuracy.
+ * for x >= 0; the other half follows by symmetry. Nothing in it is large that cancels: near z =
+ * alpha, where A is infinite, it is multiplied by z - alpha, and far away A, B and R all are
+ * small, as G is. sin v, cos v, sinh w, cosh w are nonnegative and each is had from z by square
+ * roots to full relative accuracy.
  *
- * Points come one by one or in batches. The formula for a point is a straight line without a call or a branch, so that
- * compilers turn the loop over a batch into vector instructions. These round as the others do: a batch gives the bits of its
- * points one by one. */
+ * Points come one by one or in batches. The formula for a point is a straight line without a
+ * call or a branch, so that compilers turn the loop over a batch into vector instructions. These
+ * round as the others do: a batch gives the bits of its points one by one. */
 #include "potential.h"
 
 #include "domain.h"
@@ -26,7 +28,8 @@ static const double TINY = 0x1p-200;
 static const double ZOOM = 0x1p150;
 static const double LN_ZOOM = 150 * RW_LN2;
 
-/* Below this, and |z| > TINY, the wedge is sharp to the last bit; and products of alpha and z might underflow. */
+/* Below this, and |z| > TINY, the wedge is sharp to the last bit; and products of alpha and z
+ * might underflow. */
 static const double SHARP = 0x1p-260;
 
 /* ---- Preparation ---- */
@@ -59,14 +62,16 @@ static double first_coefficient(const rw_potential *p)
     return p->alpha < 1 ? 2 / RW_PI * (p->phi0_over_alpha + p->c0) : 1 / p->alpha;
 }
 
-/* b_n of the series in R, for n < RW_FAR_TERMS, from exp(i m phi0) by repeated rotation. Accurate absolutely, which is all
- * that a sum needs; rwedge_coefficient() has them relatively. */
+/* b_n of the series in R, for n < RW_FAR_TERMS, from exp(i m phi0) by repeated rotation.
+ * Accurate absolutely, which is all that a sum needs; rwedge_coefficient() has them relatively. */
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS])
 {
-#define WEIGHT(n) (((n) % 2 ? -1 : 1) / (RW_PI * (2 * (n) + 1) * (n) * ((n) + 1))) /* 4 (-1)^n/(pi m (m^2-1)) */
-    static const double weight[RW_FAR_TERMS] = {
-        0,         WEIGHT(1), WEIGHT(2),  WEIGHT(3),  WEIGHT(4),  WEIGHT(5),  WEIGHT(6),  WEIGHT(7),
-        WEIGHT(8), WEIGHT(9), WEIGHT(10), WEIGHT(11), WEIGHT(12), WEIGHT(13), WEIGHT(14), WEIGHT(15)};
+#define WEIGHT(n)                                                                                  \
+    (((n) % 2 ? -1 : 1) / (RW_PI * (2 * (n) + 1) * (n) * ((n) + 1))) /* 4 (-1)^n/(pi m (m^2-1)) */
+    static const double weight[RW_FAR_TERMS] = {0,          WEIGHT(1),  WEIGHT(2),  WEIGHT(3),
+                                                WEIGHT(4),  WEIGHT(5),  WEIGHT(6),  WEIGHT(7),
+                                                WEIGHT(8),  WEIGHT(9),  WEIGHT(10), WEIGHT(11),
+                                                WEIGHT(12), WEIGHT(13), WEIGHT(14), WEIGHT(15)};
 #undef WEIGHT
     const double alpha = potential->alpha, c0 = potential->c0;
     far[0] = first_coefficient(potential);
@@ -74,7 +79,8 @@ void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_
         far[n] = 0;
     if (alpha >= 1) /* Hertz: G = R/alpha */
         return;
-    /* sin(m phi0)/alpha and cos(m phi0), m = 2n+1: with the sine divided by alpha, alpha = 0 is not special. */
+    /* sin(m phi0)/alpha and cos(m phi0), m = 2n+1: with the sine divided by alpha, alpha = 0 is
+     * not special. */
     double sine = 1, cosine = c0;
     const double cos2 = (1 - alpha) * (1 + alpha) - alpha * alpha;
     for (int n = 1; n < RW_FAR_TERMS; n++) {
@@ -87,7 +93,8 @@ void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_
 
 /* ---- The formulas, for x >= 0 ---- */
 
-/* A point of the right half, over the half-width, and the differences that count where they are small. */
+/* A point of the right half, over the half-width, and the differences that count where they are
+ * small. */
 typedef struct {
     double x, y;
     double beyond, past; /* x - 1, x - alpha */
@@ -101,24 +108,29 @@ RW_INLINE rw_field hertz_field_at(const rw_potential *p, place at, rw_elliptic e
                       factor * rw_elliptic_RX_re(&e, shrink), factor * -(e.sin_v * e.cos_v)};
 }
 
-/* The imaginary part of A over alpha, (1/2) ln|S-/S+|. S+ S- is (z-alpha)(z+alpha), whose factors are exact differences, and
- * |sin(v + i w)|^2 = sin(v)^2 + sinh(w)^2, so that |S+|^2 - |S-|^2 = 4 c0 alpha sin(v) cos(v). */
+/* The imaginary part of A over alpha, (1/2) ln|S-/S+|. S+ S- is (z-alpha)(z+alpha), whose
+ * factors are exact differences, and |sin(v + i w)|^2 = sin(v)^2 + sinh(w)^2, so that |S+|^2 -
+ * |S-|^2 = 4 c0 alpha sin(v) cos(v). */
 RW_INLINE double log_part_of_A(const rw_potential *p, const rw_elliptic *e, double past)
 {
-    static const double ZERO_SQUARED = 0x1p-1000; /* for the logarithm at z = alpha any positive number will do */
+    /* for the logarithm at z = alpha any positive number will do */
+    static const double ZERO_SQUARED = 0x1p-1000;
     const double plus = e->x + p->alpha, y2 = e->y * e->y;
     const double sine = p->c0 * e->sin_v + p->alpha * e->cos_v;
     const double sum2 = sine * sine + e->sinh_w * e->sinh_w;
     const double product2 = (past * past + y2) * (plus * plus + y2);
-    return -0.25 * rw_log_of_quotient_over(sum2 * sum2, product2 > ZERO_SQUARED ? product2 : ZERO_SQUARED,
-                                           4 * p->c0 * e->sin_v * e->cos_v * sum2, p->alpha, p->per_alpha);
+    return -0.25 *
+           rw_log_of_quotient_over(sum2 * sum2, product2 > ZERO_SQUARED ? product2 : ZERO_SQUARED,
+                                   4 * p->c0 * e->sin_v * e->cos_v * sum2, p->alpha, p->per_alpha);
 }
 
-/* The real part of A over alpha, phi0/alpha less half the angle of S-/S+. As sums over cosh(w) and sinh(w) of which
- * cosh(w) - sinh(w) is `shrink`, neither side of the triangle cancels for large w. */
+/* The real part of A over alpha, phi0/alpha less half the angle of S-/S+. As sums over cosh(w)
+ * and sinh(w) of which cosh(w) - sinh(w) is `shrink`, neither side of the triangle cancels for
+ * large w. */
 RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, double shrink)
 {
-    const double alpha = p->alpha, c0 = p->c0, cos_2phi0 = 1 - 2 * alpha * alpha, sin_2phi0 = 2 * alpha * c0;
+    const double alpha = p->alpha, c0 = p->c0, cos_2phi0 = 1 - 2 * alpha * alpha,
+                 sin_2phi0 = 2 * alpha * c0;
     const double from_corner = e->sin_v * e->sin_v - alpha * alpha;
     const double x = cos_2phi0 * (from_corner + cos_2phi0 * (e->sinh_w * e->sinh_w)) +
                      sin_2phi0 * sin_2phi0 * (e->sinh_w * e->cosh_w);
@@ -126,8 +138,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
     return 0.5 * rw_angle_over(x, y, alpha, p->per_alpha);
 }
 
-/* alpha < 1. With half the angles E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all of it nonnegative, and
- * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
+/* alpha < 1. With half the angles E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all of it
+ * nonnegative, and |E|^2 - 1 = -2 c0 cos(v)/E_size. */
 RW_INLINE rw_field rounded_field_at(const rw_potential *p, place at, rw_elliptic e)
 {
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
@@ -186,8 +198,8 @@ static rw_potential zoomed_potential(const rw_potential *p)
     return zoomed;
 }
 
-/* alpha and |z| so small that their squares underflow: the fields depend on z/alpha and ln(alpha) alone there, and only
- * Im G has the logarithm. */
+/* alpha and |z| so small that their squares underflow: the fields depend on z/alpha and
+ * ln(alpha) alone there, and only Im G has the logarithm. */
 static rw_field apex_field(const rw_potential *p, place at)
 {
     if (!is_at_apex(p, at))
@@ -209,12 +221,13 @@ RW_INLINE place place_of(const rw_potential *p, double x, double y)
                    .past = (right - p->a) * per_c};
 }
 
-/* From the right half to where the point is: p is even, G(-conj z) = -conj G(z). On the surface outside the contact there is
- * no pressure, to the last bit. */
+/* From the right half to where the point is: p is even, G(-conj z) = -conj G(z). On the surface
+ * outside the contact there is no pressure, to the last bit. */
 RW_INLINE rw_field mirrored(const rw_potential *p, double x, double y, rw_field right)
 {
     const double sign = x < 0 ? -1 : 1, inside = fabs(x) < p->half_width ? 1 : y;
-    return (rw_field){sign * right.G_re, inside == 0 ? 0 : right.G_im, right.H_re, sign * right.H_im};
+    return (rw_field){sign * right.G_re, inside == 0 ? 0 : right.G_im, right.H_re,
+                      sign * right.H_im};
 }
 
 rw_field rw_potential_at(const rw_potential *potential, double x, double y)
@@ -231,7 +244,7 @@ rw_field rw_potential_at(const rw_potential *potential, double x, double y)
 
 /* ---- Batches ---- */
 
-enum { LANES = 8 }; /* a multiple of what vector units hold */
+enum { LANES = 8 };          /* a multiple of what vector units hold */
 enum { WORTH_A_VECTOR = 3 }; /* two points are quicker one by one */
 
 RW_INLINE void put(rw_fields *fields, int i, rw_field field)
@@ -245,8 +258,8 @@ RW_INLINE void put(rw_fields *fields, int i, rw_field field)
 typedef rw_field formula(const rw_potential *p, place at);
 
 /* Inlined for each formula and processor, the loop becomes vector instructions. */
-RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count, const double *restrict x,
-                     const double *restrict y, rw_fields *restrict fields)
+RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count,
+                     const double *restrict x, const double *restrict y, rw_fields *restrict fields)
 {
     for (int first = 0; first < count; first += LANES)
         for (int i = first; i < first + LANES; i++) {
@@ -255,7 +268,8 @@ RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int c
         }
 }
 
-RW_INLINE void apply_its_formula(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
+RW_INLINE void apply_its_formula(const rw_potential *p, int count, const double x[],
+                                 const double y[], rw_fields *fields)
 {
     if (p->alpha >= 1)
         apply(hertz_field, p, count, x, y, fields);
@@ -263,25 +277,29 @@ RW_INLINE void apply_its_formula(const rw_potential *p, int count, const double 
         apply(rounded_field, p, count, x, y, fields);
 }
 
-static void apply_baseline(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
+static void apply_baseline(const rw_potential *p, int count, const double x[], const double y[],
+                           rw_fields *fields)
 {
     apply_its_formula(p, count, x, y, fields);
 }
 
-/* The same for processors with vectors of four numbers, which the baseline of x86-64 does not have. */
+/* The same for processors with vectors of four numbers, which the baseline of x86-64 does not
+ * have. */
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
-__attribute__((target("avx2"))) static void apply_avx2(const rw_potential *p, int count, const double x[], const double y[],
-                                                       rw_fields *fields)
+__attribute__((target("avx2"))) static void
+apply_avx2(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
 {
     apply_its_formula(p, count, x, y, fields);
 }
 
-static void apply_best(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
+static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
+                       rw_fields *fields)
 {
     (__builtin_cpu_supports("avx2") ? apply_avx2 : apply_baseline)(p, count, x, y, fields);
 }
 #else
-static void apply_best(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
+static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
+                       rw_fields *fields)
 {
     apply_baseline(p, count, x, y, fields);
 }
@@ -294,7 +312,8 @@ static bool is_extreme(const rw_potential *p, double x, double y)
     return rw_is_remote(at.x, at.y) || is_at_apex(p, at);
 }
 
-void rw_potential_fields(const rw_potential *potential, int count, const double x[], const double y[], rw_fields *fields)
+void rw_potential_fields(const rw_potential *potential, int count, const double x[],
+                         const double y[], rw_fields *fields)
 {
     if (count < WORTH_A_VECTOR) {
         for (int i = 0; i < count; i++)
@@ -355,10 +374,11 @@ static complex_number y_over(double y, complex_number a)
  * overflow. For Hertz c0 = 0. */
 static rw_curvature curvature_at(const rw_potential *p, place at, rw_elliptic e)
 {
-    const complex_number per_X = y_over(1, (complex_number){e.sin_v * e.sinh_w, e.cos_v * e.cosh_w});
+    const complex_number per_X =
+        y_over(1, (complex_number){e.sin_v * e.sinh_w, e.cos_v * e.cosh_w});
     const complex_number y2_per_X2 = scaled(at.y * at.y, product(per_X, per_X));
-    const complex_number y2_per_q =
-        product(y_over(at.y, (complex_number){at.past, at.y}), y_over(at.y, (complex_number){at.x + p->alpha, at.y}));
+    const complex_number y2_per_q = product(y_over(at.y, (complex_number){at.past, at.y}),
+                                            y_over(at.y, (complex_number){at.x + p->alpha, at.y}));
     const complex_number z_per_y = {at.x / at.y, 1};
     const complex_number corner = scaled(p->c0, y2_per_q);
     const complex_number edge = scaled(p->phi0_over_alpha, y2_per_X2);
@@ -369,7 +389,8 @@ static rw_curvature curvature_at(const rw_potential *p, place at, rw_elliptic e)
     return (rw_curvature){K.re, K.im, L.re, L.im};
 }
 
-rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y, rw_curvature *curvature)
+rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y,
+                                     rw_curvature *curvature)
 {
     const place at = place_of(potential, x, y);
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);

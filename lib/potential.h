@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are made of G and y G'.
- * Natural units: lengths in the half-width of the contact, stresses in theta/A; alpha is the rounding over the half-width.
- * This room depends on no other. */
+/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are
+ * made of G and y G'. Natural units: lengths in the half-width of the contact, stresses in
+ * theta/A; alpha is the rounding over the half-width. This room depends on no other. */
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
@@ -9,15 +9,16 @@
 
 /* What depends on the contact alone; made once for any number of points. */
 typedef struct {
-    double half_width, a;     /* of the patch, and the rounding, in the unit of the points */
-    double per_half_width;    /* 1/half_width */
-    double alpha;             /* a over half_width */
-    double per_alpha;         /* its reciprocal, 0 where the wedge is sharp to the last bit */
-    double c0;                /* cos(phi0), phi0 = asin(alpha) */
-    double phi0_over_alpha;   /* 1 for the sharp wedge */
+    double half_width, a;   /* of the patch, and the rounding, in the unit of the points */
+    double per_half_width;  /* 1/half_width */
+    double alpha;           /* a over half_width */
+    double per_alpha;       /* its reciprocal, 0 where the wedge is sharp to the last bit */
+    double c0;              /* cos(phi0), phi0 = asin(alpha) */
+    double phi0_over_alpha; /* 1 for the sharp wedge */
 } rw_potential;
 
-/* G and H = y G' at a point. Im G is the pressure and Re G the slope of the profile where y = 0 and |x| < 1. */
+/* G and H = y G' at a point. Im G is the pressure and Re G the slope of the profile where y = 0
+ * and |x| < 1. */
 typedef struct {
     double G_re, G_im, H_re, H_im;
 } rw_field;
@@ -30,18 +31,20 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
 /* alpha: finite, >= 0. */
 void rw_potential_init(rw_potential *potential, double alpha);
 
-/* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the points; a/c finite. Where
- * a and c, or a point and c, are nearly equal it is their differences that count, and these a quotient would lose. */
+/* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the
+ * points; a/c finite. Where a and c, or a point and c, are nearly equal it is their differences
+ * that count, and these a quotient would lose. */
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
-/* A patch so narrow that a length over its half-width would overflow carries no load that a double could show. */
+/* A patch so narrow that a length over its half-width would overflow carries no load that a
+ * double could show. */
 static inline bool rw_patch_matters(double half_width, double length)
 {
     return half_width > 1e-290 && length * 1e-280 <= half_width;
 }
 
-/* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always finite there.
- * Error of each part below 8 epsilon max(|G|, 1/(1+|z|)). */
+/* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always
+ * finite there. Error of each part below 8 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
 
 /* The same, bit for bit, at count <= RW_BATCH points at once: several times faster. */
@@ -55,7 +58,8 @@ static inline rw_field rw_field_in(const rw_fields *fields, int i)
     return (rw_field){fields->G_re[i], fields->G_im[i], fields->H_re[i], fields->H_im[i]};
 }
 
-void rw_potential_fields(const rw_potential *potential, int count, const double x[], const double y[], rw_fields *fields);
+void rw_potential_fields(const rw_potential *potential, int count, const double x[],
+                         const double y[], rw_fields *fields);
 
 /* The coefficients b_n of the series in R, as many as count where |R| is below 1/4. */
 enum { RW_FAR_TERMS = 16 };
@@ -66,7 +70,9 @@ typedef struct {
     double K_re, K_im, L_re, L_im;
 } rw_curvature;
 
-/* As rw_potential_at(), and these. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z| below 1e8 half-widths. */
-rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y, rw_curvature *curvature);
+/* As rw_potential_at(), and these. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z| below 1e8
+ * half-widths. */
+rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y,
+                                     rw_curvature *curvature);
 
 #endif

@@ -23,23 +23,28 @@ static double sharp_wedge(double t, double from_edge)
     return 2 / RW_PI * log_of_quotient(t, 1 + s, -(from_edge + s));
 }
 
-/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) = (x+a)(x-a) gives the difference
- * from two that are exact, and where one of A, B is small beside the other the quotient is 1 plus a product of it. */
+/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) =
+ * (x+a)(x-a) gives the difference from two that are exact, and where one of A, B is small beside
+ * the other the quotient is 1 plus a product of it. */
 static double log_of_ratio(double a, double x, double A, double B)
 {
     const double sum = A + B, small = fmin(A, B), past = fabs(x - a), both = x + a;
-    return rw_log_of_quotient_over(sum / past * (sum / both), 1, 2 * (sum / past) * (small / both), 1, 1);
+    return rw_log_of_quotient_over(sum / past * (sum / both), 1, 2 * (sum / past) * (small / both),
+                                   1, 1);
 }
 
-/* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x +- a s, over c,
+/* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x
+ * +- a s, over c,
  *     pi p = 2 ln((c0 x + a s)/(c0 + s)) + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a:
- * the paper's two logarithms share their singularity at x = a; here it is gone from the first, and the second is multiplied
- * by its zero. */
+ * the paper's two logarithms share their singularity at x = a; here it is gone from the first,
+ * and the second is multiplied by its zero. */
 static double rounded_wedge(double a, double c, double x)
 {
-    const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)), alpha = a / c;
+    const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)),
+                 alpha = a / c;
     const double A = c0 * x, B = a * s;
-    const double first = log_of_quotient((A + B) / c, c0 + s, -(c0 * ((c - x) / c) + s * ((c - a) / c)));
+    const double first =
+        log_of_quotient((A + B) / c, c0 + s, -(c0 * ((c - x) / c) + s * ((c - a) / c)));
     const double edge = rw_angle(c0, alpha) / alpha * s;
     const double corner = x == a ? 0 : (x - a) / a * log_of_ratio(a, x, A, B);
     return (2 * (first - edge) + corner) / RW_PI;
@@ -52,7 +57,8 @@ double rw_patch_pressure(double a, double c, double x)
         return 0;
     if (a >= c)
         return -sqrt((c - x) / c * ((c + x) / c)) / (a / c);
-    if (a == 0 || a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/a might overflow */
+    if (a == 0 ||
+        a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/a might overflow */
         return sharp_wedge(x / c, (c - x) / c);
     return rounded_wedge(a, c, x);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Positive numbers whose exponent has no end, for products and quotients of dimensional quantities: these may leave the
- * range of a double on the way to a result that is inside it, and would raise overflow in the host. Mantissas are rounded
- * as the doubles would be, so that nothing changes for those that stay inside. */
+/* Positive numbers whose exponent has no end, for products and quotients of dimensional
+ * quantities: these may leave the range of a double on the way to a result that is inside it,
+ * and would raise overflow in the host. Mantissas are rounded as the doubles would be, so that
+ * nothing changes for those that stay inside. */
 #ifndef RW_SCALED_H
 #define RW_SCALED_H
 
@@ -57,7 +58,8 @@ static inline double rw_power_of_two(int exponent)
     return power;
 }
 
-/* The double: NaN where it is too large for one, and 0 where it is too small. (ldexp() would set errno.) */
+/* The double: NaN where it is too large for one, and 0 where it is too small. (ldexp() would set
+ * errno.) */
 static inline double rw_scaled_value(rw_scaled s)
 {
     if (s.exponent > 1024)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's route to the stresses: p = -sqrt(1-x^2) sum a_k U_k(x), whose potential is G = sum a_k R^(k+1), Eq. (29), (30).
- * With x = cos(t), sqrt(1-x^2) U_k(x) = sin((k+1) t): a sine series, which is what is fitted and summed. */
+/* The paper's route to the stresses: p = -sqrt(1-x^2) sum a_k U_k(x), whose potential is G = sum
+ * a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) = sin((k+1) t): a sine
+ * series, which is what is fitted and summed. */
 #include "rwedge.h"
 
 #include "domain.h"
@@ -30,9 +31,10 @@ static rwedge_series *allocate(int32_t terms)
     return series;
 }
 
-/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|, which is
- * - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <= ln((n+1)/n)/2;
- * - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|,
+ * which is - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <=
+ * ln((n+1)/n)/2; - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which
+ * telescopes. */
 static double analytic_tail(double alpha, double N)
 {
     if (alpha >= 1)
@@ -42,7 +44,8 @@ static double analytic_tail(double alpha, double N)
     if (alpha < 1e-300) /* whose reciprocal may overflow: M is 1/(2 alpha) */
         return 2 / RW_PI * ((1 + 0.5 / (N * (N + 1))) * (-log(alpha) - log(2 * N)) + 1);
     const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
-    return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) + (slope + 1 / (2 * M + 1)) / (RW_PI * M);
+    return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) +
+           (slope + 1 / (2 * M + 1)) / (RW_PI * M);
 }
 
 int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series)
@@ -74,8 +77,8 @@ static void fill_columns(int32_t samples, int32_t terms, const double x[], doubl
 }
 
 /* Of the samples times `scale`. */
-static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples, const double x[], const double p[],
-                                         double scale)
+static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples,
+                                         const double x[], const double p[], double scale)
 {
     double sum = 0;
     for (size_t i = 0; i < samples; i++) {
@@ -85,7 +88,8 @@ static double root_mean_square_of_misfit(const rwedge_series *series, size_t sam
     return sqrt(sum / (double)samples);
 }
 
-/* The power of two that is next to the largest sample: over it, no sum or square overflows or underflows. */
+/* The power of two that is next to the largest sample: over it, no sum or square overflows or
+ * underflows. */
 static int magnitude(size_t samples, const double p[])
 {
     double largest = 0;
@@ -94,7 +98,8 @@ static int magnitude(size_t samples, const double p[])
     return largest > 0 ? (int)fmax(-1000, fmin(1000, ilogb(largest))) : 0;
 }
 
-/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow then. */
+/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow
+ * then. */
 static bool enlarge(rwedge_series *made, int doublings)
 {
     double sum = made->residual;
@@ -110,7 +115,8 @@ static bool enlarge(rwedge_series *made, int doublings)
 }
 
 /* Solves for made->a. work holds the matrix and the right-hand side. */
-static int32_t fit(size_t samples, const double x[], const double p[], double *work, rwedge_series *made)
+static int32_t fit(size_t samples, const double x[], const double p[], double *work,
+                   rwedge_series *made)
 {
     const size_t entries = samples * (size_t)made->terms;
     const int doublings = magnitude(samples, p);
@@ -136,7 +142,8 @@ static bool are_samples(size_t samples, const double x[], const double p[])
     return true;
 }
 
-int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms, rwedge_series **series)
+int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
+                          rwedge_series **series)
 {
     if (!series || (samples > 0 && (!x || !p)))
         return RWEDGE_ENULL;
@@ -203,10 +210,12 @@ double rwedge_series_pressure(const rwedge_series *series, double x)
         return NAN;
     if (fabs(x) >= 1)
         return 0;
-    return sum_powers(series, x, -rw_cos_asin(x)).G_im; /* R_n = T_n - i sqrt(1-x^2) U_(n-1) on y = 0 (E3) */
+    /* R_n = T_n - i sqrt(1-x^2) U_(n-1) on y = 0 (E3) */
+    return sum_powers(series, x, -rw_cos_asin(x)).G_im;
 }
 
-/* G and y G' = -y (weighted sum)/X at any point of the half-plane; the left half mirrors the right one in R and X. */
+/* G and y G' = -y (weighted sum)/X at any point of the half-plane; the left half mirrors the
+ * right one in R and X. */
 static rw_field field_at(const rwedge_series *series, double x, double y)
 {
     const double right = fabs(x), sign = x < 0 ? -1 : 1;
@@ -240,7 +249,8 @@ static int32_t check(const rwedge_series *series, double f, double x, double y)
     return rw_is_friction(f) && isfinite(x) && rw_is_nonnegative(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
 }
 
-int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y, double *re, double *im)
+int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y,
+                                double *re, double *im)
 {
     if (!re || !im)
         return RWEDGE_ENULL;
@@ -253,8 +263,8 @@ int32_t rwedge_series_potential(const rwedge_series *series, double f, double x,
     return RWEDGE_OK;
 }
 
-int32_t rwedge_series_stress(const rwedge_series *series, double f, double x, double y, double *sxx, double *syy,
-                             double *txy)
+int32_t rwedge_series_stress(const rwedge_series *series, double f, double x, double y, double *sxx,
+                             double *syy, double *txy)
 {
     if (!sxx || !syy || !txy)
         return RWEDGE_ENULL;

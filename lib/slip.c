@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The primitive of the potential on the surface, subtracted from the profile. With X = sqrt(x^2-1), L = arcosh x,
+/* The primitive of the potential on the surface, subtracted from the profile. With X =
+ * sqrt(x^2-1), L = arcosh x,
  *
  *     (pi/2) gap = x D - ((x-alpha)^2/(2 alpha)) M - (c0/2) L + (phi0/(2 alpha)) (x X - L),
  *     D = atan(c0 X/(1 + alpha x)),   M = atan(alpha X/(c0 x)),
  *
- * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so that nothing is large
- * for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha). Next to the edge the sum is of the order X^3
- * and its terms of the order c0 X: there its derivative is integrated instead. */
+ * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so
+ * that nothing is large for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha).
+ * Next to the edge the sum is of the order X^3 and its terms of the order c0 X: there its
+ * derivative is integrated instead. */
 #include "slip.h"
 
 #include "domain.h"
@@ -14,7 +16,8 @@
 
 #include <float.h>
 
-/* From here, |R| < 1/4 and the series in R is exact with RW_FAR_TERMS; the closed form cancels like 1/x. */
+/* From here, |R| < 1/4 and the series in R is exact with RW_FAR_TERMS; the closed form cancels
+ * like 1/x. */
 static const double FAR = 2.25;
 
 /* x X - arcosh(x) = (sinh 2L - 2L)/2. */
@@ -22,8 +25,8 @@ static double segment_area(double X)
 {
     if (X > 0.5)
         return sqrt(1 + X * X) * X - asinh(X);
-    /* int_0^X 2 t^2/sqrt(1+t^2) dt = 2 X^3 sum_k binom(-1/2, k) X^2k/(2k+3): 24 terms leave 0.25^24 = 4e-15 of a term
-     * that is itself below 2e-2 of the first */
+    /* int_0^X 2 t^2/sqrt(1+t^2) dt = 2 X^3 sum_k binom(-1/2, k) X^2k/(2k+3): 24 terms leave
+     * 0.25^24 = 4e-15 of a term that is itself below 2e-2 of the first */
     double term = 1, sum = 1.0 / 3;
     for (int k = 1; k < 25; k++) {
         term *= -X * X * (2 * k - 1) / (2 * k);
@@ -43,8 +46,9 @@ static double closed_form(const rw_potential *p, double x, double X)
 {
     const double from_alpha = x - p->alpha;
     return 2 / RW_PI *
-           (x * atan(p->c0 * X / (1 + p->alpha * x)) - from_alpha * from_alpha / 2 * arctangent_over_alpha(p, X, x) -
-            p->c0 / 2 * asinh(X) + p->phi0_over_alpha / 2 * segment_area(X));
+           (x * atan(p->c0 * X / (1 + p->alpha * x)) -
+            from_alpha * from_alpha / 2 * arctangent_over_alpha(p, X, x) - p->c0 / 2 * asinh(X) +
+            p->phi0_over_alpha / 2 * segment_area(X));
 }
 
 /* d gap/dX = (g - G) X/x, with x = sqrt(1+X^2). */
@@ -52,13 +56,13 @@ static double derivative(double X, const void *potential)
 {
     const rw_potential *p = potential;
     const double x = sqrt(1 + X * X);
-    const double slope = atan(p->c0 * X / (1 + p->alpha * x)) - (x - p->alpha) * arctangent_over_alpha(p, X, x) +
-                         p->phi0_over_alpha * X;
+    const double slope = atan(p->c0 * X / (1 + p->alpha * x)) -
+                         (x - p->alpha) * arctangent_over_alpha(p, X, x) + p->phi0_over_alpha * X;
     return 2 / RW_PI * slope * X / x;
 }
 
-/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the closed form at
- * infinity. */
+/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the
+ * closed form at infinity. */
 static double far_primitive(const rw_potential *p, double x)
 {
     const double R = 1 / (x + sqrt(x - 1) * sqrt(x + 1)), R2 = R * R; /* x^2 may overflow */
@@ -69,10 +73,12 @@ static double far_primitive(const rw_potential *p, double x)
         power *= R2;
         sum += far[n] * power * (R2 / (2 * n + 2) - 1.0 / (2 * n));
     }
-    const double constant = p->alpha >= 1 ? 1 / (4 * p->alpha)
-                                          : 2 / RW_PI * (0.75 * p->c0 + p->alpha * p->alpha * p->phi0_over_alpha / 2 +
-                                                         p->phi0_over_alpha / 4) -
-                                                p->alpha / 2;
+    const double constant =
+        p->alpha >= 1 ? 1 / (4 * p->alpha)
+                      : 2 / RW_PI *
+                                (0.75 * p->c0 + p->alpha * p->alpha * p->phi0_over_alpha / 2 +
+                                 p->phi0_over_alpha / 4) -
+                            p->alpha / 2;
     return constant + sum / 2;
 }
 

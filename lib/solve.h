@@ -6,8 +6,9 @@
 /* A function of one variable and whatever else it needs; finite on the bracket. */
 typedef double (*rw_function)(double x, const void *context);
 
-/* A root of f in [lo, hi], to the last bits of x or to the absolute error `nearest`, whichever is larger (0 where no root is
- * near 0). NaN where f(lo) and f(hi) are of one sign, or not finite. */
+/* A root of f in [lo, hi], to the last bits of x or to the absolute error `nearest`, whichever
+ * is larger (0 where no root is near 0). NaN where f(lo) and f(hi) are of one sign, or not
+ * finite. */
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest);
 
 #endif

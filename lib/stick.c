@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Partial slip under a tangential force that grows: the stick zone and the shear traction. The corrective traction of the
- * stick zone is f times the pressure of the same profile pressed to the half-width c, Eq. (22) to (27), so that
+/* Partial slip under a tangential force that grows: the stick zone and the shear traction. The
+ * corrective traction of the stick zone is f times the pressure of the same profile pressed to
+ * the half-width c, Eq. (22) to (27), so that
  *     1 - Q/(fP) = F(c)/F(1),   F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
  * F(t) = (pi/2) t^2/alpha for t <= alpha. */
 #include "rwedge.h"
@@ -22,8 +23,9 @@ static double asin_excess(double q)
     return sum;
 }
 
-/* alpha (F(1) - F(c)), alpha <= c <= 1. With d = sqrt(1-alpha^2) - sqrt(c^2-alpha^2), the two arcsines differ by
- * asin(q), q = alpha d/c, and alpha d itself cancels but for its part (1-c): every term left is small with 1-c. */
+/* alpha (F(1) - F(c)), alpha <= c <= 1. With d = sqrt(1-alpha^2) - sqrt(c^2-alpha^2), the two
+ * arcsines differ by asin(q), q = alpha d/c, and alpha d itself cancels but for its part (1-c):
+ * every term left is small with 1-c. */
 static double load_lost_on_flank(double alpha, double c)
 {
     const double lost = (1 - c) * (1 + c);
@@ -45,7 +47,9 @@ double rwedge_shear_ratio(double alpha, double c)
     const double whole = rwedge_load(alpha);
     if (c >= alpha)
         return fmin(1, load_lost_on_flank(alpha, c) / alpha / whole);
-    return fmin(1, (load_lost_on_flank(alpha, alpha) / alpha + RW_HALF_PI * (alpha - c) * (1 + c / alpha)) / whole);
+    return fmin(
+        1, (load_lost_on_flank(alpha, alpha) / alpha + RW_HALF_PI * (alpha - c) * (1 + c / alpha)) /
+               whole);
 }
 
 /* The stick zone is the contact area under the load fraction 1 - Q/(fP). */
@@ -73,7 +77,8 @@ static double sharp_wedge_shear(double c, double x)
 
 double rwedge_shear(double alpha, double c, double x)
 {
-    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c) || !isfinite(x) || (alpha == 0 && c == 0 && x == 0))
+    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c) || !isfinite(x) ||
+        (alpha == 0 && c == 0 && x == 0))
         return NAN;
     x = fabs(x);
     if (x >= c)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The strength of the contact in full sliding: first yield and maximum tension. In natural units the load is
- * A P/(theta b) and yield begins where max sqrt(J2) = A k/theta: P/(bk) is the quotient. */
+/* The strength of the contact in full sliding: first yield and maximum tension. In natural units
+ * the load is A P/(theta b) and yield begins where max sqrt(J2) = A k/theta: P/(bk) is the
+ * quotient. */
 #include "rwedge.h"
 
 #include "domain.h"
@@ -20,7 +21,8 @@ double rwedge_max_tension(double alpha)
 {
     if (!rw_is_nonnegative(alpha))
         return NAN;
-    /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact half-width (E5). */
+    /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact
+     * half-width (E5). */
     return 2 / rwedge_load(shape(alpha));
 }
 
@@ -34,8 +36,8 @@ static double limit_of(double alpha, rw_maximum maximum)
     return rwedge_load(shape(alpha)) / sqrt(maximum.J2);
 }
 
-/* The sharp wedge: stresses are infinite at the apex, but for a material that yields by shape alone and a normal load: there
- * the deviator stays below 2/pi, and tends to it on the axis. */
+/* The sharp wedge: stresses are infinite at the apex, but for a material that yields by shape
+ * alone and a normal load: there the deviator stays below 2/pi, and tends to it on the axis. */
 static double sharp_limit(double f, double nu)
 {
     return f == 0 && nu == 0.5 ? RW_PI : 0;
@@ -73,7 +75,8 @@ double rwedge_elastic_limit(double alpha, double f, double nu)
     return limit;
 }
 
-int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[], double nu, double limit[])
+int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[], double nu,
+                              double limit[])
 {
     if (n > 0 && (!alpha || !f || !limit))
         return RWEDGE_ENULL;
@@ -97,14 +100,16 @@ int32_t rwedge_yield_point(double alpha, double f, double nu, double *limit, dou
     return RWEDGE_OK;
 }
 
-int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x, double *y)
+int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x,
+                                double *y)
 {
     if (!limit || !x || !y)
         return RWEDGE_ENULL;
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
     rw_maximum below;
-    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu), &below))
+    if (alpha == 0 ||
+        !rw_subsurface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu), &below))
         return RWEDGE_EABSENT;
     *limit = limit_of(alpha, below);
     *x = below.x;
@@ -120,8 +125,9 @@ int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, d
         return RWEDGE_EDOMAIN;
     if (rw_friction(f) == 0 && nu == 0.5)
         return RWEDGE_EABSENT;
-    const rw_maximum surface = alpha > 0 ? rw_surface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu))
-                                         : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
+    const rw_maximum surface =
+        alpha > 0 ? rw_surface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu))
+                  : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
     *limit = limit_of(alpha, surface);
     *x = surface.x;
     return RWEDGE_OK;
@@ -131,7 +137,8 @@ typedef struct {
     double alpha, kappa;
 } pair;
 
-/* How far the subsurface maximum exceeds that of the surface; -1 past its end, where the surface has long overtaken it. */
+/* How far the subsurface maximum exceeds that of the surface; -1 past its end, where the surface
+ * has long overtaken it. */
 static double excess_below(double f, const void *context)
 {
     const pair *p = context;
@@ -143,7 +150,8 @@ static double excess_below(double f, const void *context)
 
 double rwedge_critical_friction(double alpha, double nu)
 {
-    static const double LARGEST = 1; /* at f = 1 no subsurface maximum is left, for any alpha and nu */
+    /* at f = 1 no subsurface maximum is left, for any alpha and nu */
+    static const double LARGEST = 1;
     if (!rw_is_tip(alpha) || !rw_is_poisson(nu))
         return NAN;
     const pair p = {shape(alpha), rw_plane_strain_weight(nu)};

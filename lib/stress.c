@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The interior stress field. With a normal traction of potential G_N and a shear traction of potential G_T,
+/* The interior stress field. With a normal traction of potential G_N and a shear traction of
+ * potential G_T,
  *     s = (sxx+syy)/2 = Im G_N - Re G_T,   D = (syy-sxx)/2 + i txy = -y G_N' + i y G_T' + G_T,
- * which is Eq. (32), (33) for G_T = f G_N. In partial slip G_T = f (G_N - G_c), where G_c belongs to the same profile
- * pressed to the half-width c of the stick zone. */
+ * which is Eq. (32), (33) for G_T = f G_N. In partial slip G_T = f (G_N - G_c), where G_c
+ * belongs to the same profile pressed to the half-width c of the stick zone. */
 #include "stress.h"
 
 #include "domain.h"
@@ -30,7 +31,8 @@ RW_INLINE rw_field difference(rw_field a, rw_field b)
 }
 
 /* stick: the field of the stick zone's patch. */
-RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy, double *txy)
+RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy,
+                       double *txy)
 {
     const rw_stress_state s = rw_superpose(normal, rw_field_multiple(f, difference(normal, stick)));
     *sxx = s.mean - s.difference;
@@ -47,12 +49,13 @@ static void stress_at(const tractions *t, double x, double y, double *sxx, doubl
 {
     const rw_field normal = rw_potential_at(&t->contact, x, y);
     const rw_field none = {0, 0, 0, 0};
-    combine(t->f, normal, stick_matters(t, x, y) ? rw_potential_at(&t->stick, x, y) : none, sxx, syy, txy);
+    combine(t->f, normal, stick_matters(t, x, y) ? rw_potential_at(&t->stick, x, y) : none, sxx,
+            syy, txy);
 }
 
 /* All of these points matter to the stick zone's patch, or none. */
-static void stresses_at(const tractions *t, int count, const double x[], const double y[], double sxx[], double syy[],
-                        double txy[])
+static void stresses_at(const tractions *t, int count, const double x[], const double y[],
+                        double sxx[], double syy[], double txy[])
 {
     rw_fields normal, stick = {{0}, {0}, {0}, {0}};
     rw_potential_fields(&t->contact, count, x, y, &normal);
@@ -72,7 +75,8 @@ static bool is_point(double alpha, double x, double y)
     return isfinite(x) && rw_is_nonnegative(y) && !(alpha == 0 && x == 0 && y == 0);
 }
 
-int32_t rwedge_stress(double alpha, double f, double c, double x, double y, double *sxx, double *syy, double *txy)
+int32_t rwedge_stress(double alpha, double f, double c, double x, double y, double *sxx,
+                      double *syy, double *txy)
 {
     if (!is_contact(alpha, f, c))
         return RWEDGE_EDOMAIN;
@@ -85,8 +89,8 @@ int32_t rwedge_stress(double alpha, double f, double c, double x, double y, doub
     return RWEDGE_OK;
 }
 
-int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[], const double y[], double sxx[],
-                        double syy[], double txy[])
+int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[],
+                        const double y[], double sxx[], double syy[], double txy[])
 {
     if (!is_contact(alpha, f, c))
         return RWEDGE_EDOMAIN;
@@ -102,7 +106,8 @@ int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double
     const bool alike = t.c == 0 || stick_matters(&t, reach, reach);
     for (size_t i = 0; i < n; i += alike ? RW_BATCH : 1)
         if (alike)
-            stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i, syy + i, txy + i);
+            stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i,
+                        syy + i, txy + i);
         else
             stress_at(&t, x[i], y[i], &sxx[i], &syy[i], &txy[i]);
     return RWEDGE_OK;

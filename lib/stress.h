@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses by superposition: patches of normal and of shear traction, each with its own potential. */
+/* Stresses by superposition: patches of normal and of shear traction, each with its own
+ * potential. */
 #ifndef RW_STRESS_H
 #define RW_STRESS_H
 

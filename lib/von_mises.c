@@ -24,10 +24,12 @@ static double complex turned(double complex a)
     return number(-cimag(a), creal(a));
 }
 
-/* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f - i,  H = y G'. The potentials
- * are analytic: d/dy is i d/dx but for the explicit y. Each derivative carries the power of y that makes it a number of
- * the order of J2, at the surface and at the apex of the smallest tip. */
-rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x, double y)
+/* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f -
+ * i,  H = y G'. The potentials are analytic: d/dy is i d/dx but for the explicit y. Each
+ * derivative carries the power of y that makes it a number of the order of J2, at the surface
+ * and at the apex of the smallest tip. */
+rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
+                             double y)
 {
     rw_curvature bend;
     const rw_field field = rw_potential_with_curvature(potential, x, y, &bend);

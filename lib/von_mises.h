@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The yield criterion in full sliding, J2 = |D|^2 + kappa s^2 with kappa = (1-2nu)^2/3, and its derivatives. */
+/* The yield criterion in full sliding, J2 = |D|^2 + kappa s^2 with kappa = (1-2nu)^2/3, and its
+ * derivatives. */
 #ifndef RW_VON_MISES_H
 #define RW_VON_MISES_H
 
@@ -17,6 +18,7 @@ typedef struct {
 double rw_plane_strain_weight(double nu);
 
 /* J2 and its derivatives at x >= 0, y > 0. */
-rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x, double y);
+rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
+                             double y);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Times per call beside those of the plain way, the paper's series and a search on a grid, and how they grow with the number
- * of points. Processor time, each the fastest of several, all in one run: the ratios hold on a busy machine too. Not a test:
- * test_speed.c is.
+/* Times per call beside those of the plain way, the paper's series and a search on a grid, and
+ * how they grow with the number of points. Processor time, each the fastest of several, all in
+ * one run: the ratios hold on a busy machine too. Not a test: test_speed.c is.
  *
  *     build/tests/bench [--quick] [TERMS]     TERMS of the plain series, 60 if not given; --quick stops at 10^5 points */
 #include "plain.h"
@@ -253,7 +253,8 @@ int main(int argc, char **argv)
         return 1;
     }
     make_points(most_points);
-    const double series = fastest(plain_points, POINTS, RUNS), search = fastest(plain_limits, 13, quick ? 1 : RUNS);
+    const double series = fastest(plain_points, POINTS, RUNS),
+                 search = fastest(plain_limits, 13, quick ? 1 : RUNS);
     print_calls(series, search);
     print_powers("ns a point, points in an array", 3, quick ? 5 : 7);
     print_growth("stress, full sliding", as_array, 1000, most_points, 30e-9);
@@ -261,8 +262,8 @@ int main(int argc, char **argv)
     print_growth("plain series", plain_points, 1000, quick ? 100000 : 1000000, series);
     print_powers("ns a limit, limits in an array", 2, quick ? 4 : 6);
     print_growth("elastic limit", limits_in_array, 100, most_limits, 6e-6);
-    printf("\nThe paper's table of %d elastic limits: %.2f ms; by the plain search: %.0f ms.\n", LIMITS,
-           1e3 * LIMITS * fastest(limits_one_by_one, LIMITS, RUNS), 1e3 * LIMITS * search);
+    printf("\nThe paper's table of %d elastic limits: %.2f ms; by the plain search: %.0f ms.\n",
+           LIMITS, 1e3 * LIMITS * fastest(limits_one_by_one, LIMITS, RUNS), 1e3 * LIMITS * search);
     printf("Error of the plain elastic limit at a/b = 0.5, f = 0.6: %.1e\n",
            plain_limit(0.5, 0.6, 0.3, terms) / rwedge_elastic_limit(0.5, 0.6, 0.3) - 1);
     release();

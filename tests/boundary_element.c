@@ -52,12 +52,14 @@ static double logarithm_integral(double t)
     return t == 0 ? 0 : t * log(fabs(t)) - t;
 }
 
-/* The displacement at element i from a unit traction on element j and its mirror image, Eq. (1) and (17) integrated. */
+/* The displacement at element i from a unit traction on element j and its mirror image, Eq. (1)
+ * and (17) integrated. */
 static double influence(const boundary_element *s, size_t i, size_t j)
 {
     const double half = s->width / 2, near = s->x[i] - s->x[j], far = s->x[i] + s->x[j];
-    return s->A / acos(-1) * (logarithm_integral(near + half) - logarithm_integral(near - half) +
-                              logarithm_integral(far + half) - logarithm_integral(far - half));
+    return s->A / acos(-1) *
+           (logarithm_integral(near + half) - logarithm_integral(near - half) +
+            logarithm_integral(far + half) - logarithm_integral(far - half));
 }
 
 static double profile(const boundary_element *s, double x)
@@ -65,10 +67,11 @@ static double profile(const boundary_element *s, double x)
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 
-void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f, size_t n,
-                            double width)
+void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
+                            size_t n, double width)
 {
-    *solver = (boundary_element){.theta = theta, .a = a, .A = A, .f = f, .n = n, .width = width / (double)n};
+    *solver = (boundary_element){
+        .theta = theta, .a = a, .A = A, .f = f, .n = n, .width = width / (double)n};
     for (size_t i = 0; i < n; i++)
         solver->x[i] = ((double)i + 0.5) * solver->width;
 }
@@ -122,7 +125,8 @@ static void displace(const boundary_element *s, size_t m, const double q[], doub
     }
 }
 
-static void solve_tangential(const boundary_element *s, size_t m, const double p[], const motion moves[], double Q)
+static void solve_tangential(const boundary_element *s, size_t m, const double p[],
+                             const motion moves[], double Q)
 {
     for (size_t i = 0; i < m; i++) {
         for (size_t j = 0; j < m; j++)
@@ -155,11 +159,13 @@ static bool obeys_friction(const boundary_element *s, size_t m, const double p[]
     return obeys;
 }
 
-static void accept(boundary_element *s, size_t m, const double p[], const double q[], const double moved[])
+static void accept(boundary_element *s, size_t m, const double p[], const double q[],
+                   const double moved[])
 {
     for (size_t i = 0; i < s->n; i++) {
         const double slip = i < m ? moved[i] - s->displacement[i] : 0;
-        s->energy += i < m ? s->width * slip * (s->q[i] + q[i]) : 0; /* both halves, mean traction */
+        /* both halves, mean traction */
+        s->energy += i < m ? s->width * slip * (s->q[i] + q[i]) : 0;
         s->slip[i] = i < m ? s->slip[i] + slip : 0;
         s->p[i] = i < m ? p[i] : 0;
         s->q[i] = i < m ? q[i] : 0;

@@ -28,7 +28,8 @@ static void give(const sample *s, const char *what, double value)
 }
 
 /* The results of a call, if it had any. */
-static void give_all(const sample *s, const char *what, int32_t status, int count, const double values[])
+static void give_all(const sample *s, const char *what, int32_t status, int count,
+                     const double values[])
 {
     give(s, what, status);
     for (int i = 0; i < count && status == RWEDGE_OK; i++)
@@ -63,7 +64,9 @@ static void stresses(const sample *s)
     enum { N = 21 };
     double x[N], y[N], t[3][N], one[3];
     give_all(s, "stress",
-             rwedge_stress(s->alpha, s->v, s->w, 3 * s->v - 1.5, s->w * s->w * 3, &one[0], &one[1], &one[2]), 3, one);
+             rwedge_stress(s->alpha, s->v, s->w, 3 * s->v - 1.5, s->w * s->w * 3, &one[0], &one[1],
+                           &one[2]),
+             3, one);
     for (int i = 0; i < N; i++) {
         x[i] = 5 * fmod(s->u + i * 0.381966, 1) - 2.5;
         y[i] = i % 4 ? 3 * fmod(s->v + i * 0.245122, 1) : 0;
@@ -79,7 +82,8 @@ static void strength(const sample *s)
     double r[3], limit[2];
     give(s, "elastic_limit", rwedge_elastic_limit(alpha, f, nu));
     give_all(s, "elastic_limits",
-             rwedge_elastic_limits(2, (double[]){alpha, s->u + 0.01}, (double[]){f, 0}, nu, limit), 2, limit);
+             rwedge_elastic_limits(2, (double[]){alpha, s->u + 0.01}, (double[]){f, 0}, nu, limit),
+             2, limit);
     give_all(s, "yield_point", rwedge_yield_point(alpha, f, nu, &r[0], &r[1], &r[2]), 3, r);
     give_all(s, "subsurface", rwedge_subsurface_yield(alpha, f, nu, &r[0], &r[1], &r[2]), 3, r);
     give_all(s, "surface", rwedge_surface_yield(alpha, f, nu, &r[0], &r[1]), 2, r);
@@ -117,7 +121,8 @@ static void read_contact(const sample *s, const rwedge_contact *contact)
 static void yield_factor(const sample *s, const rwedge_contact *contact)
 {
     double r[3];
-    give_all(s, "yield_factor", rwedge_contact_yield_factor(contact, s->w / 2, 200, &r[0], &r[1], &r[2]), 3, r);
+    give_all(s, "yield_factor",
+             rwedge_contact_yield_factor(contact, s->w / 2, 200, &r[0], &r[1], &r[2]), 3, r);
 }
 
 static void load(rwedge_contact *contact, double u, double v)
@@ -151,8 +156,10 @@ static void read_series(const sample *s, const rwedge_series *series)
     give(s, "series coefficient", rwedge_series_coefficient(series, (int32_t)(60 * s->v)));
     give(s, "series residual", rwedge_series_residual(series));
     give(s, "series pressure", rwedge_series_pressure(series, 2 * s->u - 1));
-    give_all(s, "series potential", rwedge_series_potential(series, s->v, 3 * s->u - 1.5, s->w, &r[0], &r[1]), 2, r);
-    give_all(s, "series stress", rwedge_series_stress(series, s->v, 3 * s->u - 1.5, s->w, &r[0], &r[1], &r[2]), 3, r);
+    give_all(s, "series potential",
+             rwedge_series_potential(series, s->v, 3 * s->u - 1.5, s->w, &r[0], &r[1]), 2, r);
+    give_all(s, "series stress",
+             rwedge_series_stress(series, s->v, 3 * s->u - 1.5, s->w, &r[0], &r[1], &r[2]), 3, r);
 }
 
 static void own_series(const sample *s)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results of every function of the header, for comparison bit by bit: between compilers (print_bits.c) and between threads
- * (test_threads.c). */
+/* Results of every function of the header, for comparison bit by bit: between compilers
+ * (print_bits.c) and between threads (test_threads.c). */
 #ifndef EVERY_FUNCTION_H
 #define EVERY_FUNCTION_H
 

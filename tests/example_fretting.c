@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A fretting test: a rounded pad is pressed on a specimen and shaken. What happens at the trailing edge in one cycle,
- * and the Smith-Watson-Topper parameter of the plane across the surface: largest stress times strain amplitude. N,
- * mm. */
+/* A fretting test: a rounded pad is pressed on a specimen and shaken. What happens at the
+ * trailing edge in one cycle, and the Smith-Watson-Topper parameter of the plane across the
+ * surface: largest stress times strain amplitude. N, mm. */
 #include <math.h>
 #include <rwedge.h>
 #include <stdio.h>
@@ -19,20 +19,23 @@ static void check(int32_t status)
 
 int main(void)
 {
-    const double E = 72e3, nu = 0.33, theta = 0.005, radius = 20, f = 0.6, k = 190; /* an aluminium alloy */
+    /* an aluminium alloy */
+    const double E = 72e3, nu = 0.33, theta = 0.005, radius = 20, f = 0.6, k = 190;
     const double P = 60, Q_max = 0.8 * f * P;
     const double A = rwedge_compliance(E, nu, E, nu), a = rwedge_rounding(theta, radius);
 
     rwedge_contact *pad;
     check(rwedge_contact_create(theta, a, A, f, &pad));
     check(rwedge_contact_load(pad, P, 0));
-    check(rwedge_contact_load(pad, P, Q_max)); /* the first loading differs from the cycles after it */
+    /* the first loading differs from the cycles after it */
+    check(rwedge_contact_load(pad, P, Q_max));
     const double b = rwedge_contact_half_width(pad), edge = -b, depth = 0;
     const double before = rwedge_contact_dissipated_energy(pad);
     printf("contact %.4f mm, stick zone %.4f mm\n", b, rwedge_contact_stick_half_width(pad));
 
     printf("%8s %10s %12s\n", "Q", "sxx", "slip at .9 b");
-    double stress_max = -HUGE_VAL, strain_max = -HUGE_VAL, strain_min = HUGE_VAL, factor_min = HUGE_VAL;
+    double stress_max = -HUGE_VAL, strain_max = -HUGE_VAL, strain_min = HUGE_VAL,
+           factor_min = HUGE_VAL;
     for (int i = 0; i <= STEPS; i++) {
         const double Q = Q_max * (i <= STEPS / 2 ? 1 - 4.0 * i / STEPS : 4.0 * i / STEPS - 3);
         check(rwedge_contact_load(pad, P, Q));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of contacts with a load history share: short names that fail the test where a call fails, and random
- * histories. */
+/* What the tests of contacts with a load history share: short names that fail the test where a
+ * call fails, and random histories. */
 #ifndef HISTORIES_H
 #define HISTORIES_H
 
@@ -29,7 +29,8 @@ void go_on(random_history *h, rwedge_contact *contact);
 
 enum { POINTS_MAX = 200 };
 
-/* Ascending: 0, the ends of the patches and a, between which the tractions are smooth. How many pieces they bound. */
+/* Ascending: 0, the ends of the patches and a, between which the tractions are smooth. How many
+ * pieces they bound. */
 size_t breakpoints(const rwedge_contact *contact, double points[]);
 
 #endif

@@ -12,7 +12,8 @@ void plain_coefficients(plain_series *s, double alpha, int terms)
     for (int n = 0; n < s->terms; n++) {
         const double m = 2 * n + 1;
         s->b[n] = n == 0 ? 2 / PI * (phi0 + alpha * cos(phi0)) / alpha
-                         : 4 / PI * (n % 2 ? -1 : 1) * (m * sin(m * phi0) / tan(phi0) - cos(m * phi0)) / (m * (m * m - 1));
+                         : 4 / PI * (n % 2 ? -1 : 1) *
+                               (m * sin(m * phi0) / tan(phi0) - cos(m * phi0)) / (m * (m * m - 1));
     }
 }
 
@@ -20,7 +21,8 @@ void plain_coefficients(plain_series *s, double alpha, int terms)
 double plain_J2(const plain_series *s, double f, double nu, double x, double y)
 {
     /* sqrt(z^2-1) with the branch that is z at infinity */
-    const double a = x * x - y * y - 1, b = 2 * x * y, r = sqrt(hypot(a, b)), angle = atan2(b, a) / 2;
+    const double a = x * x - y * y - 1, b = 2 * x * y, r = sqrt(hypot(a, b)),
+                 angle = atan2(b, a) / 2;
     double X = r * cos(angle), Y = r * sin(angle);
     if (Y < 0 || (Y == 0 && X * x < 0)) {
         X = -X;
@@ -36,8 +38,10 @@ double plain_J2(const plain_series *s, double f, double nu, double x, double y)
         U = u + (2 * n + 1) * s->b[n];
     }
     const double Gr = G * R - H * I, Gi = G * I + H * R, Wr = U * R - V * I, Wi = U * I + V * R;
-    const double X2 = fmax(X * X + Y * Y, 1e-300), dr = -(Wr * X + Wi * Y) / X2, di = -(Wi * X - Wr * Y) / X2;
-    const double D = -y * dr - y * f * di + f * Gr, E = -y * di + y * f * dr + f * Gi, mean = Gi - f * Gr;
+    const double X2 = fmax(X * X + Y * Y, 1e-300), dr = -(Wr * X + Wi * Y) / X2,
+                 di = -(Wi * X - Wr * Y) / X2;
+    const double D = -y * dr - y * f * di + f * Gr, E = -y * di + y * f * dr + f * Gi,
+                 mean = Gi - f * Gr;
     return D * D + E * E + (1 - 2 * nu) * (1 - 2 * nu) / 3 * mean * mean;
 }
 
@@ -59,7 +63,10 @@ double plain_limit(double alpha, double f, double nu, int terms)
     for (double step = 0.01; step > 1e-9; step /= 2)
         for (int k = 0; k < 4; k++) {
             const double x = at_x + (k == 0 ? step : k == 1 ? -step : 0);
-            const double y = fmax(0, at_y + (k == 2 ? step : k == 3 ? -step : 0)), J2 = plain_J2(&s, f, nu, x, y);
+            const double y = fmax(0, at_y + (k == 2   ? step
+                                             : k == 3 ? -step
+                                                      : 0)),
+                         J2 = plain_J2(&s, f, nu, x, y);
             if (J2 > best) {
                 best = J2;
                 at_x = x;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Times that hold on a busy machine: of the processor, not of the wall, and the fastest of several. */
+/* Times that hold on a busy machine: of the processor, not of the wall, and the fastest of
+ * several. */
 #ifndef STOPWATCH_H
 #define STOPWATCH_H
 

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Does the elastic limit belong to the global maximum? A search of the whole half-plane, x of both signs, that knows nothing
- * of how the library searches, over random a/b, f and nu; and the facts on which the library's search rests:
- *   - a maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second one that is next to the corner
+/* Does the elastic limit belong to the global maximum? A search of the whole half-plane, x of
+ * both signs, that knows nothing of how the library searches, over random a/b, f and nu; and the
+ * facts on which the library's search rests:
+ *   - a maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second
+ *   one that is next to the corner
  *     x = a, at f > 0.25, and lower than the surface's; its height over the surface's is printed,
- *   - on the surface there is one local maximum, and rwedge_surface_yield() finds it,
- *   - as f grows, yield moves from below to the surface once and stays there; and no maximum is left below for f > 0.6.
+ *   - on the surface there is one local maximum, and rwedge_surface_yield() finds it, - as f
+ *   grows, yield moves from below to the surface once and stays there; and no maximum is left
+ *   below for f > 0.6.
  *
  *     strength_survey CASES [SEED]
  *
@@ -27,8 +30,8 @@ static int contradictions;
 static void contradict(const contact_case *c, const char *claim, double found, double claimed)
 {
     contradictions++;
-    printf("a/b = %.17g, f = %.17g, nu = %.17g: %s: found %.17g, claimed %.17g\n", c->alpha, c->f, c->nu, claim, found,
-           claimed);
+    printf("a/b = %.17g, f = %.17g, nu = %.17g: %s: found %.17g, claimed %.17g\n", c->alpha, c->f,
+           c->nu, claim, found, claimed);
 }
 
 static double J2_at(const contact_case *c, double x, double y)
@@ -40,11 +43,13 @@ static double J2_at(const contact_case *c, double x, double y)
     return (p * p + q * q + r * r) / 6 + txy * txy;
 }
 
-/* Polar coordinates, logarithmic in the radius: from the scale of the rounding to that of the contact and beyond. */
+/* Polar coordinates, logarithmic in the radius: from the scale of the rounding to that of the
+ * contact and beyond. */
 static double J2_polar(const contact_case *c, double log_r, double angle)
 {
     const double r = exp(log_r);
-    return J2_at(c, angle == PI / 2 ? 0 : r * cos(angle), angle > 0 && angle < PI ? r * sin(angle) : 0);
+    return J2_at(c, angle == PI / 2 ? 0 : r * cos(angle),
+                 angle > 0 && angle < PI ? r * sin(angle) : 0);
 }
 
 static double negative_J2(const gsl_vector *v, void *params)
@@ -68,7 +73,8 @@ static place climb(const contact_case *c, place from, gsl_multimin_fminimizer *m
         if (gsl_multimin_fminimizer_iterate(minimizer) != GSL_SUCCESS ||
             gsl_multimin_fminimizer_size(minimizer) < 1e-9)
             break;
-    return (place){gsl_vector_get(minimizer->x, 0), gsl_vector_get(minimizer->x, 1), -minimizer->fval};
+    return (place){gsl_vector_get(minimizer->x, 0), gsl_vector_get(minimizer->x, 1),
+                   -minimizer->fval};
 }
 
 /* A strict maximum below the surface: higher than a ring around it. */
@@ -85,8 +91,8 @@ static bool is_inside(const contact_case *c, place p)
 enum { RADII = 150, ANGLES = 91, MOST = 8 };
 
 typedef struct {
-    double highest;       /* over the whole grid, the surface included */
-    int count;            /* of maxima below the surface, refined and told apart */
+    double highest; /* over the whole grid, the surface included */
+    int count;      /* of maxima below the surface, refined and told apart */
     place inside[MOST];
 } survey;
 
@@ -121,7 +127,8 @@ static survey search(const contact_case *c, gsl_multimin_fminimizer *minimizer)
     for (int i = 1; i < RADII - 1; i++)
         for (int j = 1; j < ANGLES - 1; j++)
             if (is_grid_maximum(grid, i, j)) {
-                const place from = {lo + (hi - lo) * i / (RADII - 1), PI * j / (ANGLES - 1), grid[i][j]};
+                const place from = {lo + (hi - lo) * i / (RADII - 1), PI * j / (ANGLES - 1),
+                                    grid[i][j]};
                 const place top = climb(c, from, minimizer);
                 s.highest = fmax(s.highest, top.J2);
                 if (is_inside(c, top))
@@ -130,15 +137,20 @@ static survey search(const contact_case *c, gsl_multimin_fminimizer *minimizer)
     return s;
 }
 
-/* Next to the fold, within 1e-3 of f or nu, the maximum is too flat for a search by values to tell it from a slope. */
+/* Next to the fold, within 1e-3 of f or nu, the maximum is too flat for a search by values to
+ * tell it from a slope. */
 static bool is_next_to_fold(const contact_case *c)
 {
     double limit, x, y;
-    const bool before = rwedge_subsurface_yield(c->alpha, c->f * (1 - 1e-3), c->nu, &limit, &x, &y) == RWEDGE_OK;
-    const bool after = rwedge_subsurface_yield(c->alpha, c->f * (1 + 1e-3), c->nu, &limit, &x, &y) == RWEDGE_OK;
+    const bool before =
+        rwedge_subsurface_yield(c->alpha, c->f * (1 - 1e-3), c->nu, &limit, &x, &y) == RWEDGE_OK;
+    const bool after =
+        rwedge_subsurface_yield(c->alpha, c->f * (1 + 1e-3), c->nu, &limit, &x, &y) == RWEDGE_OK;
     const double softer = fmax(0, c->nu - 1e-3), harder = fmin(0.5, c->nu + 1e-3);
-    const bool with_less = rwedge_subsurface_yield(c->alpha, c->f, softer, &limit, &x, &y) == RWEDGE_OK;
-    const bool with_more = rwedge_subsurface_yield(c->alpha, c->f, harder, &limit, &x, &y) == RWEDGE_OK;
+    const bool with_less =
+        rwedge_subsurface_yield(c->alpha, c->f, softer, &limit, &x, &y) == RWEDGE_OK;
+    const bool with_more =
+        rwedge_subsurface_yield(c->alpha, c->f, harder, &limit, &x, &y) == RWEDGE_OK;
     return before != after || with_less != with_more;
 }
 
@@ -148,14 +160,17 @@ static double highest_at_corner; /* J2 over that of the surface */
 
 static void check_corner(const contact_case *c, const place *p)
 {
-    const double r = exp(p->log_r) / c->alpha, distance = hypot(r * cos(p->angle) - 1, r * sin(p->angle));
+    const double r = exp(p->log_r) / c->alpha,
+                 distance = hypot(r * cos(p->angle) - 1, r * sin(p->angle));
     double limit, x;
-    if (rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) != RWEDGE_OK || c->f < 0.25 || distance > 0.5)
+    if (rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) != RWEDGE_OK || c->f < 0.25 ||
+        distance > 0.5)
         contradict(c, "a maximum off the branch and off the corner, distance in a", distance, 0.5);
     else {
         const double height = p->J2 / pow(rwedge_load(c->alpha) / limit, 2);
         if (height > 0.95)
-            contradict(c, "J2 of a maximum next to the corner, over that of the surface", height, 0.95);
+            contradict(c, "J2 of a maximum next to the corner, over that of the surface", height,
+                       0.95);
         highest_at_corner = fmax(highest_at_corner, height);
     }
     at_corner++;
@@ -175,7 +190,8 @@ static void check_below(const contact_case *c, const survey *s)
     if (exists) {
         const double here = J2_at(c, x, y), step = 1e-3 * y;
         for (int i = 0; i < 8; i++)
-            if (!is_next_to_fold(c) && J2_at(c, x + step * cos(i * PI / 4), y + step * sin(i * PI / 4)) > here)
+            if (!is_next_to_fold(c) &&
+                J2_at(c, x + step * cos(i * PI / 4), y + step * sin(i * PI / 4)) > here)
                 contradict(c, "the point below the surface is a maximum", 0, 1);
     }
 }
@@ -191,13 +207,15 @@ static void check_surface(const contact_case *c)
     double limit, x;
     if (rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) != RWEDGE_OK)
         return;
-    const double p0 = rwedge_peak_pressure(c->alpha), rounding = 1e-15 * (1 + p0 * p0); /* J2 is made of differences */
+    /* J2 is made of differences */
+    const double p0 = rwedge_peak_pressure(c->alpha), rounding = 1e-15 * (1 + p0 * p0);
     int maxima = 0;
     double highest = fmax(surface_J2(c, 0, NODES), surface_J2(c, NODES, NODES));
     for (int i = 1; i < NODES; i++) {
         const double here = surface_J2(c, i, NODES);
         highest = fmax(highest, here);
-        maxima += here > surface_J2(c, i - 1, NODES) + rounding && here > surface_J2(c, i + 1, NODES) + rounding;
+        maxima += here > surface_J2(c, i - 1, NODES) + rounding &&
+                  here > surface_J2(c, i + 1, NODES) + rounding;
     }
     if (maxima > 1)
         contradict(c, "number of maxima on the surface", maxima, 1);
@@ -212,7 +230,8 @@ static void check_overtaking(double alpha, double nu)
     bool was_below = false, overtaken = false;
     for (double f = 0; f < 0.7; f += 0.02) {
         double limit, x, y;
-        const bool is_below = rwedge_yield_point(alpha, f, nu, &limit, &x, &y) == RWEDGE_OK && y > 0;
+        const bool is_below =
+            rwedge_yield_point(alpha, f, nu, &limit, &x, &y) == RWEDGE_OK && y > 0;
         if (is_below && overtaken)
             contradict(&(contact_case){alpha, f, nu}, "yield returns below the surface", 1, 0);
         overtaken = overtaken || (was_below && !is_below);
@@ -224,7 +243,11 @@ static contact_case draw(uint64_t *seed)
 {
     const double kind = random_fraction(seed), u = random_fraction(seed), v = random_fraction(seed);
     contact_case c = {
-        .alpha = kind < 0.1 ? pow(10, -14 * u) : kind < 0.45 ? pow(10, -6 * u) : kind < 0.9 ? u : kind < 0.95 ? 1 - pow(10, -12 * u) : 1 + 4 * u,
+        .alpha = kind < 0.1    ? pow(10, -14 * u)
+                 : kind < 0.45 ? pow(10, -6 * u)
+                 : kind < 0.9  ? u
+                 : kind < 0.95 ? 1 - pow(10, -12 * u)
+                               : 1 + 4 * u,
         .f = kind < 0.5 ? 0.5 * v : 2 * v,
         .nu = 0.5 * random_fraction(seed),
     };
@@ -248,7 +271,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: strength_survey CASES [SEED]\n");
         return 2;
     }
-    gsl_multimin_fminimizer *minimizer = gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2);
+    gsl_multimin_fminimizer *minimizer =
+        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2);
     long below = 0, governed_below = 0;
     double worst = 0;
     for (long i = 0; i < cases; i++) {
@@ -270,7 +294,8 @@ int main(int argc, char **argv)
         governed_below += y > 0;
     }
     gsl_multimin_fminimizer_free(minimizer);
-    printf("%ld cases, %ld with a maximum below the surface, %ld that yield there; highest J2 found over claimed, less 1: "
+    printf("%ld cases, %ld with a maximum below the surface, %ld that yield there; highest J2 "
+           "found over claimed, less 1: "
            "%.1e; %ld maxima next to the corner, at most %.3f of the surface; %d contradictions\n",
            cases, below, governed_below, worst, at_corner, highest_at_corner, contradictions);
     return contradictions ? 1 : 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An array of points is evaluated in batches, by vector instructions where the processor has them: the bits are those of the
- * points one by one, for every length, every mixture of points and in place, and no exception is raised that a host may have
- * made to trap. */
+/* An array of points is evaluated in batches, by vector instructions where the processor has
+ * them: the bits are those of the points one by one, for every length, every mixture of points
+ * and in place, and no exception is raised that a host may have made to trap. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -10,7 +10,8 @@
 #include <string.h>
 
 enum { N = 331 };
-static const double alphas[] = {0, 1e-300, 1e-70, 1e-12, 0.2, 0.7071067811865476, 1 - DBL_EPSILON, 1, 3, 1e160};
+static const double alphas[] = {0, 1e-300, 1e-70, 1e-12, 0.2, 0.7071067811865476, 1 - DBL_EPSILON,
+                                1, 3,      1e160};
 static const double stick_zones[] = {0, 5e-324, 1e-285, 1e-100, 1e-9, 0.2, 0.4, 1 - DBL_EPSILON, 1};
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -54,10 +55,13 @@ static void assert_alike(double alpha, double c, size_t n, const double x[], con
     if (raised)
         fail_msg("a/b = %g, c/b = %g, %zu points: exceptions %x", alpha, c, n, (unsigned)raised);
     for (size_t i = 0; i < n; i++) {
-        assert_int_equal(rwedge_stress(alpha, 0.4, c, x[i], y[i], &one[0], &one[1], &one[2]), RWEDGE_OK);
-        if (!same_bits(&one[0], &sxx[i], 1) || !same_bits(&one[1], &syy[i], 1) || !same_bits(&one[2], &txy[i], 1))
-            fail_msg("a/b = %g, c/b = %g, point %zu of %zu, (%a, %a): in the array %a %a %a, alone %a %a %a", alpha, c, i, n,
-                     x[i], y[i], sxx[i], syy[i], txy[i], one[0], one[1], one[2]);
+        assert_int_equal(rwedge_stress(alpha, 0.4, c, x[i], y[i], &one[0], &one[1], &one[2]),
+                         RWEDGE_OK);
+        if (!same_bits(&one[0], &sxx[i], 1) || !same_bits(&one[1], &syy[i], 1) ||
+            !same_bits(&one[2], &txy[i], 1))
+            fail_msg("a/b = %g, c/b = %g, point %zu of %zu, (%a, %a): in the array %a %a %a, alone "
+                     "%a %a %a",
+                     alpha, c, i, n, x[i], y[i], sxx[i], syy[i], txy[i], one[0], one[1], one[2]);
     }
 }
 
@@ -126,8 +130,10 @@ static void elastic_limits_are_those_of_single_calls(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(batches_have_the_bits_of_their_points), cmocka_unit_test(every_length_is_filled),
-        cmocka_unit_test(neighbours_are_left_alone),             cmocka_unit_test(outputs_may_be_the_inputs),
+        cmocka_unit_test(batches_have_the_bits_of_their_points),
+        cmocka_unit_test(every_length_is_filled),
+        cmocka_unit_test(neighbours_are_left_alone),
+        cmocka_unit_test(outputs_may_be_the_inputs),
         cmocka_unit_test(elastic_limits_are_those_of_single_calls),
     };
     return RUN_CLAIMS("batches", tests);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram against the incremental boundary-element solver along random histories: they must approach each
- * other as mesh and step shrink. */
+/* The memory diagram against the incremental boundary-element solver along random histories:
+ * they must approach each other as mesh and step shrink. */
 #include "boundary_element.h"
 #include "histories.h"
 
@@ -8,13 +8,14 @@
 
 enum { LEVELS = 3, COARSEST = 30, LEGS = 10 };
 
-/* Mean differences over a history, relative to friction's limit, to the largest slip there could be, and to the
- * energy. */
+/* Mean differences over a history, relative to friction's limit, to the largest slip there could
+ * be, and to the energy. */
 typedef struct {
     double shear, slip, energy;
 } difference;
 
-static void compare(const rwedge_contact *contact, const boundary_element *solver, double f, difference *sum)
+static void compare(const rwedge_contact *contact, const boundary_element *solver, double f,
+                    difference *sum)
 {
     const double b = rwedge_contact_half_width(contact);
     double shear_off = 0, limit = 0, slip_off = 0, touching = 0;
@@ -57,7 +58,9 @@ static difference along_a_history(uint64_t number, double a, double f, int level
         const int steps = 10 << level;
         for (int i = 1; i <= steps; i++) {
             const double t = (double)i / steps;
-            assert_int_equal(boundary_element_step(&solver, from_P + t * (P - from_P), from_Q + t * (Q - from_Q)), 0);
+            assert_int_equal(boundary_element_step(&solver, from_P + t * (P - from_P),
+                                                   from_Q + t * (Q - from_Q)),
+                             0);
         }
         compare(contact, &solver, f, &mean);
     }
@@ -65,7 +68,8 @@ static difference along_a_history(uint64_t number, double a, double f, int level
     return mean;
 }
 
-/* The mean over the histories; halving mesh and step must take a third off at least, and does about halve it. */
+/* The mean over the histories; halving mesh and step must take a third off at least, and does
+ * about halve it. */
 static void the_memory_diagram_is_the_limit_of_boundary_elements(void **state)
 {
     (void)state;
@@ -74,14 +78,15 @@ static void the_memory_diagram_is_the_limit_of_boundary_elements(void **state)
     difference mean[LEVELS] = {{0, 0, 0}};
     for (int level = 0; level < LEVELS; level++)
         for (int i = 0; i < HISTORIES; i++) {
-            const difference d = along_a_history(101 + (uint64_t)i, ROUNDINGS[i], 0.3 + 0.1 * i, level);
+            const difference d =
+                along_a_history(101 + (uint64_t)i, ROUNDINGS[i], 0.3 + 0.1 * i, level);
             mean[level].shear += d.shear / HISTORIES;
             mean[level].slip += d.slip / HISTORIES;
             mean[level].energy += d.energy / HISTORIES;
         }
     for (int level = 0; level < LEVELS; level++)
-        printf("%3d elements: shear %.5f slip %.6f energy %.5f\n", COARSEST << level, mean[level].shear,
-               mean[level].slip, mean[level].energy);
+        printf("%3d elements: shear %.5f slip %.6f energy %.5f\n", COARSEST << level,
+               mean[level].shear, mean[level].slip, mean[level].energy);
     for (int level = 1; level < LEVELS; level++) {
         assert_true(mean[level].shear < 0.67 * mean[level - 1].shear);
         assert_true(mean[level].slip < 0.67 * mean[level - 1].slip);

@@ -27,21 +27,26 @@ static void hertz_loading_unloading_reloading_is_mindlin(void **state)
     load(contact, P, Q1);
     assert_close(rwedge_contact_stick_half_width(contact), c1, 1e-14);
     for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)), 1e-14 * p0);
+        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)),
+                      1e-14 * p0);
     load(contact, P, Q2);
     assert_close(rwedge_contact_stick_half_width(contact), c2, 1e-14);
     for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)),
+        assert_within(shear(contact, x),
+                      f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)),
                       1e-14 * p0);
     load(contact, P, Q3);
     assert_close(rwedge_contact_stick_half_width(contact), c3, 1e-14);
     for (double x = 0; x < b; x += b / 37)
         assert_within(shear(contact, x),
-                      -f * p0 * (ellipse(b, b, x) - 2 * ellipse(c3, b, x) + 2 * ellipse(c2, b, x) - ellipse(c1, b, x)),
+                      -f * p0 *
+                          (ellipse(b, b, x) - 2 * ellipse(c3, b, x) + 2 * ellipse(c2, b, x) -
+                           ellipse(c1, b, x)),
                       1e-14 * p0);
     load(contact, P, Q1); /* the loop is closed and forgotten */
     for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)), 1e-14 * p0);
+        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)),
+                      1e-14 * p0);
     rwedge_contact_destroy(contact);
 }
 
@@ -79,8 +84,12 @@ static void fig_7_of_the_paper_is_one_load(void **state)
             assert_within(shear(contact, b * x), f * THETA / A * rwedge_shear(alpha, c, x), 1e-14);
             assert_within(pressure(contact, b * x), THETA / A * rwedge_pressure(alpha, x), 1e-14);
             double s[3], expected[3], at[2] = {b * x, b * y};
-            assert_int_equal(rwedge_contact_stresses(contact, 1, &at[0], &at[1], &s[0], &s[1], &s[2]), RWEDGE_OK);
-            assert_int_equal(rwedge_stress(alpha, f, c, x, y, &expected[0], &expected[1], &expected[2]), RWEDGE_OK);
+            assert_int_equal(
+                rwedge_contact_stresses(contact, 1, &at[0], &at[1], &s[0], &s[1], &s[2]),
+                RWEDGE_OK);
+            assert_int_equal(
+                rwedge_stress(alpha, f, c, x, y, &expected[0], &expected[1], &expected[2]),
+                RWEDGE_OK);
             for (int m = 0; m < 3; m++)
                 assert_within(s[m], THETA / A * expected[m], 1e-14);
         }
@@ -104,14 +113,16 @@ static void slip_is_the_surface_strain_integrated(void **state)
     for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++) {
         const double f = 0.4, P = 0.2;
         rwedge_contact *contact = create(ROUNDINGS[i], f);
-        load(contact, P, 0); /* from here P is constant, and the slip that of the present traction alone */
+        /* from here P is constant, and the slip that of the present traction alone */
+        load(contact, P, 0);
         static const double RATIOS[] = {0.8, -0.5, 0.3, 0.1, 1};
         for (int step = 0; step < 5; step++) {
             load(contact, P, RATIOS[step] * f * P);
             double points[POINTS_MAX], sum = 0;
             const size_t n = breakpoints(contact, points);
             for (size_t piece = 0; piece < n; piece++) {
-                const double halves[] = {points[piece], (points[piece] + points[piece + 1]) / 2, points[piece + 1]};
+                const double halves[] = {points[piece], (points[piece] + points[piece + 1]) / 2,
+                                         points[piece + 1]};
                 for (int half = 0; half < 2; half++) {
                     sum += integral(half_tension, contact, 1, &halves[half]);
                     assert_within(slip(contact, halves[half + 1]), sum, 1e-13 * f * THETA);
@@ -134,8 +145,9 @@ static double displacement(const rwedge_contact *contact, double x)
     return sum;
 }
 
-/* Points that come into contact while the edge slips slip from then on: by what their displacement now is beyond that of
- * a contact whose load ended where the edge was at them. One step or many along the same line, it is the same. */
+/* Points that come into contact while the edge slips slip from then on: by what their
+ * displacement now is beyond that of a contact whose load ended where the edge was at them. One
+ * step or many along the same line, it is the same. */
 static void slip_begins_where_a_point_comes_into_contact(void **state)
 {
     (void)state;
@@ -204,9 +216,11 @@ static void friction_is_nowhere_exceeded(void **state)
         rwedge_contact *contact = begin(&h, number);
         for (int step = 0; step < 12; step++) {
             go_on(&h, contact);
-            const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
+            const double b = rwedge_contact_half_width(contact),
+                         c = rwedge_contact_stick_half_width(contact);
             for (int i = 0; i < 50; i++) {
-                const double x = b * (i + 0.5) / 50, p = pressure(contact, x), q = shear(contact, x);
+                const double x = b * (i + 0.5) / 50, p = pressure(contact, x),
+                             q = shear(contact, x);
                 assert_true(fabs(q) <= h.f * fabs(p) + 1e-14 * THETA / A);
                 if (x > c)
                     assert_close(fabs(q), h.f * fabs(p), 1e-13);
@@ -225,7 +239,8 @@ static void what_slips_is_at_the_limit_and_slips_with_the_traction(void **state)
         rwedge_contact *contact = begin(&h, number);
         go_on(&h, contact);
         for (int step = 0; step < 12; step++) {
-            const double before = rwedge_contact_half_width(contact), noise = 1e-13 * h.f * THETA * before;
+            const double before = rwedge_contact_half_width(contact),
+                         noise = 1e-13 * h.f * THETA * before;
             double slips[40], at[40];
             for (int i = 0; i < 40; i++)
                 slips[i] = slip(contact, at[i] = before * (i + 0.5) / 40);
@@ -271,7 +286,8 @@ static double point_force(double t, const void *context)
     double sum = 0;
     for (int side = -1; side <= 1; side += 2) {
         const double dx = at->x - side * t, y = at->y, r2 = dx * dx + y * y;
-        const double radial = 2 / PI * (y * pressure(at->contact, t) + dx * shear(at->contact, t)) / (r2 * r2);
+        const double radial =
+            2 / PI * (y * pressure(at->contact, t) + dx * shear(at->contact, t)) / (r2 * r2);
         sum += radial * (at->component == 0 ? dx * dx : at->component == 1 ? y * y : dx * y);
     }
     return sum;
@@ -289,19 +305,23 @@ static void stresses_are_flamant_integrated_over_the_tractions(void **state)
         const size_t n = breakpoints(contact, points);
         for (int i = 0; i < 6; i++) {
             const double b = rwedge_contact_half_width(contact);
-            const double x = b * (3 * random_fraction(&h.seed) - 1.5), y = b * (0.05 + random_fraction(&h.seed));
+            const double x = b * (3 * random_fraction(&h.seed) - 1.5),
+                         y = b * (0.05 + random_fraction(&h.seed));
             double s[3];
-            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]),
+                             RWEDGE_OK);
             for (int component = 0; component < 3; component++) {
                 const flamant at = {contact, x, y, component};
-                assert_within(s[component], integral(point_force, &at, n, points), 1e-11 * THETA / A);
+                assert_within(s[component], integral(point_force, &at, n, points),
+                              1e-11 * THETA / A);
             }
         }
         rwedge_contact_destroy(contact);
     }
 }
 
-/* From 1e12 down to 1e-3 the rounding of the first would decide about slip; in two loads nothing is lost. */
+/* From 1e12 down to 1e-3 the rounding of the first would decide about slip; in two loads nothing
+ * is lost. */
 static void a_steep_fall_of_the_load_is_refused(void **state)
 {
     (void)state;
@@ -316,7 +336,8 @@ static void a_steep_fall_of_the_load_is_refused(void **state)
     assert_int_equal(rwedge_contact_load(contact, 1, 0), RWEDGE_OK);
     assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_OK);
     /* Q = 0.2 f P in the Hertz regime */
-    assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact), sqrt(0.8), 1e-9);
+    assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact),
+                 sqrt(0.8), 1e-9);
     assert_int_equal(rwedge_contact_load(contact, 0, 0), RWEDGE_OK); /* separation is no fall */
     rwedge_contact_destroy(contact);
 }
@@ -333,7 +354,8 @@ static void missing_arrays_are_refused(void **state)
         for (int i = 0; i < 5; i++)
             at[i] = i == missing ? NULL : &v[i];
         rwedge_contact *there = missing == 5 ? NULL : contact;
-        assert_int_equal(rwedge_contact_stresses(there, 1, at[0], at[1], at[2], at[3], at[4]), RWEDGE_ENULL);
+        assert_int_equal(rwedge_contact_stresses(there, 1, at[0], at[1], at[2], at[3], at[4]),
+                         RWEDGE_ENULL);
         if (missing != 1 && missing != 4)
             assert_int_equal(rwedge_contact_tractions(there, 1, at[0], at[2], at[3]), RWEDGE_ENULL);
         if (missing != 1 && missing != 4 && missing != 3)
@@ -344,7 +366,8 @@ static void missing_arrays_are_refused(void **state)
     assert_int_equal(rwedge_contact_stresses(contact, 0, NULL, NULL, NULL, NULL, NULL), RWEDGE_OK);
     double factor = 7;
     assert_int_equal(rwedge_contact_yield_factor(NULL, 0.3, 1, &factor, NULL, NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, -1, &factor, NULL, NULL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, -1, &factor, NULL, NULL),
+                     RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_copy(contact, NULL), RWEDGE_ENULL);
     assert_true(factor == 7);
     rwedge_contact_destroy(contact);
@@ -360,22 +383,28 @@ static void a_unit_of_stress_beyond_the_doubles_is_refused(void **state)
     assert_null(contact);
 }
 
-/* Of the load, of half-width, and of the rounding over the half-width: a sharp wedge has b = A P/(2 theta), a cylinder
- * b^2 = (2/pi) A P a/theta. */
+/* Of the load, of half-width, and of the rounding over the half-width: a sharp wedge has b = A
+ * P/(2 theta), a cylinder b^2 = (2/pi) A P a/theta. */
 static void sizes_beyond_the_range_are_refused(void **state)
 {
     (void)state;
     static const struct {
         double a, A, P;
     } CASES[] = {
-        {1, 1, 1e-160},        {1, 1, 1e160},
-        {0, 1e-200, 1e-120},   {0, 1e200, 1e120},   /* b = 5e-320; 5e320 */
-        {0, 1e170, 1e135},                          /* b = 5e305: points around it would be beyond */
-        {1e200, 1e-226, 1e-140}, {1e-300, 1e100, 1}, /* b/a = 8e-283, whose square the stresses need; a/b = 2e-400 */
+        {1, 1, 1e-160},
+        {1, 1, 1e160},
+        {0, 1e-200, 1e-120},
+        {0, 1e200, 1e120}, /* b = 5e-320; 5e320 */
+        /* b = 5e305: points around it would be beyond */
+        {0, 1e170, 1e135},
+        /* b/a = 8e-283, whose square the stresses need; a/b = 2e-400 */
+        {1e200, 1e-226, 1e-140},
+        {1e-300, 1e100, 1},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         rwedge_contact *contact = NULL;
-        assert_int_equal(rwedge_contact_create(0.1, CASES[i].a, CASES[i].A, 0.5, &contact), RWEDGE_OK);
+        assert_int_equal(rwedge_contact_create(0.1, CASES[i].a, CASES[i].A, 0.5, &contact),
+                         RWEDGE_OK);
         assert_int_equal(rwedge_contact_load(contact, CASES[i].P, 0), RWEDGE_ERANGE);
         assert_true(rwedge_contact_half_width(contact) == 0);
         rwedge_contact_destroy(contact);
@@ -390,15 +419,20 @@ static void pressures_beyond_the_range_are_refused(void **state)
         double theta, a, A, f, P;
         int32_t status;
     } CASES[] = {
-        {1, 0, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},        {1, 1e-190, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
-        {1, 1e-170, 1e-303, 1e6, 1e148, RWEDGE_ERANGE},   {1e-8, 1e200, 1e299, 0.5, 1e-138, RWEDGE_ERANGE},
-        {1, 0, 1e-297, 0.5, 1e140, RWEDGE_OK},            {1, 0, 1e-291, 1e6, 1e140, RWEDGE_OK},
-        {1, 1e-160, 1e-298, 2, 1e140, RWEDGE_OK},         {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
+        {1, 0, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
+        {1, 1e-190, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
+        {1, 1e-170, 1e-303, 1e6, 1e148, RWEDGE_ERANGE},
+        {1e-8, 1e200, 1e299, 0.5, 1e-138, RWEDGE_ERANGE},
+        {1, 0, 1e-297, 0.5, 1e140, RWEDGE_OK},
+        {1, 0, 1e-291, 1e6, 1e140, RWEDGE_OK},
+        {1, 1e-160, 1e-298, 2, 1e140, RWEDGE_OK},
+        {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         rwedge_contact *contact = NULL;
         const double f = CASES[i].f, P = CASES[i].P;
-        assert_int_equal(rwedge_contact_create(CASES[i].theta, CASES[i].a, CASES[i].A, f, &contact), RWEDGE_OK);
+        assert_int_equal(rwedge_contact_create(CASES[i].theta, CASES[i].a, CASES[i].A, f, &contact),
+                         RWEDGE_OK);
         feclearexcept(FE_ALL_EXCEPT);
         assert_int_equal(rwedge_contact_load(contact, P, 0), CASES[i].status);
         assert_false(fetestexcept(FE_INVALID | FE_OVERFLOW | FE_DIVBYZERO));
@@ -409,8 +443,10 @@ static void pressures_beyond_the_range_are_refused(void **state)
         for (double x = b / 2; x > 1e-307 * b; x /= 1e20) {
             const double y = x / 3;
             double s[3];
-            assert_true(isnormal(pressure(contact, x)) && isfinite(shear(contact, x)) && fabs(pressure(contact, x)) < 1e300);
-            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+            assert_true(isnormal(pressure(contact, x)) && isfinite(shear(contact, x)) &&
+                        fabs(pressure(contact, x)) < 1e300);
+            assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]),
+                             RWEDGE_OK);
             assert_true(isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]));
         }
         rwedge_contact_destroy(contact);
@@ -423,19 +459,23 @@ static void slip_is_small_where_friction_is(void **state)
     (void)state;
     rwedge_contact *unit = NULL, *contact = NULL;
     assert_int_equal(rwedge_contact_create(1, 0, 1, 1, &unit), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_create(ldexp(1, -660), 0, ldexp(1, -30), ldexp(1, -660), &contact), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_create(ldexp(1, -660), 0, ldexp(1, -30), ldexp(1, -660), &contact),
+        RWEDGE_OK);
     load(unit, 1, 0);
     load(unit, 1, 0.5);
     load(contact, ldexp(1, 360), 0);
     load(contact, ldexp(1, 360), ldexp(0.5, 360 - 660));
     const double b = rwedge_contact_half_width(contact);
     assert_true(b == ldexp(rwedge_contact_half_width(unit), 360 - 30 + 660));
-    assert_close(slip(contact, 0.9 * b), ldexp(slip(unit, 0.9 * rwedge_contact_half_width(unit)), 360 - 30 - 660), 1e-13);
+    assert_close(slip(contact, 0.9 * b),
+                 ldexp(slip(unit, 0.9 * rwedge_contact_half_width(unit)), 360 - 30 - 660), 1e-13);
     rwedge_contact_destroy(unit);
     rwedge_contact_destroy(contact);
 }
 
-/* Q falls short of sliding by 1e-14: c = 1e-14 b is below the smallest that a traction is evaluated for. */
+/* Q falls short of sliding by 1e-14: c = 1e-14 b is below the smallest that a traction is
+ * evaluated for. */
 static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
 {
     (void)state;
@@ -446,7 +486,8 @@ static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
     assert_int_equal(rwedge_contact_copy(contact, &sliding), RWEDGE_OK);
     load(contact, P, f * P * (1 - 1e-14));
     load(sliding, P, f * P);
-    const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
+    const double b = rwedge_contact_half_width(contact),
+                 c = rwedge_contact_stick_half_width(contact);
     assert_close(c, 1e-14 * b, 1e-2);
     for (double x = b / 2; x > c; x /= 7) {
         assert_close(shear(contact, x), f * pressure(contact, x), 1e-13);
@@ -457,15 +498,17 @@ static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
     const double x = b / 3, y = b / 4;
     double s[3], expected[3];
     assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_stresses(sliding, 1, &x, &y, &expected[0], &expected[1], &expected[2]), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_stresses(sliding, 1, &x, &y, &expected[0], &expected[1], &expected[2]),
+        RWEDGE_OK);
     for (int i = 0; i < 3; i++)
         assert_close(s[i], expected[i], 1e-13);
     rwedge_contact_destroy(contact);
     rwedge_contact_destroy(sliding);
 }
 
-/* Steps of slope f, each to rounding, which bend the path by more than rounding when they are many: corners with the same
- * slope on both sides. All that was added slips. */
+/* Steps of slope f, each to rounding, which bend the path by more than rounding when they are
+ * many: corners with the same slope on both sides. All that was added slips. */
 static void steps_of_the_steepest_slope_may_bend(void **state)
 {
     (void)state;
@@ -506,8 +549,11 @@ static void arrays_are_points_one_by_one(void **state)
     assert_int_equal(rwedge_contact_stresses(contact, N, x, y, s[0], s[1], s[2]), RWEDGE_OK);
     for (int i = 0; i < N; i++) {
         double one[3];
-        assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) && slips[i] == slip(contact, x[i]));
-        assert_int_equal(rwedge_contact_stresses(contact, 1, &x[i], &y[i], &one[0], &one[1], &one[2]), RWEDGE_OK);
+        assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) &&
+                    slips[i] == slip(contact, x[i]));
+        assert_int_equal(
+            rwedge_contact_stresses(contact, 1, &x[i], &y[i], &one[0], &one[1], &one[2]),
+            RWEDGE_OK);
         assert_true(s[0][i] == one[0] && s[1][i] == one[1] && s[2][i] == one[2]);
     }
     rwedge_contact_destroy(contact);

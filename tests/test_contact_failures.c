@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked with --wrap for malloc
- * and realloc. */
+/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked
+ * with --wrap for malloc and realloc. */
 #include "histories.h"
 
 #include <float.h>
@@ -55,7 +55,8 @@ static appearance look(const rwedge_contact *contact)
     }
     assert_int_equal(rwedge_contact_tractions(contact, 9, x, seen.p, seen.q), RWEDGE_OK);
     assert_int_equal(rwedge_contact_slip(contact, 9, x, seen.slip), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy),
+                     RWEDGE_OK);
     return seen;
 }
 
@@ -169,11 +170,16 @@ static void a_refused_load_changes_nothing(void **state)
         double P, Q;
         int32_t status;
     } loads[] = {
-        {P, 0.1 * (1 + 1e-14), RWEDGE_ESLIDING}, {P, -0.1 * (1 + 1e-14), RWEDGE_ESLIDING},
-        {P, HUGE_VAL, RWEDGE_EDOMAIN},           {P, NAN, RWEDGE_EDOMAIN},
-        {NAN, 0, RWEDGE_EDOMAIN},                {HUGE_VAL, 0, RWEDGE_EDOMAIN},
-        {-1, 0, RWEDGE_EDOMAIN},                 {-0.1, 0, RWEDGE_EDOMAIN},
-        {0, 1e-9, RWEDGE_ESLIDING},              {1e-310, 0, RWEDGE_ERANGE},
+        {P, 0.1 * (1 + 1e-14), RWEDGE_ESLIDING},
+        {P, -0.1 * (1 + 1e-14), RWEDGE_ESLIDING},
+        {P, HUGE_VAL, RWEDGE_EDOMAIN},
+        {P, NAN, RWEDGE_EDOMAIN},
+        {NAN, 0, RWEDGE_EDOMAIN},
+        {HUGE_VAL, 0, RWEDGE_EDOMAIN},
+        {-1, 0, RWEDGE_EDOMAIN},
+        {-0.1, 0, RWEDGE_EDOMAIN},
+        {0, 1e-9, RWEDGE_ESLIDING},
+        {1e-310, 0, RWEDGE_ERANGE},
         {1e308, 0.1, RWEDGE_ERANGE},
     };
     for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
@@ -189,7 +195,8 @@ static void equality_is_full_sliding_to_rounding(void **state)
     uint64_t seed = 9;
     for (int i = 0; i < 1000; i++) {
         const double f = random_fraction(&seed), P = random_fraction(&seed);
-        const double Q = f * P * (1 + (2 * random_fraction(&seed) - 1) * 4 * DBL_EPSILON) * (i % 2 ? 1 : -1);
+        const double Q =
+            f * P * (1 + (2 * random_fraction(&seed) - 1) * 4 * DBL_EPSILON) * (i % 2 ? 1 : -1);
         rwedge_contact *contact = create(0.1, f);
         load(contact, P, 0);
         load(contact, P, Q);
@@ -248,7 +255,8 @@ static void bad_arguments_are_refused(void **state)
         for (int position = 0; position < 4; position++) {
             double v[4] = {0.1, 1, 1, 0.5};
             v[position] = BAD[i];
-            assert_int_equal(rwedge_contact_create(v[0], v[1], v[2], v[3], &contact), RWEDGE_EDOMAIN);
+            assert_int_equal(rwedge_contact_create(v[0], v[1], v[2], v[3], &contact),
+                             RWEDGE_EDOMAIN);
             assert_null(contact);
         }
     assert_int_equal(rwedge_contact_create(0, 1, 1, 0.5, &contact), RWEDGE_EDOMAIN);
@@ -268,22 +276,26 @@ static void bad_points_write_nothing(void **state)
     (void)state;
     rwedge_contact *sharp = create(0, 0.5), *contact = create(0.1, 0.5);
     double x[2] = {0.1, 0}, y[2] = {0, 0}, s[3][2] = {{7, 7}, {7, 7}, {7, 7}}, factor = 7;
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, NULL, NULL), RWEDGE_EABSENT);
-    assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_OK); /* separated: no apex yet */
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, NULL, NULL),
+                     RWEDGE_EABSENT);
+    /* separated: no apex yet */
+    assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_OK);
     assert_true(s[0][1] == 0);
     s[0][0] = s[0][1] = s[1][0] = s[2][0] = 7;
     load(sharp, 0.2, 0);
     load(contact, 0.2, 0.05);
     assert_int_equal(rwedge_contact_tractions(sharp, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
-    const double b = rwedge_contact_half_width(contact), bad[] = {NAN, HUGE_VAL, -HUGE_VAL, 1.0001 * b, -1.0001 * b};
+    const double b = rwedge_contact_half_width(contact),
+                 bad[] = {NAN, HUGE_VAL, -HUGE_VAL, 1.0001 * b, -1.0001 * b};
     for (int i = 0; i < 5; i++) {
         const double alone = x[1] = bad[i];
         assert_int_equal(rwedge_contact_slip(contact, 1, &alone, s[0]), RWEDGE_EDOMAIN);
         assert_int_equal(rwedge_contact_slip(contact, 2, x, s[0]), RWEDGE_EDOMAIN);
         if (i < 3) {
             assert_int_equal(rwedge_contact_tractions(contact, 2, x, s[0], s[1]), RWEDGE_EDOMAIN);
-            assert_int_equal(rwedge_contact_stresses(contact, 2, x, y, s[0], s[1], s[2]), RWEDGE_EDOMAIN);
+            assert_int_equal(rwedge_contact_stresses(contact, 2, x, y, s[0], s[1], s[2]),
+                             RWEDGE_EDOMAIN);
         }
     }
     x[1] = 0;
@@ -293,8 +305,10 @@ static void bad_points_write_nothing(void **state)
     assert_int_equal(rwedge_contact_tractions(contact, 1, NULL, s[0], s[1]), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_slip(NULL, 1, x, s[0]), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_slip(contact, 0, NULL, NULL), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.6, 1, &factor, NULL, NULL), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 0, &factor, NULL, NULL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.6, 1, &factor, NULL, NULL),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 0, &factor, NULL, NULL),
+                     RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, NULL, NULL, NULL), RWEDGE_ENULL);
     assert_true(s[0][0] == 7 && s[0][1] == 7 && s[1][0] == 7 && s[2][0] == 7 && factor == 7);
     rwedge_contact_destroy(sharp);
@@ -332,16 +346,22 @@ static void results_scale_with_the_units(void **state)
                 load(unit, 0.2, Q);
                 load(scaled, 0.2 * S * L, Q * S * L);
             }
-            assert_close(rwedge_contact_half_width(scaled), L * rwedge_contact_half_width(unit), 1e-14);
+            assert_close(rwedge_contact_half_width(scaled), L * rwedge_contact_half_width(unit),
+                         1e-14);
             assert_close(shear(scaled, 0.3 * L), S * shear(unit, 0.3), 1e-13);
             assert_close(slip(scaled, 0.3 * L), L * slip(unit, 0.3), 1e-13);
-            assert_close(rwedge_contact_dissipated_energy(scaled), S * L * L * rwedge_contact_dissipated_energy(unit),
-                         1e-13);
+            assert_close(rwedge_contact_dissipated_energy(scaled),
+                         S * L * L * rwedge_contact_dissipated_energy(unit), 1e-13);
             for (int i = 0; i < 20; i++) {
-                const double x = 0.1 * (i - 9.3), y = 0.01 * i * i, x_scaled = L * x, y_scaled = L * y;
+                const double x = 0.1 * (i - 9.3), y = 0.01 * i * i, x_scaled = L * x,
+                             y_scaled = L * y;
                 double s[3], expected[3];
-                assert_int_equal(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0], &expected[1], &expected[2]), 0);
-                assert_int_equal(rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]), 0);
+                assert_int_equal(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0],
+                                                         &expected[1], &expected[2]),
+                                 0);
+                assert_int_equal(
+                    rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]),
+                    0);
                 for (int j = 0; j < 3; j++)
                     assert_within(s[j] / S, expected[j], 1e-14);
             }

@@ -35,8 +35,8 @@ static void load_is_the_integral_of_the_profile(void **state)
 static void load_has_the_hertz_and_the_sharp_limit(void **state)
 {
     (void)state;
-    assert_close(rwedge_load(0), 2, 0);                 /* Eq. (13) */
-    assert_close(rwedge_load(1), PI / 2, DBL_EPSILON);  /* Eq. (11) */
+    assert_close(rwedge_load(0), 2, 0);                /* Eq. (13) */
+    assert_close(rwedge_load(1), PI / 2, DBL_EPSILON); /* Eq. (11) */
     assert_close(rwedge_load(4), PI / 8, DBL_EPSILON);
     assert_close(rwedge_load(1e-5), 2 - 1e-10 / 3, DBL_EPSILON); /* Eq. (15) and its next term */
     assert_close(rwedge_load(5e-324), 2, 0);
@@ -60,7 +60,8 @@ static void a_over_b_covers_the_whole_range(void **state)
         assert_true(isfinite(alpha) && alpha > 0);
         assert_close(rwedge_load(alpha) / alpha, load, 1e-14);
     }
-    assert_close(rwedge_a_over_b(PI / 2), 1, DBL_EPSILON); /* where the straight flank begins to touch */
+    /* where the straight flank begins to touch */
+    assert_close(rwedge_a_over_b(PI / 2), 1, DBL_EPSILON);
     assert_close(rwedge_a_over_b(nextafter(PI / 2, 2)), 1, 1e-15);
     assert_close(rwedge_a_over_b(1e-308), sqrt(PI / 2) * 1e154, 1e-14);
 }

@@ -6,11 +6,13 @@ static void a_cylinder_gives_the_formulas_of_hertz(void **state)
 {
     (void)state;
     const double R = 50, E = 70e3, nu = 0.3, P = 100; /* mm, N/mm^2, N/mm */
-    const double compliance = rwedge_compliance(E, nu, E, nu), theta = 0.1, a = rwedge_rounding(theta, R);
+    const double compliance = rwedge_compliance(E, nu, E, nu), theta = 0.1,
+                 a = rwedge_rounding(theta, R);
     assert_close(a, 5, 1e-15);
     assert_close(rwedge_radius(theta, a), R, 1e-15);
     const double E_star = E / (2 * (1 - nu * nu));
-    assert_close(rwedge_half_width(theta, a, compliance, P), sqrt(4 * P * R / (PI * E_star)), 1e-14);
+    assert_close(rwedge_half_width(theta, a, compliance, P), sqrt(4 * P * R / (PI * E_star)),
+                 1e-14);
 }
 
 static void half_width_and_load_are_inverse(void **state)
@@ -22,7 +24,8 @@ static void half_width_and_load_are_inverse(void **state)
         const double b = pow(10, 40 * random_fraction(&seed) - 20);
         assert_close(rwedge_half_width(THETA, a, A, rwedge_normal_load(THETA, a, A, b)), b, 1e-14);
     }
-    assert_true(rwedge_half_width(THETA, 0.1, A, 0) == 0 && rwedge_normal_load(THETA, 0.1, A, 0) == 0);
+    assert_true(rwedge_half_width(THETA, 0.1, A, 0) == 0 &&
+                rwedge_normal_load(THETA, 0.1, A, 0) == 0);
     assert_close(rwedge_half_width(THETA, 0, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
     assert_close(rwedge_half_width(THETA, 1e-300, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
 }
@@ -33,7 +36,8 @@ static void the_yield_load_is_where_the_elastic_limit_says(void **state)
     uint64_t seed = 8;
     for (int i = 0; i < 200; i++) {
         const double a = 0.3, alpha = pow(10, 2 * random_fraction(&seed) - 1.7);
-        const double f = i % 5 ? random_fraction(&seed) : 0, nu = i % 3 ? 0.3 : 0.5 * random_fraction(&seed);
+        const double f = i % 5 ? random_fraction(&seed) : 0,
+                     nu = i % 3 ? 0.3 : 0.5 * random_fraction(&seed);
         const double b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
         const double k = P / (b * rwedge_elastic_limit(alpha, f, nu));
         assert_close(rwedge_yield_load(THETA, a, A, f, nu, k), P, 1e-11);
@@ -57,19 +61,22 @@ static void the_yield_load_scales_with_the_units(void **state)
         double f, nu, k;
         int length, stress; /* octaves */
     } CASES[] = {
-        {0, 0.3, 1e-10, -1000, 700}, {0, 0.3, 1e-60, 990, -700}, {0.1, 0.3, 2.25, 1000, -40},
+        {0, 0.3, 1e-10, -1000, 700},  {0, 0.3, 1e-60, 990, -700},    {0.1, 0.3, 2.25, 1000, -40},
         {0.1, 0.3, 3.375, 1000, -60}, {0.5, 0.2, 1e-3, -1020, 1000}, {1e-3, 0.45, 0.7, 1020, -1000},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
-        const double f = CASES[i].f, nu = CASES[i].nu, a = ldexp(1, CASES[i].length), S = ldexp(1, CASES[i].stress);
+        const double f = CASES[i].f, nu = CASES[i].nu, a = ldexp(1, CASES[i].length),
+                     S = ldexp(1, CASES[i].stress);
         const double expected = rwedge_yield_load(1, 1, 1, f, nu, CASES[i].k);
         assert_true(expected > 0 && isfinite(expected));
-        assert_close(rwedge_yield_load(1, a, 1 / S, f, nu, CASES[i].k * S), ldexp(expected, CASES[i].length + CASES[i].stress),
-                     1e-15);
+        assert_close(rwedge_yield_load(1, a, 1 / S, f, nu, CASES[i].k * S),
+                     ldexp(expected, CASES[i].length + CASES[i].stress), 1e-15);
     }
-    /* A k/theta = 1e-340: with Hertz, P = (pi/2) (theta/A) a (wanted/peak)^2, and the peak is that of a/b = 1 */
+    /* A k/theta = 1e-340: with Hertz, P = (pi/2) (theta/A) a (wanted/peak)^2, and the peak is
+     * that of a/b = 1 */
     const double peak = PI / 2 / rwedge_elastic_limit(1, 0, 0.3);
-    assert_close(rwedge_yield_load(1, 1e300, 1e-300, 0, 0.3, 1e-40), PI / 2 * 1e-80 / (peak * peak), 1e-11);
+    assert_close(rwedge_yield_load(1, 1e300, 1e-300, 0, 0.3, 1e-40), PI / 2 * 1e-80 / (peak * peak),
+                 1e-11);
 }
 
 static void what_never_yields_has_an_infinite_yield_load(void **state)
@@ -79,12 +86,14 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
     assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
-    assert_true(rwedge_yield_load(THETA, 0, A, 1e-101, 0.5, 1.001 * bound) == HUGE_VAL); /* no friction to speak of */
+    /* no friction to speak of */
+    assert_true(rwedge_yield_load(THETA, 0, A, 1e-101, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(rwedge_yield_load(THETA, 0, A, 1e-99, 0.5, 1.001 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
-    assert_true(rwedge_yield_load(1e-300, 1, 1e300, 0.1, 0.3, 1e300) == HUGE_VAL); /* A k/theta = 1e900 */
+    /* A k/theta = 1e900 */
+    assert_true(rwedge_yield_load(1e-300, 1, 1e300, 0.1, 0.3, 1e300) == HUGE_VAL);
 }
 
 static void bad_design_arguments_are_not_numbers(void **state)
@@ -171,15 +180,17 @@ static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **stat
             }
 }
 
-/* Tips, frictions and Poisson's ratios where J2 has ridges that are flat to 1e-9, or a maximum as near to the edge as
- * b/f^2. */
+/* Tips, frictions and Poisson's ratios where J2 has ridges that are flat to 1e-9, or a maximum
+ * as near to the edge as b/f^2. */
 static void in_sliding_no_ridge_is_too_flat(void **state)
 {
     (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 2000; i++) {
-        const double alpha = pow(10, 15 * random_fraction(&seed) - 13.9), kind = random_fraction(&seed);
-        const double exponent = kind < 0.6 ? 12 * random_fraction(&seed) - 12 : 6 * random_fraction(&seed);
+        const double alpha = pow(10, 15 * random_fraction(&seed) - 13.9),
+                     kind = random_fraction(&seed);
+        const double exponent =
+            kind < 0.6 ? 12 * random_fraction(&seed) - 12 : 6 * random_fraction(&seed);
         const double f = kind < 0.2 ? 0 : pow(10, exponent);
         const double nu = i % 2 ? 0.5 : 0.5 - pow(10, -12 * random_fraction(&seed)) / 2;
         const double b = 0.7, P = rwedge_normal_load(THETA, alpha * b, A, b);
@@ -191,15 +202,18 @@ static void in_sliding_no_ridge_is_too_flat(void **state)
     }
 }
 
-/* A maximum at 1/f^2 of b from the edge, of Hertz' contact above all: seen from the centre too, but not in detail. */
+/* A maximum at 1/f^2 of b from the edge, of Hertz' contact above all: seen from the centre too,
+ * but not in detail. */
 static void strong_friction_yields_next_to_the_edge(void **state)
 {
     (void)state;
-    static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9}, FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
+    static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9},
+                        FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
         for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
             for (double nu = 0.02; nu < 0.5; nu += 0.02) {
-                const double f = FRICTIONS[j], b = 0.7, P = rwedge_normal_load(THETA, ALPHAS[i] * b, A, b);
+                const double f = FRICTIONS[j], b = 0.7,
+                             P = rwedge_normal_load(THETA, ALPHAS[i] * b, A, b);
                 rwedge_contact *contact = create(ALPHAS[i] * b, f);
                 load(contact, P, f * P);
                 double x;
@@ -215,12 +229,14 @@ static double root_J2(const rwedge_contact *contact, double nu, double x, double
     double s[3];
     assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
     const double szz = nu * (s[0] + s[1]);
-    return sqrt(((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - szz) * (s[1] - szz) + (szz - s[0]) * (szz - s[0])) / 6 +
+    return sqrt(((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - szz) * (s[1] - szz) +
+                 (szz - s[0]) * (szz - s[0])) /
+                    6 +
                 s[2] * s[2]);
 }
 
-/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is attained where it
- * says. */
+/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is
+ * attained where it says. */
 static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
 {
     (void)state;
@@ -244,8 +260,8 @@ static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
     }
 }
 
-/* Narrow roundings, thin layers and strong friction; points at every scale around every place where the tractions have
- * a corner, and in rings around the maximum itself. */
+/* Narrow roundings, thin layers and strong friction; points at every scale around every place
+ * where the tractions have a corner, and in rings around the maximum itself. */
 static void no_scale_hides_a_higher_point(void **state)
 {
     (void)state;
@@ -265,13 +281,14 @@ static void no_scale_hides_a_higher_point(void **state)
             assert_true(root_J2(contact, nu, mark, 0) <= highest);
             for (double r = 1; r > 1e-10; r *= 0.7)
                 for (int angle = 0; angle <= 12; angle++)
-                    assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12), r * fabs(sin(angle * PI / 12))) <=
-                                highest);
+                    assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
+                                        r * fabs(sin(angle * PI / 12))) <= highest);
         }
         for (double r = 0.5; r > 1e-4; r *= 0.7)
             for (int angle = 0; angle < 24; angle++)
                 assert_true(root_J2(contact, nu, x + r * hypot(x, y) * cos(angle * PI / 12),
-                                    fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <= highest);
+                                    fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <=
+                            highest);
         rwedge_contact_destroy(contact);
     }
 }
@@ -297,7 +314,8 @@ static void a_factor_beyond_the_doubles_is_refused(void **state)
     assert_int_equal(rwedge_contact_create(0.1, 1e100, 1e100, 0.5, &contact), RWEDGE_OK);
     load(contact, 1, 0); /* stresses below 1e-101 */
     double factor = 7;
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e300, &factor, NULL, NULL), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e300, &factor, NULL, NULL),
+                     RWEDGE_ERANGE);
     assert_true(factor == 7);
     rwedge_contact_destroy(contact);
 }

@@ -15,8 +15,9 @@ typedef struct {
     double P, Q;
 } cycle;
 
-/* The rigid displacement under dQ, when the front of slip is under the load s, is that of a flat punch of half-width
- * eta(s): -(A/pi) ln(eta) + constant. With Q lower by t than at the reversal, s = P - t/(2f). */
+/* The rigid displacement under dQ, when the front of slip is under the load s, is that of a flat
+ * punch of half-width eta(s): -(A/pi) ln(eta) + constant. With Q lower by t than at the
+ * reversal, s = P - t/(2f). */
 static double rigid_displacement(double t, const void *context)
 {
     const cycle *c = context;
@@ -93,8 +94,9 @@ static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
     }
 }
 
-/* A cylinder's radius is a/theta: with a hundred orders of magnitude more of a and as many less of A, as here, the load that
- * would fill the rounding is beyond the doubles. The widths stay, and the energies fall with A. */
+/* A cylinder's radius is a/theta: with a hundred orders of magnitude more of a and as many less
+ * of A, as here, the load that would fill the rounding is beyond the doubles. The widths stay,
+ * and the energies fall with A. */
 static void no_rounding_is_too_large(void **state)
 {
     (void)state;
@@ -106,15 +108,16 @@ static void no_rounding_is_too_large(void **state)
         load(usual, P, Q);
         load(large, P, Q);
         assert_close(rwedge_contact_half_width(large), rwedge_contact_half_width(usual), 1e-14);
-        assert_within(much * rwedge_contact_dissipated_energy(large), rwedge_contact_dissipated_energy(usual),
+        assert_within(much * rwedge_contact_dissipated_energy(large),
+                      rwedge_contact_dissipated_energy(usual),
                       1e-13 * rwedge_contact_dissipated_energy(usual));
     }
     rwedge_contact_destroy(usual);
     rwedge_contact_destroy(large);
 }
 
-/* In units in which a reversal dissipates some percent of the largest double, or more than it: the load that would exceed
- * it is refused and leaves all as it was. */
+/* In units in which a reversal dissipates some percent of the largest double, or more than it:
+ * the load that would exceed it is refused and leaves all as it was. */
 static void energy_does_not_overflow(void **state)
 {
     (void)state;
@@ -147,27 +150,31 @@ static void energy_does_not_overflow(void **state)
 
 /* ---- Memory ---- */
 
-/* In units in which the squares of loads are below the smallest double, and with hardly any friction or slip: exact powers of
- * two. */
+/* In units in which the squares of loads are below the smallest double, and with hardly any
+ * friction or slip: exact powers of two. */
 static void energy_does_not_underflow(void **state)
 {
     (void)state;
-    static const double CASES[][2] = {{0.5, 0.5}, {0.5, 1e-6}, {0.5, 1e-8}, {1e-20, 0.5}, {1e-30, 0.5}}; /* f, Q/(fP) */
+    /* f, Q/(fP) */
+    static const double CASES[][2] = {
+        {0.5, 0.5}, {0.5, 1e-6}, {0.5, 1e-8}, {1e-20, 0.5}, {1e-30, 0.5}};
     const int load_octaves = -490, compliance_octaves = 900;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++)
         for (double a = 0; a < 2; a += 0.3) {
-            const double f = CASES[i][0], P = ldexp(1, load_octaves), A_scaled = ldexp(1, compliance_octaves);
+            const double f = CASES[i][0], P = ldexp(1, load_octaves),
+                         A_scaled = ldexp(1, compliance_octaves);
             rwedge_contact *unit = NULL, *scaled = NULL;
             assert_int_equal(rwedge_contact_create(1, a, 1, f, &unit), RWEDGE_OK);
-            assert_int_equal(rwedge_contact_create(1, a * P * A_scaled, A_scaled, f, &scaled), RWEDGE_OK);
+            assert_int_equal(rwedge_contact_create(1, a * P * A_scaled, A_scaled, f, &scaled),
+                             RWEDGE_OK);
             load(unit, 1, 0);
             load(unit, 1, CASES[i][1] * f);
             load(scaled, P, 0);
             load(scaled, P, CASES[i][1] * f * P);
             const double expected = rwedge_contact_dissipated_energy(unit);
             assert_true(expected > 0);
-            assert_close(rwedge_contact_dissipated_energy(scaled), ldexp(expected, compliance_octaves + 2 * load_octaves),
-                         1e-15);
+            assert_close(rwedge_contact_dissipated_energy(scaled),
+                         ldexp(expected, compliance_octaves + 2 * load_octaves), 1e-15);
             rwedge_contact_destroy(unit);
             rwedge_contact_destroy(scaled);
         }
@@ -192,7 +199,8 @@ static void cycle_often(double P_low)
             slipped = slip(contact, 0.3);
         }
         if (i > 3)
-            assert_true(rwedge_contact_memory(contact) == size && contact->entries.count == entries);
+            assert_true(rwedge_contact_memory(contact) == size &&
+                        contact->entries.count == entries);
     }
     assert_true(size <= 3 && entries <= 2);
     assert_true(slipped != 0);
@@ -228,12 +236,14 @@ static void slip_is_continuous_where_its_front_meets_a_corner(void **state)
     rwedge_contact_destroy(nearly);
 }
 
-/* The end of the rounding far above the load at the start of a step, so that rounding errors of one are not those of the other:
- * the kink of the integrand there was once taken for smooth, an error of 7e-6. Expected by quadrature in 30 digits. */
+/* The end of the rounding far above the load at the start of a step, so that rounding errors of
+ * one are not those of the other: the kink of the integrand there was once taken for smooth, an
+ * error of 7e-6. Expected by quadrature in 30 digits. */
 static void a_rising_step_may_pass_the_end_of_the_rounding(void **state)
 {
     (void)state;
-    const double theta = 0.09523331859380775, a = 0.00057589523786758271, compliance = 0.0011329490948356104;
+    const double theta = 0.09523331859380775, a = 0.00057589523786758271,
+                 compliance = 0.0011329490948356104;
     const double f = 0.01627477655160316;
     rwedge_contact *contact = NULL;
     assert_int_equal(rwedge_contact_create(theta, a, compliance, f, &contact), RWEDGE_OK);
@@ -241,7 +251,8 @@ static void a_rising_step_may_pass_the_end_of_the_rounding(void **state)
     load(contact, 0.01094142393406048, 0.00017627942780223447);
     const double before = rwedge_contact_dissipated_energy(contact);
     load(contact, 0.92521132560419106, -0.015057607587220766);
-    assert_close(rwedge_contact_dissipated_energy(contact) - before, 2.53243954849457824e-09, 1e-13);
+    assert_close(rwedge_contact_dissipated_energy(contact) - before, 2.53243954849457824e-09,
+                 1e-13);
     rwedge_contact_destroy(contact);
 }
 
@@ -255,7 +266,8 @@ static void separation_forgets_all_but_the_energy(void **state)
     load(contact, 0, 0);
     assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_memory(contact) == 0);
     assert_true(pressure(contact, 0) == 0 && shear(contact, 0) == 0 && slip(contact, 0) == 0);
-    assert_true(rwedge_contact_dissipated_energy(contact) > energy); /* the edge slips back while it lifts */
+    /* the edge slips back while it lifts */
+    assert_true(rwedge_contact_dissipated_energy(contact) > energy);
     load(contact, 0.2, 0);
     assert_true(shear(contact, 0.1) == 0 && slip(contact, 0.1) == 0);
     assert_int_equal(rwedge_contact_memory(contact), 1);

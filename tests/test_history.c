@@ -21,7 +21,8 @@ static void assert_corner(const rw_path *path, size_t i, double load, double she
     assert_within(path->corners[i].shear, shear, 1e-15);
 }
 
-/* Mindlin: under a constant load each reversal adds a layer half as thick as the change of shear. */
+/* Mindlin: under a constant load each reversal adds a layer half as thick as the change of
+ * shear. */
 static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
 {
     (void)state;
@@ -46,8 +47,8 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
     rw_path_destroy(&path);
 }
 
-/* A cycle of Q under a P that is constant but for rounding, after a first load in proportion: what slips has |D| = 1 to the
- * last bit, or the stick zone would end at the edge. */
+/* A cycle of Q under a P that is constant but for rounding, after a first load in proportion:
+ * what slips has |D| = 1 to the last bit, or the stick zone would end at the edge. */
 static void rounding_of_the_load_hides_no_slip(void **state)
 {
     (void)state;
@@ -69,7 +70,8 @@ static void rounding_of_the_load_hides_no_slip(void **state)
         }
 }
 
-/* A load that slips by no more than rounding, back to where the path has a corner, leaves that corner the end. */
+/* A load that slips by no more than rounding, back to where the path has a corner, leaves that
+ * corner the end. */
 static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
 {
     (void)state;
@@ -92,7 +94,8 @@ static void a_rising_load_sticks_where_it_can(void **state)
     advance(&path, 2, -0.25);
     assert_int_equal(path.count, 3);
     assert_close(path.corners[2].ratio, -0.5, 1e-15);
-    advance(&path, 3, 1.75); /* steeper than friction: the line of slope 1 goes back to where it meets the path */
+    /* steeper than friction: the line of slope 1 goes back to where it meets the path */
+    advance(&path, 3, 1.75);
     assert_corner(&path, 2, 1 + 1.0 / 3, 0.25 - 0.5 / 3);
     assert_true(path.corners[3].ratio == 1);
     rw_path_destroy(&path);
@@ -124,7 +127,8 @@ static void collinear_steps_are_one(void **state)
         const double load = (double)i / steps;
         advance(&line, load, 0.3 * load);
         advance(&steep, 0.3 + load, 0.1 - load);
-        assert_true(rw_path_end(&steep)->ratio == -1); /* exactly: it says where friction is exhausted */
+        /* exactly: it says where friction is exhausted */
+        assert_true(rw_path_end(&steep)->ratio == -1);
     }
     assert_int_equal(line.count, 2);
     assert_int_equal(steep.count, 3);
@@ -145,7 +149,8 @@ static void a_slow_bend_is_not_straightened(void **state)
             advance(&bend, 1 + 1e-9 * i, sign * 0.5e-18 * i * (double)i);
         assert_true(bend.count < 1000);
         for (int i = 1; i <= steps; i += 7)
-            assert_within(rw_path_shear(&bend, 1 + 1e-9 * i), sign * 0.5e-18 * i * (double)i, 8 * DBL_EPSILON);
+            assert_within(rw_path_shear(&bend, 1 + 1e-9 * i), sign * 0.5e-18 * i * (double)i,
+                          8 * DBL_EPSILON);
         rw_path_destroy(&bend);
     }
 }
@@ -233,13 +238,16 @@ static void a_step_is_the_sum_of_its_parts(void **state)
                 continue;
             advance(&whole, load, shear);
             for (int i = 1; i < 8; i++)
-                advance(&parts, from_load + i * (load - from_load) / 8, from_shear + i * (shear - from_shear) / 8);
+                advance(&parts, from_load + i * (load - from_load) / 8,
+                        from_shear + i * (shear - from_shear) / 8);
             advance(&parts, load, shear);
             assert_true(rw_path_end(&whole)->load == load && rw_path_end(&parts)->load == load);
             for (int i = 0; i <= 20; i++)
-                assert_within(rw_path_shear(&whole, load * i / 20), rw_path_shear(&parts, load * i / 20), 1e-13);
+                assert_within(rw_path_shear(&whole, load * i / 20),
+                              rw_path_shear(&parts, load * i / 20), 1e-13);
             for (size_t i = 1; i < whole.count; i++)
-                assert_true(fabs(whole.corners[i].ratio) <= 1 && whole.corners[i].load > whole.corners[i - 1].load);
+                assert_true(fabs(whole.corners[i].ratio) <= 1 &&
+                            whole.corners[i].load > whole.corners[i - 1].load);
         }
         rw_path_destroy(&whole);
         rw_path_destroy(&parts);
@@ -257,8 +265,8 @@ static double load_of(double alpha, double half_width)
     return half_width * rwedge_load(alpha / half_width);
 }
 
-/* Flat punches of growing half-width t add up to the patch; each displaces by arcosh(x/t)/pi. By parts, with
- * t^2 = x^2 - w^2. */
+/* Flat punches of growing half-width t add up to the patch; each displaces by arcosh(x/t)/pi. By
+ * parts, with t^2 = x^2 - w^2. */
 static double punches(double w, const void *context)
 {
     const gap_case *g = context;
@@ -276,14 +284,16 @@ static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
             const gap_case g = {ALPHAS[i], XS[j]};
             const double end = sqrt((g.x - 1) * (g.x + 1));
             const bool corner = g.alpha > 1 && g.alpha < g.x;
-            const double points[] = {0, corner ? sqrt((g.x - g.alpha) * (g.x + g.alpha)) : end / 2, end};
+            const double points[] = {0, corner ? sqrt((g.x - g.alpha) * (g.x + g.alpha)) : end / 2,
+                                     end};
             rw_potential patch;
             rw_potential_init(&patch, g.alpha);
             assert_close(rw_gap(&patch, g.x), integral(punches, &g, 2, points), 1e-11);
         }
 }
 
-/* Next to the edge the gap is (2/(3 pi)) (phi0/alpha) X^3, which the closed form loses to cancellation. */
+/* Next to the edge the gap is (2/(3 pi)) (phi0/alpha) X^3, which the closed form loses to
+ * cancellation. */
 static void the_gap_opens_with_the_power_three_halves(void **state)
 {
     (void)state;
@@ -305,11 +315,13 @@ static void inside_its_patch_the_gap_is_closed(void **state)
     assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
 }
 
-/* Where the patch is a point, what it deforms is a part log(x)/x of the profile, and x^2 overflows. */
+/* Where the patch is a point, what it deforms is a part log(x)/x of the profile, and x^2
+ * overflows. */
 static void far_from_its_patch_the_gap_is_the_profile(void **state)
 {
     (void)state;
-    static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250}, XS[] = {1e20, 1e154, 1e200, 1e280};
+    static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250},
+                        XS[] = {1e20, 1e154, 1e200, 1e280};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
         for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
             rw_potential patch;

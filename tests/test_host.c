@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a call leaves behind in its host: nothing. Over a grid of extreme arguments errno stays what it was, no valid call
- * raises invalid, division by zero or overflow (which a host may have made to trap), none clears an exception that the host has
- * raised, and RWEDGE_OK means finite. */
+/* What a call leaves behind in its host: nothing. Over a grid of extreme arguments errno stays
+ * what it was, no valid call raises invalid, division by zero or overflow (which a host may have
+ * made to trap), none clears an exception that the host has raised, and RWEDGE_OK means finite. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -14,13 +14,19 @@
 
 enum { MARK = 12345 }; /* an errno that nobody sets */
 
-enum { TROUBLE = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, EVERYTHING = TROUBLE | FE_UNDERFLOW | FE_INEXACT };
+enum {
+    TROUBLE = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW,
+    EVERYTHING = TROUBLE | FE_UNDERFLOW | FE_INEXACT
+};
 
-static const double ratios[] = {0,    5e-324, 1e-310, 1e-200, 7.9e-265, 1e-120, 1e-60,   1e-16,       1e-14, 3e-9,
-                                1e-6, 1e-3,   0.25,   0.5,    0.9999,   1 - DBL_EPSILON, 1, 1 + DBL_EPSILON, 2,  100,
-                                1e10, 1e160,  DBL_MAX};
-static const double frictions[] = {0, 5e-324, 1e-200, 1e-90, 1e-20, 1e-8, 0.01, 0.1, 0.3, 0.55, 1, 2, 100, 1e6};
-static const double poissons[] = {0, 0.1, 0.25, 0.3, 0.3605, 0.49, 0.5 - 1e-9, 0.5 - DBL_EPSILON / 4, 0.5};
+static const double ratios[] = {
+    0,    5e-324, 1e-310, 1e-200, 7.9e-265, 1e-120, 1e-60,           1e-16, 1e-14,
+    3e-9, 1e-6,   1e-3,   0.25,   0.5,      0.9999, 1 - DBL_EPSILON, 1,     1 + DBL_EPSILON,
+    2,    100,    1e10,   1e160,  DBL_MAX};
+static const double frictions[] = {0,   5e-324, 1e-200, 1e-90, 1e-20, 1e-8, 0.01,
+                                   0.1, 0.3,    0.55,   1,     2,     100,  1e6};
+static const double poissons[] = {
+    0, 0.1, 0.25, 0.3, 0.3605, 0.49, 0.5 - 1e-9, 0.5 - DBL_EPSILON / 4, 0.5};
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 static void begin(void)
@@ -34,12 +40,14 @@ static void end(const char *what, double a, double b, double c, double value)
 {
     const int raised = fetestexcept(TROUBLE);
     if (errno != MARK || raised || !isfinite(value))
-        fail_msg("%s(%g, %g, %g) = %g: errno %d, exceptions:%s%s%s", what, a, b, c, value, errno == MARK ? 0 : errno,
-                 raised & FE_INVALID ? " invalid" : "", raised & FE_DIVBYZERO ? " division by zero" : "",
+        fail_msg("%s(%g, %g, %g) = %g: errno %d, exceptions:%s%s%s", what, a, b, c, value,
+                 errno == MARK ? 0 : errno, raised & FE_INVALID ? " invalid" : "",
+                 raised & FE_DIVBYZERO ? " division by zero" : "",
                  raised & FE_OVERFLOW ? " overflow" : "");
 }
 
-/* A host that has raised every exception: by its arithmetic, so that they are where the library's are. */
+/* A host that has raised every exception: by its arithmetic, so that they are where the
+ * library's are. */
 static void begin_raised(void)
 {
     volatile double zero = 0, most = DBL_MAX, least = DBL_MIN, sink;
@@ -55,22 +63,24 @@ static void end_raised(const char *what, double a, double b, double c)
 {
     const int cleared = EVERYTHING & ~fetestexcept(EVERYTHING);
     if (errno != MARK || cleared)
-        fail_msg("%s(%g, %g, %g) in a host with all exceptions raised: errno %d, cleared:%s%s%s%s%s", what, a, b, c,
-                 errno == MARK ? 0 : errno, cleared & FE_INVALID ? " invalid" : "",
-                 cleared & FE_DIVBYZERO ? " division by zero" : "", cleared & FE_OVERFLOW ? " overflow" : "",
-                 cleared & FE_UNDERFLOW ? " underflow" : "", cleared & FE_INEXACT ? " inexact" : "");
+        fail_msg(
+            "%s(%g, %g, %g) in a host with all exceptions raised: errno %d, cleared:%s%s%s%s%s",
+            what, a, b, c, errno == MARK ? 0 : errno, cleared & FE_INVALID ? " invalid" : "",
+            cleared & FE_DIVBYZERO ? " division by zero" : "",
+            cleared & FE_OVERFLOW ? " overflow" : "", cleared & FE_UNDERFLOW ? " underflow" : "",
+            cleared & FE_INEXACT ? " inexact" : "");
 }
 
 /* Called twice: in a host without exceptions, and in one that has raised them all. */
-#define SPARES_THE_HOST(call, a, b, c)                                                                                         \
-    do {                                                                                                                       \
-        begin();                                                                                                               \
-        const double value = (call);                                                                                           \
-        end(#call, (a), (b), (c), value);                                                                                      \
-        begin_raised();                                                                                                        \
-        const double again = (call);                                                                                           \
-        end_raised(#call, (a), (b), (c));                                                                                      \
-        assert_true(again == value);                                                                                           \
+#define SPARES_THE_HOST(call, a, b, c)                                                             \
+    do {                                                                                           \
+        begin();                                                                                   \
+        const double value = (call);                                                               \
+        end(#call, (a), (b), (c), value);                                                          \
+        begin_raised();                                                                            \
+        const double again = (call);                                                               \
+        end_raised(#call, (a), (b), (c));                                                          \
+        assert_true(again == value);                                                               \
     } while (0)
 
 /* What begin_raised() raises is all there is to clear: else the claims above claim less. */
@@ -114,7 +124,8 @@ static void formulas_spare_the_host(void **state)
 static double sum_of_stress(double alpha, double c, double x, double y)
 {
     double s[3] = {NAN, NAN, NAN};
-    return rwedge_stress(alpha, 0.5, c, x, y, &s[0], &s[1], &s[2]) == RWEDGE_OK ? s[0] + s[1] + s[2] : NAN;
+    return rwedge_stress(alpha, 0.5, c, x, y, &s[0], &s[1], &s[2]) == RWEDGE_OK ? s[0] + s[1] + s[2]
+                                                                                : NAN;
 }
 
 static void stresses_spare_the_host(void **state)
@@ -125,8 +136,8 @@ static void stresses_spare_the_host(void **state)
             for (size_t k = 0; k < COUNT(ratios); k++)
                 for (size_t l = 0; l < COUNT(ratios); l++)
                     if (ratios[i] > 0 || ratios[k] > 0 || ratios[l] > 0)
-                        SPARES_THE_HOST(sum_of_stress(ratios[i], ratios[j], ratios[k], ratios[l]), ratios[i], ratios[k],
-                                        ratios[l]);
+                        SPARES_THE_HOST(sum_of_stress(ratios[i], ratios[j], ratios[k], ratios[l]),
+                                        ratios[i], ratios[k], ratios[l]);
 }
 
 /* 0 where a branch is absent: that is an answer. */
@@ -154,8 +165,10 @@ static void strength_spares_the_host(void **state)
             continue;
         for (size_t k = 0; k < COUNT(poissons); k++) {
             for (size_t j = 0; j < COUNT(frictions); j++)
-                SPARES_THE_HOST(sum_of_yield(ratios[i], frictions[j], poissons[k]), ratios[i], frictions[j], poissons[k]);
-            SPARES_THE_HOST(rwedge_critical_friction(ratios[i], poissons[k]), ratios[i], poissons[k], 0);
+                SPARES_THE_HOST(sum_of_yield(ratios[i], frictions[j], poissons[k]), ratios[i],
+                                frictions[j], poissons[k]);
+            SPARES_THE_HOST(rwedge_critical_friction(ratios[i], poissons[k]), ratios[i],
+                            poissons[k], 0);
         }
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The logarithms and angles of lib/logarithm.h against the math library's in long double: the error that it states, in units
- * of the last digit. */
+/* The logarithms and angles of lib/logarithm.h against the math library's in long double: the
+ * error that it states, in units of the last digit. */
 #include "claims.h"
 #include "logarithm.h"
 
@@ -58,7 +58,8 @@ static void angles_are_as_accurate_as_stated(void **state)
     uint64_t seed = 2;
     for (size_t k = 0; k < sizeof ranges / sizeof ranges[0]; k++)
         for (int i = 0; i < 100000; i++) {
-            const double x = i % 2 ? 1 : -1, y = (i % 4 < 2 ? 1 : -1) * power_of_two(-ranges[k], ranges[k], &seed);
+            const double x = i % 2 ? 1 : -1,
+                         y = (i % 4 < 2 ? 1 : -1) * power_of_two(-ranges[k], ranges[k], &seed);
             assert_within(units(rw_angle(x, y), atan2l(y, x)), 0, STATED);
         }
 }
@@ -87,7 +88,8 @@ static void quotients_by_a_small_parameter_are_relative(void **state)
         const long double angle = atanl(a) / a, logarithm = log1pl(a) / a;
         assert_within(units(rw_angle_over(1, 1, a, 1 / a), angle), 0, STATED_DIVIDED);
         if (p - 1 == difference) /* 1 + a is exact */
-            assert_within(units(rw_log_of_quotient_over(p, 1, 1, a, 1 / a), logarithm), 0, STATED_DIVIDED);
+            assert_within(units(rw_log_of_quotient_over(p, 1, 1, a, 1 / a), logarithm), 0,
+                          STATED_DIVIDED);
     }
     assert_within(rw_angle_over(1, 1, 0, 0), 1, 0);
     assert_within(rw_log_of_quotient_over(1, 1, 1, 0, 0), 1, 0);

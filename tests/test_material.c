@@ -8,15 +8,19 @@
 static void compliance_is_equation_2(void **state)
 {
     (void)state;
-    assert_close(rwedge_compliance(200e3, 0.3, 200e3, 0.3), 1.82e-5, 4 * DBL_EPSILON); /* 4 * 0.91 / 200e3 */
-    assert_close(rwedge_compliance(200, 0, 100, 0.5), 0.025, 4 * DBL_EPSILON);         /* 0.01 + 0.015 */
-    assert_close(rwedge_compliance(HUGE_VAL, 0.3, 100, 0.5), 0.015, 4 * DBL_EPSILON);  /* rigid wedge */
+    /* 4 * 0.91 / 200e3 */
+    assert_close(rwedge_compliance(200e3, 0.3, 200e3, 0.3), 1.82e-5, 4 * DBL_EPSILON);
+    /* 0.01 + 0.015 */
+    assert_close(rwedge_compliance(200, 0, 100, 0.5), 0.025, 4 * DBL_EPSILON);
+    /* rigid wedge */
+    assert_close(rwedge_compliance(HUGE_VAL, 0.3, 100, 0.5), 0.015, 4 * DBL_EPSILON);
 }
 
 /* Dundurs' definition with shear moduli and Kolosov constants. */
 static double beta_by_definition(double E1, double nu1, double E2, double nu2)
 {
-    const double mu1 = E1 / (2 * (1 + nu1)), mu2 = E2 / (2 * (1 + nu2)), k1 = 3 - 4 * nu1, k2 = 3 - 4 * nu2;
+    const double mu1 = E1 / (2 * (1 + nu1)), mu2 = E2 / (2 * (1 + nu2)), k1 = 3 - 4 * nu1,
+                 k2 = 3 - 4 * nu2;
     return (mu1 * (k2 - 1) - mu2 * (k1 - 1)) / (mu1 * (k2 + 1) + mu2 * (k1 + 1));
 }
 
@@ -32,13 +36,15 @@ static void beta_is_dundurs(void **state)
         assert_within(beta, -rwedge_dundurs_beta(E2, nu2, E1, nu1), 4 * DBL_EPSILON);
     }
     assert_within(rwedge_dundurs_beta(7, 0.3, 7, 0.3), 0, 0);
-    assert_within(rwedge_dundurs_beta(HUGE_VAL, 0.1, 7, 0), 0.5, DBL_EPSILON); /* the corner of Dundurs' parallelogram */
+    /* the corner of Dundurs' parallelogram */
+    assert_within(rwedge_dundurs_beta(HUGE_VAL, 0.1, 7, 0), 0.5, DBL_EPSILON);
 }
 
 static void bad_materials_are_not_numbers(void **state)
 {
     (void)state;
-    const double bad_E[] = {NAN, -HUGE_VAL, -1, -0.5, 0}, bad_nu[] = {NAN, HUGE_VAL, -1, 0.5000001, 3};
+    const double bad_E[] = {NAN, -HUGE_VAL, -1, -0.5, 0},
+                 bad_nu[] = {NAN, HUGE_VAL, -1, 0.5000001, 3};
     for (size_t i = 0; i < sizeof bad_E / sizeof bad_E[0]; i++) {
         assert_nan(rwedge_compliance(bad_E[i], 0.3, 1, 0.3));
         assert_nan(rwedge_compliance(1, 0.3, bad_E[i], 0.3));

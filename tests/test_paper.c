@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the paper says of its results, and what is wrong in its print: E1 ... E9 of lib/README.md, each with the corrected
- * form right and, where the printed one says something definite, that one wrong. */
+/* What the paper says of its results, and what is wrong in its print: E1 ... E9 of
+ * lib/README.md, each with the corrected form right and, where the printed one says something
+ * definite, that one wrong. */
 #include "claims.h"
 #include "quadrature.h"
 #include "rwedge.h"
@@ -15,7 +16,8 @@ static void yield_at(double alpha, double f, double *limit, double *x, double *y
     assert_int_equal(rwedge_yield_point(alpha, f, 0.3, limit, x, y), RWEDGE_OK);
 }
 
-/* Sec. 5.1: "P/(bk) is about 3 ... about 60 % of the Hertzian case" at a/b = 0.1; depth 0.7 b for Hertz. */
+/* Sec. 5.1: "P/(bk) is about 3 ... about 60 % of the Hertzian case" at a/b = 0.1; depth 0.7 b
+ * for Hertz. */
 static void a_tenth_of_rounding_keeps_sixty_percent_of_the_strength(void **state)
 {
     (void)state;
@@ -35,10 +37,12 @@ static void strength_falls_with_the_tip(void **state)
 {
     (void)state;
     for (double alpha = 0.1; alpha < 0.95; alpha += 0.1)
-        assert_true(rwedge_elastic_limit(alpha, 0, 0.3) < rwedge_elastic_limit(alpha + 0.1, 0, 0.3));
+        assert_true(rwedge_elastic_limit(alpha, 0, 0.3) <
+                    rwedge_elastic_limit(alpha + 0.1, 0, 0.3));
 }
 
-/* Sec. 5.2: subsurface for "small coefficients of friction, less than about 0.3"; the cusp is at smaller f for smaller tips. */
+/* Sec. 5.2: subsurface for "small coefficients of friction, less than about 0.3"; the cusp is at
+ * smaller f for smaller tips. */
 static void cusps_of_figure_4(void **state)
 {
     (void)state;
@@ -46,7 +50,8 @@ static void cusps_of_figure_4(void **state)
     for (int i = 0; i < 3; i++) {
         const double f = rwedge_critical_friction(cusp[i][0], 0.3), h = 1e-4;
         assert_within(f, cusp[i][1], 6e-5);
-        const double before = rwedge_elastic_limit(cusp[i][0], f - h, 0.3), at = rwedge_elastic_limit(cusp[i][0], f, 0.3),
+        const double before = rwedge_elastic_limit(cusp[i][0], f - h, 0.3),
+                     at = rwedge_elastic_limit(cusp[i][0], f, 0.3),
                      after = rwedge_elastic_limit(cusp[i][0], f + h, 0.3);
         assert_true((at - after) > 2 * (before - at)); /* a kink: it falls abruptly from there */
     }
@@ -57,8 +62,10 @@ static void friction_evens_out_the_tips(void **state)
 {
     (void)state;
     for (double alpha = 0.1; alpha < 0.95; alpha += 0.2) {
-        const double without = rwedge_elastic_limit(1, 0, 0.3) - rwedge_elastic_limit(alpha, 0, 0.3);
-        const double with = rwedge_elastic_limit(1, 0.8, 0.3) - rwedge_elastic_limit(alpha, 0.8, 0.3);
+        const double without =
+            rwedge_elastic_limit(1, 0, 0.3) - rwedge_elastic_limit(alpha, 0, 0.3);
+        const double with =
+            rwedge_elastic_limit(1, 0.8, 0.3) - rwedge_elastic_limit(alpha, 0.8, 0.3);
         assert_true(with < without && with > 0);
     }
 }
@@ -84,10 +91,12 @@ static void partial_slip_of_figure_7(void **state)
         assert_within(rwedge_stick_width(0.25, Q), c[i], 1e-14);
         assert_close(rwedge_shear(0.25, c[i], 0.8), rwedge_pressure(0.25, 0.8), 0);
     }
-    assert_close(rwedge_shear(0.25, 1.0 / 6, 0), rwedge_pressure(0.25, 0) + 2.0 / 3, 1e-14); /* c/a, Eq. (23) */
+    /* c/a, Eq. (23) */
+    assert_close(rwedge_shear(0.25, 1.0 / 6, 0), rwedge_pressure(0.25, 0) + 2.0 / 3, 1e-14);
 }
 
-/* Sec. 5.3: full sliding is "likely" the worst: J2 at its yield point and around is lower in partial slip. */
+/* Sec. 5.3: full sliding is "likely" the worst: J2 at its yield point and around is lower in
+ * partial slip. */
 static void sliding_is_weaker_than_partial_slip(void **state)
 {
     (void)state;
@@ -98,7 +107,8 @@ static void sliding_is_weaker_than_partial_slip(void **state)
                 for (double x = -1.2; x <= 1.2; x += 0.02)
                     for (double y = 0; y < 1; y += 0.02) {
                         double sxx, syy, txy;
-                        assert_int_equal(rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy), RWEDGE_OK);
+                        assert_int_equal(rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy),
+                                         RWEDGE_OK);
                         const double D = (sxx - syy) / 2, s = (sxx + syy) / 2;
                         assert_true(D * D + txy * txy + 0.16 / 3 * s * s <= largest * (1 + 1e-13));
                     }
@@ -165,7 +175,8 @@ static void E4_the_corrective_potential_is_real_on_the_axis_outside(void **state
 {
     (void)state;
     const double points[] = {-1, 1}, z = -3;
-    const double series = -0.5 * (z + sqrt(z * z - 1)); /* -(1/2) b_0 R(z), R = z - sgn(z) sqrt(z^2-1) */
+    /* -(1/2) b_0 R(z), R = z - sgn(z) sqrt(z^2-1) */
+    const double series = -0.5 * (z + sqrt(z * z - 1));
     const double value = integral(corrective, NULL, 1, points);
     assert_close(-value / (2 * PI), series, 1e-12);
     assert_true(cabs(-value / (2 * PI * I) - series) > 0.1);
@@ -174,7 +185,8 @@ static void E4_the_corrective_potential_is_real_on_the_axis_outside(void **state
 static void E5_E6_a_is_the_contact_half_width(void **state)
 {
     (void)state;
-    /* E5: at the trailing edge of a contact with a/b = 0.2, sigma is 2 f theta/A: times b/(fP), not a/(fP) */
+    /* E5: at the trailing edge of a contact with a/b = 0.2, sigma is 2 f theta/A: times b/(fP),
+     * not a/(fP) */
     double sxx, syy, txy;
     const double alpha = 0.2, f = 0.4;
     assert_int_equal(rwedge_stress(alpha, f, 0, -1, 0, &sxx, &syy, &txy), RWEDGE_OK);
@@ -198,8 +210,8 @@ static double shear_at(double t, const void *context)
     return rwedge_shear(s->alpha, s->c, t);
 }
 
-/* E7: q opposes the slip in the slip zones; in the stick zone there is none. Eq. (17): the relative displacement's gradient
- * is (1/pi) int q/(x-t) dt. */
+/* E7: q opposes the slip in the slip zones; in the stick zone there is none. Eq. (17): the
+ * relative displacement's gradient is (1/pi) int q/(x-t) dt. */
 static void E7_slip_is_where_the_tractions_are_limited(void **state)
 {
     (void)state;
@@ -209,7 +221,8 @@ static void E7_slip_is_where_the_tractions_are_limited(void **state)
         if (x < 0.5)
             assert_within(gradient, 0, 1e-6);
         else
-            assert_true(gradient < -1e-3); /* from 0 at the stick zone the displacement has one sign: that of q < 0 */
+            /* from 0 at the stick zone the displacement has one sign: that of q < 0 */
+            assert_true(gradient < -1e-3);
     }
 }
 
@@ -228,7 +241,8 @@ static void E8_moduli_of_the_appendix(void **state)
     assert_true(fabs((-printed + rest) / PI - rwedge_pressure(alpha, x)) > 0.1);
 }
 
-/* E9: with q = f p the tension is at x = -b, and the yield point moves to x > 0, towards the leading edge. */
+/* E9: with q = f p the tension is at x = -b, and the yield point moves to x > 0, towards the
+ * leading edge. */
 static void E9_the_yield_point_moves_to_the_leading_edge(void **state)
 {
     (void)state;
@@ -244,9 +258,10 @@ static void E9_the_yield_point_moves_to_the_leading_edge(void **state)
         yield_at(alpha, 0.1, &limit, &x, &y);
         flamant_stress(&t, x, y, here);
         flamant_stress(&t, -x, y, mirrored);
-        const double J2_here = pow((here[0] - here[1]) / 2, 2) + pow(here[2], 2) + 0.04 / 3 * pow(here[0] + here[1], 2);
-        const double J2_mirrored =
-            pow((mirrored[0] - mirrored[1]) / 2, 2) + pow(mirrored[2], 2) + 0.04 / 3 * pow(mirrored[0] + mirrored[1], 2);
+        const double J2_here = pow((here[0] - here[1]) / 2, 2) + pow(here[2], 2) +
+                               0.04 / 3 * pow(here[0] + here[1], 2);
+        const double J2_mirrored = pow((mirrored[0] - mirrored[1]) / 2, 2) + pow(mirrored[2], 2) +
+                                   0.04 / 3 * pow(mirrored[0] + mirrored[1], 2);
         assert_true(J2_here > 1.01 * J2_mirrored);
     }
 }

@@ -30,8 +30,10 @@ static void named_pressures_are_the_pressure_there(void **state)
 {
     (void)state;
     for (double alpha = 1e-6; alpha < 1; alpha *= 1.7) {
-        assert_close(rwedge_peak_pressure(alpha), -rwedge_pressure(alpha, 0), 1e-14);              /* Eq. (10) */
-        assert_close(rwedge_transition_pressure(alpha), -rwedge_pressure(alpha, alpha), 1e-14);    /* Eq. (9) */
+        /* Eq. (10) */
+        assert_close(rwedge_peak_pressure(alpha), -rwedge_pressure(alpha, 0), 1e-14);
+        /* Eq. (9) */
+        assert_close(rwedge_transition_pressure(alpha), -rwedge_pressure(alpha, alpha), 1e-14);
     }
 }
 
@@ -45,7 +47,8 @@ static double profile_in_tau(double tau, const void *context)
     const inversion *c = context;
     const double slope = -fmax(-1, fmin(1, sin(tau) / c->alpha));
     const double half_difference = (tau - c->at) / 2;
-    const double ratio = fabs(half_difference) < 1e-150 ? 1 : half_difference / sin(half_difference);
+    const double ratio =
+        fabs(half_difference) < 1e-150 ? 1 : half_difference / sin(half_difference);
     return slope * ratio / cos((tau + c->at) / 2);
 }
 
@@ -56,7 +59,8 @@ static void pressure_is_the_inverted_integral(void **state)
         for (double x = 0.03; x < 1; x += 0.11) {
             const inversion c = {alpha, asin(x)};
             const double value = principal_value(profile_in_tau, &c, -PI / 2, PI / 2, c.at);
-            assert_close(rwedge_pressure(alpha, x), sqrt(1 - x * x) / PI * value, 1e-8); /* limited by the kinks at +-alpha */
+            /* limited by the kinks at +-alpha */
+            assert_close(rwedge_pressure(alpha, x), sqrt(1 - x * x) / PI * value, 1e-8);
         }
 }
 
@@ -71,7 +75,8 @@ static void pressure_integrates_to_the_load(void **state)
     const double alphas[] = {1e-6, 1e-3, 0.05, 0.3, 0.9, 1 - 1e-9, 1, 3};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
         const double points[] = {0, asin(fmin(1, alphas[i])), PI / 2};
-        assert_close(-2 * integral(pressure_in_phi, &alphas[i], 2, points), rwedge_load(alphas[i]), 1e-12);
+        assert_close(-2 * integral(pressure_in_phi, &alphas[i], 2, points), rwedge_load(alphas[i]),
+                     1e-12);
     }
 }
 
@@ -79,16 +84,20 @@ static void pressure_has_its_limits(void **state)
 {
     (void)state;
     for (double x = 0.05; x < 1; x += 0.1) {
-        assert_close(rwedge_pressure(2, x), -sqrt(1 - x * x) / 2, 1e-15);                        /* Eq. (12) */
-        assert_close(rwedge_pressure(0, x), -2 / PI * acosh(1 / x), 1e-14);                      /* Eq. (14) */
+        /* Eq. (12) */
+        assert_close(rwedge_pressure(2, x), -sqrt(1 - x * x) / 2, 1e-15);
+        /* Eq. (14) */
+        assert_close(rwedge_pressure(0, x), -2 / PI * acosh(1 / x), 1e-14);
         assert_close(rwedge_pressure(1e-9, x), -2 / PI * acosh(1 / x), 1e-14);
         assert_close(rwedge_pressure(1 - 1e-15, x), -sqrt(1 - x * x), 1e-14);
         assert_close(rwedge_pressure(0.3, -x), rwedge_pressure(0.3, x), 0);
     }
-    assert_close(rwedge_peak_pressure(1e-6), 2 / PI * (1 - log(1e-6 / 2)), 1e-12);               /* Eq. (16) */
+    /* Eq. (16) */
+    assert_close(rwedge_peak_pressure(1e-6), 2 / PI * (1 - log(1e-6 / 2)), 1e-12);
     assert_close(rwedge_pressure(0, 1e-310), -2 / PI * (log(2) - log(1e-310)), 1e-14);
     assert_close(rwedge_pressure(1e-310, 0.5), rwedge_pressure(0, 0.5), 0);
-    assert_close(rwedge_pressure(1e-200, 1e-200), -2 / PI * (1 - log(1e-200)), 1e-14); /* Eq. (9) for a small tip */
+    /* Eq. (9) for a small tip */
+    assert_close(rwedge_pressure(1e-200, 1e-200), -2 / PI * (1 - log(1e-200)), 1e-14);
 }
 
 static void pressure_vanishes_outside(void **state)

@@ -12,7 +12,8 @@ static void coefficients_match_reference(void **state)
     (void)state;
     reference table = reference_open("coefficients.csv");
     while (reference_next(&table))
-        assert_close(rwedge_coefficient(table.cell[0], (int32_t)table.cell[1]), table.cell[2], 1e-14);
+        assert_close(rwedge_coefficient(table.cell[0], (int32_t)table.cell[1]), table.cell[2],
+                     1e-14);
     assert_int_equal(table.row, 300);
 }
 
@@ -35,7 +36,8 @@ static void coefficients_are_projections_of_the_pressure(void **state)
         for (int n = 0; n < 6; n++) {
             const projection c = {alpha, n};
             const double points[] = {0, acos(alpha), PI / 2};
-            assert_within(rwedge_coefficient(alpha, n), -4 / PI * integral(projected, &c, 2, points), 1e-12);
+            assert_within(rwedge_coefficient(alpha, n),
+                          -4 / PI * integral(projected, &c, 2, points), 1e-12);
         }
 }
 
@@ -47,7 +49,8 @@ static void coefficients_have_their_limits(void **state)
         assert_close(rwedge_coefficient(0, n), sharp, 1e-15);
         assert_close(rwedge_coefficient(1e-13, n), sharp, 1e-15);
         assert_within(rwedge_coefficient(1, n), 0, 0);
-        const double c0 = sqrt(2e-12); /* alpha = 1 - 1e-12: b_n = -(4/(3 pi)) c0^3 while n c0 is small */
+        /* alpha = 1 - 1e-12: b_n = -(4/(3 pi)) c0^3 while n c0 is small */
+        const double c0 = sqrt(2e-12);
         assert_close(rwedge_coefficient(1 - 1e-12, n), -4 / (3 * PI) * c0 * c0 * c0, 1e-4);
     }
     assert_close(rwedge_coefficient(0, 0), 4 / PI, 1e-15);
@@ -73,8 +76,10 @@ static void series_and_closed_form_agree(void **state)
         for (int k = 0; k < 50; k++) {
             const double x = 4 * random_fraction(&seed) - 2, y = 0.1 + 3 * random_fraction(&seed);
             double a[3], b[3];
-            assert_int_equal(rwedge_series_stress(series, 0.4, x, y, &a[0], &a[1], &a[2]), RWEDGE_OK);
-            assert_int_equal(rwedge_stress(alphas[i], 0.4, 0, x, y, &b[0], &b[1], &b[2]), RWEDGE_OK);
+            assert_int_equal(rwedge_series_stress(series, 0.4, x, y, &a[0], &a[1], &a[2]),
+                             RWEDGE_OK);
+            assert_int_equal(rwedge_stress(alphas[i], 0.4, 0, x, y, &b[0], &b[1], &b[2]),
+                             RWEDGE_OK);
             for (int j = 0; j < 3; j++)
                 assert_within(a[j], b[j], 1e-13);
         }
@@ -89,8 +94,10 @@ static void far_away_the_series_is_the_closed_form(void **state)
     const double far[] = {10, 1e4, 1e9, 1e150, 1e300};
     for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
         double a[3], b[3];
-        assert_int_equal(rwedge_series_stress(series, 0.4, -far[i], far[i], &a[0], &a[1], &a[2]), RWEDGE_OK);
-        assert_int_equal(rwedge_stress(0.3, 0.4, 0, -far[i], far[i], &b[0], &b[1], &b[2]), RWEDGE_OK);
+        assert_int_equal(rwedge_series_stress(series, 0.4, -far[i], far[i], &a[0], &a[1], &a[2]),
+                         RWEDGE_OK);
+        assert_int_equal(rwedge_stress(0.3, 0.4, 0, -far[i], far[i], &b[0], &b[1], &b[2]),
+                         RWEDGE_OK);
         for (int j = 0; j < 3; j++)
             assert_within(a[j], b[j], 1e-14 / far[i]);
     }
@@ -130,7 +137,8 @@ static void truncation_is_bounded(void **state)
             assert_true(cut <= bound);
             assert_true(bound < 10 * cut); /* and the bound is worth having */
             for (double x = 0.05; x < 1; x += 0.1)
-                assert_within(rwedge_series_pressure(series, x), rwedge_pressure(alphas[i], x), bound);
+                assert_within(rwedge_series_pressure(series, x), rwedge_pressure(alphas[i], x),
+                              bound);
             rwedge_series_destroy(series);
         }
     rwedge_series *hertz = analytic(1.5, 1), *sharp = analytic(0, 10);
@@ -148,7 +156,8 @@ static void chebyshev_points(double x[SAMPLES])
         x[i] = cos(PI * (i + 0.5) / SAMPLES);
 }
 
-/* An uneven pressure of three terms, U_0, U_1, U_4, is recovered whole; its stresses are Flamant's. */
+/* An uneven pressure of three terms, U_0, U_1, U_4, is recovered whole; its stresses are
+ * Flamant's. */
 static void fit_recovers_an_uneven_pressure(void **state)
 {
     (void)state;
@@ -167,7 +176,9 @@ static void fit_recovers_an_uneven_pressure(void **state)
     assert_within(rwedge_series_residual(series), 0, 1e-14);
     assert_within(rwedge_series_coefficient(series, 12), 0, 0);
     double s[3], surface[3];
-    assert_int_equal(rwedge_series_stress(series, 0.2, 0.37, 0, &surface[0], &surface[1], &surface[2]), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_series_stress(series, 0.2, 0.37, 0, &surface[0], &surface[1], &surface[2]),
+        RWEDGE_OK);
     assert_within(surface[1], rwedge_series_pressure(series, 0.37), 1e-15);
     assert_within(surface[2], 0.2 * rwedge_series_pressure(series, 0.37), 1e-15);
     assert_int_equal(rwedge_series_stress(series, 0, 0, 1e6, &s[0], &s[1], &s[2]), RWEDGE_OK);
@@ -175,7 +186,8 @@ static void fit_recovers_an_uneven_pressure(void **state)
     rwedge_series_destroy(series);
 }
 
-/* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed form has. */
+/* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed
+ * form has. */
 static void fit_approaches_the_closed_form(void **state)
 {
     (void)state;
@@ -188,7 +200,8 @@ static void fit_approaches_the_closed_form(void **state)
         assert_int_equal(rwedge_series_fit(SAMPLES, x, p, k ? 121 : 31, &series), RWEDGE_OK);
         residual[k] = rwedge_series_residual(series);
         double a[3], b[3];
-        assert_int_equal(rwedge_series_stress(series, 0.3, 0.2, 0.5, &a[0], &a[1], &a[2]), RWEDGE_OK);
+        assert_int_equal(rwedge_series_stress(series, 0.3, 0.2, 0.5, &a[0], &a[1], &a[2]),
+                         RWEDGE_OK);
         assert_int_equal(rwedge_stress(0.4, 0.3, 0, 0.2, 0.5, &b[0], &b[1], &b[2]), RWEDGE_OK);
         for (int j = 0; j < 3; j++)
             assert_within(a[j], b[j], k ? 1e-5 : 1e-4);
@@ -208,7 +221,8 @@ static void rank_deficiency_is_refused(void **state)
         p[i] = -1;
     }
     assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 21, &series), RWEDGE_ERANK);
-    assert_int_equal(rwedge_series_fit(20, x, p, 21, &series), RWEDGE_ERANK); /* fewer samples than terms */
+    /* fewer samples than terms */
+    assert_int_equal(rwedge_series_fit(20, x, p, 21, &series), RWEDGE_ERANK);
     for (int i = 0; i < SAMPLES; i++)
         x[i] = 1e-6 * i / SAMPLES; /* clustered: independent in exact arithmetic only */
     assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 21, &series), RWEDGE_ERANK);
@@ -283,30 +297,33 @@ static void missing_outputs_are_refused(void **state)
     rwedge_series_destroy(series);
 }
 
-/* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)), and their sum from n = N on is that of 2/(pi n) up to
- * n = 1/(2 alpha), all but: a logarithm. */
+/* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)), and their sum from n = N on
+ * is that of 2/(pi n) up to n = 1/(2 alpha), all but: a logarithm. */
 static void the_smallest_tips_have_a_bound_too(void **state)
 {
     (void)state;
     for (int decade = 290; decade < 323; decade++) {
         const double alpha = pow(10, -decade), N = 10;
         rwedge_series *series = analytic(alpha, 20);
-        const double sum = 2 / PI * (-log(2 * alpha) - log(N)), bound = rwedge_series_residual(series);
+        const double sum = 2 / PI * (-log(2 * alpha) - log(N)),
+                     bound = rwedge_series_residual(series);
         assert_true(bound >= sum);
         assert_close(bound, sum, 0.02);
         rwedge_series_destroy(series);
     }
 }
 
-/* Samples of any size: the fit is in proportion to them, and refused where its sums might overflow. The residual of a sample
- * that no term fits, -sin(3t) for two terms, is its root mean square over Chebyshev's points, sqrt(1/2). */
+/* Samples of any size: the fit is in proportion to them, and refused where its sums might
+ * overflow. The residual of a sample that no term fits, -sin(3t) for two terms, is its root mean
+ * square over Chebyshev's points, sqrt(1/2). */
 static void fits_scale_with_the_samples(void **state)
 {
     (void)state;
     double x[SAMPLES], p[SAMPLES];
     chebyshev_points(x);
     for (int exponent = -1060; exponent <= 1020; exponent += 40) {
-        const double unit = ldexp(1, exponent), rounding = exponent < -1000 ? ldexp(1, -1074 - exponent) : 0;
+        const double unit = ldexp(1, exponent),
+                     rounding = exponent < -1000 ? ldexp(1, -1074 - exponent) : 0;
         for (int i = 0; i < SAMPLES; i++)
             p[i] = -unit * (sin(acos(x[i])) + sin(3 * acos(x[i])));
         rwedge_series *series = NULL;

@@ -21,7 +21,8 @@ static void roots_are_found_to_the_last_bits(void **state)
 {
     (void)state;
     for (double exponent = 1; exponent < 60; exponent += 3.7)
-        assert_close(rw_root(power_less_two, &exponent, 0, 3, 0), pow(2, 1 / exponent), 4 * DBL_EPSILON);
+        assert_close(rw_root(power_less_two, &exponent, 0, 3, 0), pow(2, 1 / exponent),
+                     4 * DBL_EPSILON);
     const double square = 2;
     assert_close(rw_root(power_less_two, &square, 0, 3, 0.01), sqrt(2), 0.01);
 }
@@ -61,7 +62,8 @@ static double jump(double x, const void *context)
     return x > 0 ? 1 : -1;
 }
 
-/* At 0 no error is small beside the root: without an absolute one the search has no end, and gives up. */
+/* At 0 no error is small beside the root: without an absolute one the search has no end, and
+ * gives up. */
 static void a_search_ends(void **state)
 {
     (void)state;
@@ -88,16 +90,19 @@ static double squared_legendre(double x, const void *degree)
     return P * P;
 }
 
-/* The nodes are the zeros of P_16: the rule sees nothing of its square, whose degree is the first that is not exact. */
+/* The nodes are the zeros of P_16: the rule sees nothing of its square, whose degree is the
+ * first that is not exact. */
 static void the_rule_is_exact_to_degree_31(void **state)
 {
     (void)state;
     for (int degree = 0; degree <= 31; degree++) {
         assert_close(rw_integral(power, &degree, 0, 1), 1.0 / (degree + 1), 4 * DBL_EPSILON);
-        assert_close(rw_integral(power, &degree, 1, 2), (ldexp(1, degree + 1) - 1) / (degree + 1), 32 * DBL_EPSILON);
+        assert_close(rw_integral(power, &degree, 1, 2), (ldexp(1, degree + 1) - 1) / (degree + 1),
+                     32 * DBL_EPSILON);
     }
     for (int n = 1; n <= 16; n++)
-        assert_within(rw_integral(squared_legendre, &n, -1, 1), n < 16 ? 2.0 / (2 * n + 1) : 0, 1e-15);
+        assert_within(rw_integral(squared_legendre, &n, -1, 1), n < 16 ? 2.0 / (2 * n + 1) : 0,
+                      1e-15);
 }
 
 /* ---- Least squares ---- */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* That the library is as fast as it says, by ratios within one run: to a plain evaluation of the series and to itself. A busy
- * machine disturbs both sides alike, and one good attempt out of a few is enough; a loop that is no longer made of vector
- * instructions, or a search that takes twice the steps, fails every one. */
+/* That the library is as fast as it says, by ratios within one run: to a plain evaluation of the
+ * series and to itself. A busy machine disturbs both sides alike, and one good attempt out of a
+ * few is enough; a loop that is no longer made of vector instructions, or a search that takes
+ * twice the steps, fails every one. */
 #include "claims.h"
 #include "plain.h"
 #include "rwedge.h"
@@ -86,7 +87,8 @@ static double searched_limits(long n)
     return sum;
 }
 
-static void assert_ratio(const char *what, work slow, long slow_n, work fast, long fast_n, double least)
+static void assert_ratio(const char *what, work slow, long slow_n, work fast, long fast_n,
+                         double least)
 {
     double best = 0;
     for (int attempt = 0; attempt < ATTEMPTS && best < least; attempt++)
@@ -111,8 +113,10 @@ static void arrays_beat_the_series(void **state)
 {
     (void)state;
     const bool four = has_long_vectors();
-    assert_ratio("series / array, full sliding", series_points, POINTS, array_sliding, POINTS, four ? 6 : 3.2);
-    assert_ratio("series / array, partial slip", series_points, POINTS, array_partial_slip, POINTS, four ? 3.4 : 1.7);
+    assert_ratio("series / array, full sliding", series_points, POINTS, array_sliding, POINTS,
+                 four ? 6 : 3.2);
+    assert_ratio("series / array, partial slip", series_points, POINTS, array_partial_slip, POINTS,
+                 four ? 3.4 : 1.7);
 }
 
 /* Seen: 5.2 and 4.5, with vectors of two 2.4 and 2.1; without vectors 1.5. */
@@ -120,23 +124,26 @@ static void arrays_beat_single_points(void **state)
 {
     (void)state;
     const bool four = has_long_vectors();
-    assert_ratio("points one by one / array, full sliding", single_points, POINTS, array_sliding, POINTS, four ? 3.6 : 1.8);
-    assert_ratio("points one by one / array, partial slip", single_points_partial_slip, POINTS, array_partial_slip, POINTS,
-                 four ? 3.1 : 1.7);
+    assert_ratio("points one by one / array, full sliding", single_points, POINTS, array_sliding,
+                 POINTS, four ? 3.6 : 1.8);
+    assert_ratio("points one by one / array, partial slip", single_points_partial_slip, POINTS,
+                 array_partial_slip, POINTS, four ? 3.1 : 1.7);
 }
 
 /* Seen: 1.8. */
 static void single_points_beat_the_series(void **state)
 {
     (void)state;
-    assert_ratio("series / one point, full sliding", series_points, POINTS, single_points, POINTS, 1);
+    assert_ratio("series / one point, full sliding", series_points, POINTS, single_points, POINTS,
+                 1);
 }
 
 /* The time of a point is the same in an array a hundred times as long. */
 static void time_grows_linearly(void **state)
 {
     (void)state;
-    assert_ratio("a point of 10^4 / a point of 10^6", array_sliding, MANY / 100, array_sliding, MANY, 0.6);
+    assert_ratio("a point of 10^4 / a point of 10^6", array_sliding, MANY / 100, array_sliding,
+                 MANY, 0.6);
     assert_ratio("a limit of 130 / a limit of 2600", limits, LIMITS, limits, 20 * LIMITS, 0.7);
 }
 
@@ -158,8 +165,10 @@ int main(void)
         y[i] = 2 * fmod(i * 0.7548776662466927, 1) + 1e-3;
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays_beat_the_series),      cmocka_unit_test(arrays_beat_single_points),
-        cmocka_unit_test(single_points_beat_the_series), cmocka_unit_test(time_grows_linearly),
+        cmocka_unit_test(arrays_beat_the_series),
+        cmocka_unit_test(arrays_beat_single_points),
+        cmocka_unit_test(single_points_beat_the_series),
+        cmocka_unit_test(time_grows_linearly),
         cmocka_unit_test(limits_beat_the_search),
     };
     return RUN_CLAIMS("speed", tests);

@@ -23,18 +23,22 @@ static void stick_width_inverts_the_shear_ratio(void **state)
     for (int i = 0; i < 20000; i++) {
         const double alpha = pow(10, -8 * random_fraction(&seed)) * (i % 3 == 0 ? 20 : 1);
         const double c = i % 2 == 0 ? random_fraction(&seed) : pow(10, -8 * random_fraction(&seed));
-        /* near c = 1 a rounding of Q/(fP) is all that c can be known to; dc = -d(Q/fP)/slope, slope >= 1 there */
-        assert_close(rwedge_stick_width(alpha, rwedge_shear_ratio(alpha, c)), c, 1e-14 + 2 * DBL_EPSILON / (c * c));
+        /* near c = 1 a rounding of Q/(fP) is all that c can be known to; dc = -d(Q/fP)/slope,
+         * slope >= 1 there */
+        assert_close(rwedge_stick_width(alpha, rwedge_shear_ratio(alpha, c)), c,
+                     1e-14 + 2 * DBL_EPSILON / (c * c));
     }
 }
 
-/* Where c is lost beside 1 the ratio was sometimes 1 + 2 epsilon, outside the domain of its inverse. */
+/* Where c is lost beside 1 the ratio was sometimes 1 + 2 epsilon, outside the domain of its
+ * inverse. */
 static void round_trips_stay_in_the_domain(void **state)
 {
     (void)state;
     uint64_t seed = 13;
     for (int i = 0; i < 20000; i++) {
-        const double alpha = i % 2 ? random_fraction(&seed) : 1 - pow(10, -12 * random_fraction(&seed));
+        const double alpha =
+            i % 2 ? random_fraction(&seed) : 1 - pow(10, -12 * random_fraction(&seed));
         const double ratio = rwedge_shear_ratio(alpha, pow(10, -300 * random_fraction(&seed)));
         assert_true(ratio >= 0 && ratio <= 1);
         assert_true(rwedge_stick_width(alpha, ratio) >= 0);
@@ -50,9 +54,12 @@ static void stick_zone_has_its_limits(void **state)
         assert_within(rwedge_shear_ratio(alpha, 1), 0, 0);
         assert_close(rwedge_shear_ratio(alpha, 0), 1, DBL_EPSILON);
     }
-    assert_close(rwedge_stick_width(5, 0.36), 0.8, 1e-15);       /* Mindlin: c/b = sqrt(1 - Q/(fP)) */
-    assert_close(rwedge_stick_width(0, 0.36), 0.64, 1e-15);      /* sharp: the load is linear in the width */
-    assert_close(rwedge_shear_ratio(2, 1 - 1e-9), 2e-9 - 1e-18, 1e-7); /* 1 - c^2; 1e-7: the rounding of 1 - 1e-9 */
+    /* Mindlin: c/b = sqrt(1 - Q/(fP)) */
+    assert_close(rwedge_stick_width(5, 0.36), 0.8, 1e-15);
+    /* sharp: the load is linear in the width */
+    assert_close(rwedge_stick_width(0, 0.36), 0.64, 1e-15);
+    /* 1 - c^2; 1e-7: the rounding of 1 - 1e-9 */
+    assert_close(rwedge_shear_ratio(2, 1 - 1e-9), 2e-9 - 1e-18, 1e-7);
     assert_close(rwedge_stick_width(1e-305, 0.36), 0.64, 1e-15);
 }
 
@@ -64,7 +71,8 @@ static void shear_ratio_is_equation_25(void **state)
     const double corrective = alpha / pow(sin(omega0), 2) * (sin(2 * omega0) / 2 + omega0);
     const double whole = alpha / pow(sin(phi0), 2) * (sin(2 * phi0) / 2 + phi0);
     assert_close(rwedge_shear_ratio(alpha, c), 1 - corrective / whole, 1e-14);
-    assert_close(rwedge_shear_ratio(alpha, c), 0.5166107, 1e-7); /* as a boundary-element program has it */
+    /* as a boundary-element program has it */
+    assert_close(rwedge_shear_ratio(alpha, c), 0.5166107, 1e-7);
 }
 
 typedef struct {
@@ -111,13 +119,15 @@ static void corrective_shear_is_elliptic_inside_the_rounding(void **state)
     (void)state;
     const double alpha = 0.25, c = 1.0 / 6;
     for (double x = 0; x < c; x += 0.01)
-        assert_close(rwedge_shear(alpha, c, x), rwedge_pressure(alpha, x) + sqrt(c * c - x * x) / alpha, 1e-14);
+        assert_close(rwedge_shear(alpha, c, x),
+                     rwedge_pressure(alpha, x) + sqrt(c * c - x * x) / alpha, 1e-14);
 }
 
 static void sharp_wedge_sticks_at_its_apex(void **state)
 {
     (void)state;
-    assert_close(rwedge_shear(0, 0.5, 0), -2 / PI * log(2), 1e-15); /* two logarithmic infinities, less each other */
+    /* two logarithmic infinities, less each other */
+    assert_close(rwedge_shear(0, 0.5, 0), -2 / PI * log(2), 1e-15);
     assert_close(rwedge_shear(0, 0.5, 1e-9), -2 / PI * log(2), 1e-15);
     assert_close(rwedge_shear(1e-12, 0.5, 1e-3), rwedge_shear(0, 0.5, 1e-3), 1e-12);
 }

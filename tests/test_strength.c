@@ -38,7 +38,8 @@ static void paper_grid_matches_reference(void **state)
     reference table = reference_open("paper_grid.csv");
     while (reference_next(&table)) {
         double limit, x, y;
-        assert_int_equal(rwedge_yield_point(table.cell[0], table.cell[1], 0.3, &limit, &x, &y), RWEDGE_OK);
+        assert_int_equal(rwedge_yield_point(table.cell[0], table.cell[1], 0.3, &limit, &x, &y),
+                         RWEDGE_OK);
         assert_close(limit, table.cell[2], 1e-12);
         assert_within(x, table.cell[3], 1e-11);
         assert_within(y, table.cell[4], 1e-11);
@@ -66,9 +67,11 @@ static void branches_cross_at_the_critical_friction(void **state)
             assert_int_equal(rwedge_subsurface_yield(alpha, f, nu, &below, &x, &y), RWEDGE_OK);
             assert_int_equal(rwedge_surface_yield(alpha, f, nu, &surface, &x), RWEDGE_OK);
             assert_close(below, surface, 1e-12);
-            assert_int_equal(rwedge_yield_point(alpha, f * (1 - 1e-9), nu, &limit, &x, &y), RWEDGE_OK);
+            assert_int_equal(rwedge_yield_point(alpha, f * (1 - 1e-9), nu, &limit, &x, &y),
+                             RWEDGE_OK);
             assert_true(y > 0);
-            assert_int_equal(rwedge_yield_point(alpha, f * (1 + 1e-9), nu, &limit, &x, &y), RWEDGE_OK);
+            assert_int_equal(rwedge_yield_point(alpha, f * (1 + 1e-9), nu, &limit, &x, &y),
+                             RWEDGE_OK);
             assert_true(y == 0);
         }
 }
@@ -103,7 +106,8 @@ static void small_tips_yield_at_the_surface_without_friction(void **state)
     }
 }
 
-/* The reversal of the smallest tips: at the surface without friction, below it with a little, at the surface with more. */
+/* The reversal of the smallest tips: at the surface without friction, below it with a little, at
+ * the surface with more. */
 static void tiny_tips_yield_below_with_a_little_friction(void **state)
 {
     (void)state;
@@ -132,7 +136,8 @@ static void no_fold_is_beyond_0_556(void **state)
     assert_int_equal(rwedge_subsurface_yield(0.82, 0.5556, 0.47, &limit, &x, &y), RWEDGE_OK);
     for (double alpha = 1e-6; alpha <= 1; alpha = alpha < 0.1 ? alpha * 3 : alpha + 0.005)
         for (double nu = 0; nu <= 0.5; nu += 0.005)
-            assert_int_equal(rwedge_subsurface_yield(alpha, 0.557, nu, &limit, &x, &y), RWEDGE_EABSENT);
+            assert_int_equal(rwedge_subsurface_yield(alpha, 0.557, nu, &limit, &x, &y),
+                             RWEDGE_EABSENT);
 }
 
 /* Past the fold the branch is gone; before it, it is there, up to the fold's last bits. */
@@ -149,11 +154,15 @@ static void subsurface_branch_ends_at_a_fold(void **state)
     }
     assert_true(there > rwedge_critical_friction(0.5, 0.3));
     double before_limit, before_x, before_y;
-    assert_int_equal(rwedge_subsurface_yield(0.5, there - 1e-8, 0.3, &before_limit, &before_x, &before_y), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_subsurface_yield(0.5, there - 1e-8, 0.3, &before_limit, &before_x, &before_y),
+        RWEDGE_OK);
     /* a square-root approach: 1e-8 in f moves the point by about 1e-4 */
-    assert_true(hypot(x - before_x, y - before_y) > 1e-6 && hypot(x - before_x, y - before_y) < 1e-2);
+    assert_true(hypot(x - before_x, y - before_y) > 1e-6 &&
+                hypot(x - before_x, y - before_y) < 1e-2);
     limit = x = y = 7;
-    assert_int_equal(rwedge_subsurface_yield(0.5, gone + 1e-6, 0.3, &limit, &x, &y), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_subsurface_yield(0.5, gone + 1e-6, 0.3, &limit, &x, &y),
+                     RWEDGE_EABSENT);
     assert_true(limit == 7 && x == 7 && y == 7);
 }
 
@@ -172,7 +181,8 @@ static void sharp_wedge_yields_at_its_apex(void **state)
     assert_true(limit == 0 && x == 0 && y == 0);
     assert_within(rwedge_elastic_limit(0, 0, 0.3), 0, 0);
     assert_close(rwedge_elastic_limit(0, 0, 0.5), PI, 1e-15);
-    assert_close(rwedge_elastic_limit(1e-12, 0, 0.5), PI, 1e-5); /* continuously: the yield point is at sqrt(alpha) */
+    /* continuously: the yield point is at sqrt(alpha) */
+    assert_close(rwedge_elastic_limit(1e-12, 0, 0.5), PI, 1e-5);
     assert_true(rwedge_elastic_limit(1e-14, 0.2, 0.3) < 0.4);
     assert_within(rwedge_critical_friction(0, 0.3), 0, 0);
     assert_int_equal(rwedge_subsurface_yield(0, 0, 0.5, &limit, &x, &y), RWEDGE_EABSENT);
@@ -180,19 +190,21 @@ static void sharp_wedge_yields_at_its_apex(void **state)
     assert_true(limit == 0 && x == 0);
 }
 
-/* Where J2 is so flat that rounding moves its maximum, the branch was lost and the surface taken for the place of yield.
- * Values of a search of the half-plane by the stresses alone. */
+/* Where J2 is so flat that rounding moves its maximum, the branch was lost and the surface taken
+ * for the place of yield. Values of a search of the half-plane by the stresses alone. */
 static void flat_maxima_of_tiny_tips_are_found(void **state)
 {
     (void)state;
     static const double cases[][3] = {{1e-10, 0.001, 3.1407}, {9e-14, 0.01, 2.94}};
     for (int i = 0; i < 2; i++) {
         double limit, x, y;
-        assert_int_equal(rwedge_yield_point(cases[i][0], cases[i][1], 0.5, &limit, &x, &y), RWEDGE_OK);
+        assert_int_equal(rwedge_yield_point(cases[i][0], cases[i][1], 0.5, &limit, &x, &y),
+                         RWEDGE_OK);
         assert_true(y > 0);
         assert_close(limit, cases[i][2], 2e-3);
     }
-    for (double alpha = 1e-14; alpha < 1e-6; alpha *= 1.7) /* the limit falls steadily from pi, with no jump to the surface */
+    for (double alpha = 1e-14; alpha < 1e-6;
+         alpha *= 1.7) /* the limit falls steadily from pi, with no jump to the surface */
         for (double f = 1e-7; f < 0.05; f *= 2)
             assert_true(rwedge_elastic_limit(alpha, f, 0.5) > PI * (1 - 15 * f));
 }
@@ -263,9 +275,10 @@ static void arrays_are_limits_one_by_one(void **state)
 static void bad_arguments_leave_outputs_untouched(void **state)
 {
     (void)state;
-    static const double bad[][3] = {{-1, 0, 0.3},      {NAN, 0, 0.3},    {HUGE_VAL, 0, 0.3}, {0.5, -1, 0.3}, {0.5, NAN, 0.3},
-                                    {0.5, 2e6, 0.3},   {0.5, 0, -1e-9},  {0.5, 0, 0.500001}, {0.5, 0, NAN},  {0, -1, 0.3},
-                                    {0, 0, HUGE_VAL}, {0.99e-14, 0, 0.3}, {5e-324, 0.1, 0.5}};
+    static const double bad[][3] = {
+        {-1, 0, 0.3},     {NAN, 0, 0.3},      {HUGE_VAL, 0, 0.3}, {0.5, -1, 0.3}, {0.5, NAN, 0.3},
+        {0.5, 2e6, 0.3},  {0.5, 0, -1e-9},    {0.5, 0, 0.500001}, {0.5, 0, NAN},  {0, -1, 0.3},
+        {0, 0, HUGE_VAL}, {0.99e-14, 0, 0.3}, {5e-324, 0.1, 0.5}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const double alpha = bad[i][0], f = bad[i][1], nu = bad[i][2];
         double limit = 7, x = 8, y = 9;
@@ -296,8 +309,8 @@ static void missing_outputs_are_refused(void **state)
     }
 }
 
-/* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f g)^2 has its maximum at
- * x = f/sqrt(1 + f^2): for large f the end of the rounding, to rounding. */
+/* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f
+ * g)^2 has its maximum at x = f/sqrt(1 + f^2): for large f the end of the rounding, to rounding. */
 static void the_maximum_may_be_at_the_end_of_the_rounding(void **state)
 {
     (void)state;

@@ -5,7 +5,8 @@
 
 #include <float.h>
 
-/* The largest error of a component over the larger of the tensor's norm and 1/(1+|z|): what the header promises about. */
+/* The largest error of a component over the larger of the tensor's norm and 1/(1+|z|): what the
+ * header promises about. */
 static double relative_error(const double stress[3], const double expected[3], double x, double y)
 {
     const double norm =
@@ -47,19 +48,22 @@ static void partial_slip_stresses_match_reference(void **state)
     assert_int_equal(table.row, 600);
 }
 
-/* Points next to the edge of a stick zone that ends next to the corner x = a. A coordinate divided by c lost the distance to
- * the edge there, and with it half of the digits. Values from ball arithmetic with 600 bits. */
+/* Points next to the edge of a stick zone that ends next to the corner x = a. A coordinate
+ * divided by c lost the distance to the edge there, and with it half of the digits. Values from
+ * ball arithmetic with 600 bits. */
 static void stick_edges_keep_their_digits(void **state)
 {
     (void)state;
     static const double cases[][8] = {
         /* alpha, f, c, x, y, sxx, syy, txy */
-        {0.469067885573485, 1.0062261138521063, 0.4690678855862623, 0.46906788557350104, 2.837767323274999e-14,
-         -1.0671389332130914, -1.0671389002046025, -1.0737756144907830},
-        {0.999999999029367, 1.2081250743995966, 0.9999999990220022, 0.999999999149257, 2.7844330093869515e-11,
-         -7.7817234072758381e-5, -4.1834016533245682e-5, -4.6359747807493800e-5},
-        {0.9999996299575209, 1.9677218165559982, 0.9999996299574303, 0.9999996299574908, 1.4537391473804766e-14,
-         -0.00086143477351121438, -0.00086003709971822665, -0.0016921703089923644},
+        {0.469067885573485, 1.0062261138521063, 0.4690678855862623, 0.46906788557350104,
+         2.837767323274999e-14, -1.0671389332130914, -1.0671389002046025, -1.0737756144907830},
+        {0.999999999029367, 1.2081250743995966, 0.9999999990220022, 0.999999999149257,
+         2.7844330093869515e-11, -7.7817234072758381e-5, -4.1834016533245682e-5,
+         -4.6359747807493800e-5},
+        {0.9999996299575209, 1.9677218165559982, 0.9999996299574303, 0.9999996299574908,
+         1.4537391473804766e-14, -0.00086143477351121438, -0.00086003709971822665,
+         -0.0016921703089923644},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const double *v = cases[i];
@@ -74,7 +78,8 @@ static void stresses_are_flamant_integrated(void **state)
     (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < 60; i++) {
-        const tractions_case t = {.alpha = 1.2 * random_fraction(&seed), .f = random_fraction(&seed),
+        const tractions_case t = {.alpha = 1.2 * random_fraction(&seed),
+                                  .f = random_fraction(&seed),
                                   .c = i % 2 ? random_fraction(&seed) : 0};
         const double x = 4 * random_fraction(&seed) - 2, y = 0.02 + 2 * random_fraction(&seed);
         double s[3], expected[3];
@@ -145,7 +150,8 @@ static void levels_carry_the_forces(void **state)
         const double P = rwedge_load(0.3);
         assert_close(integral_over_line(stress_on_level, &l), -P, 1e-9);
         l.component = 2;
-        assert_close(integral_over_line(stress_on_level, &l), -0.6 * rwedge_shear_ratio(0.3, 0.4) * P, 1e-9);
+        assert_close(integral_over_line(stress_on_level, &l),
+                     -0.6 * rwedge_shear_ratio(0.3, 0.4) * P, 1e-9);
     }
 }
 
@@ -189,7 +195,8 @@ static void sharp_wedge_is_the_limit_of_small_tips(void **state)
     assert_within(relative_error(tip, sharp, 0.02, 0.01), 0, 1e-13);
 }
 
-/* Tips so small that products of their size underflow are sharp to the last bit, a little away from them. */
+/* Tips so small that products of their size underflow are sharp to the last bit, a little away
+ * from them. */
 static void vanishing_tips_are_sharp(void **state)
 {
     (void)state;
@@ -203,11 +210,13 @@ static void vanishing_tips_are_sharp(void **state)
     }
 }
 
-/* Every double of the domain gives a finite tensor: tips and distances whose squares under- or overflow too. */
+/* Every double of the domain gives a finite tensor: tips and distances whose squares under- or
+ * overflow too. */
 static void extreme_arguments_give_finite_stresses(void **state)
 {
     (void)state;
-    const double size[] = {0, 5e-324, 1e-310, 1e-200, 1e-150, 1e-60, 1e-20, 1e-3, 0.5, 1, 2, 1e5, 1e20, 1e160, DBL_MAX};
+    const double size[] = {0,   5e-324, 1e-310, 1e-200, 1e-150, 1e-60, 1e-20,  1e-3,
+                           0.5, 1,      2,      1e5,    1e20,   1e160, DBL_MAX};
     enum { SIZES = sizeof size / sizeof size[0] };
     for (int a = 0; a < SIZES; a++)
         for (int c = 0; c < SIZES && size[c] <= 1; c++)
@@ -237,7 +246,8 @@ static void singular_points_are_approached_continuously(void **state)
         }
 }
 
-/* At the apex at the scale of the rounding the field is that of any other small tip, but for the logarithm in the mean. */
+/* At the apex at the scale of the rounding the field is that of any other small tip, but for the
+ * logarithm in the mean. */
 static void tiny_tips_are_alike(void **state)
 {
     (void)state;
@@ -277,15 +287,17 @@ static void bad_arguments_leave_outputs_untouched(void **state)
     (void)state;
     static const double bad[][5] = {
         /* alpha, f, c, x, y */
-        {-1, 0, 0, 0, 1},        {NAN, 0, 0, 0, 1},  {HUGE_VAL, 0, 0, 0, 1}, {0.5, -1, 0, 0, 1},
-        {0.5, NAN, 0, 0, 1},     {0.5, 2e6, 0, 0, 1}, {0.5, 0, -0.1, 0, 1},   {0.5, 0, 1.1, 0, 1},
-        {0.5, 0, NAN, 0, 1},     {0.5, 0, 0, NAN, 1}, {0.5, 0, 0, HUGE_VAL, 1}, {0.5, 0, 0, 0, -1e-300},
-        {0.5, 0, 0, 0, NAN},     {0.5, 0, 0, 0, HUGE_VAL}, {0, 0.3, 0, 0, 0},
+        {-1, 0, 0, 0, 1},     {NAN, 0, 0, 0, 1},        {HUGE_VAL, 0, 0, 0, 1},
+        {0.5, -1, 0, 0, 1},   {0.5, NAN, 0, 0, 1},      {0.5, 2e6, 0, 0, 1},
+        {0.5, 0, -0.1, 0, 1}, {0.5, 0, 1.1, 0, 1},      {0.5, 0, NAN, 0, 1},
+        {0.5, 0, 0, NAN, 1},  {0.5, 0, 0, HUGE_VAL, 1}, {0.5, 0, 0, 0, -1e-300},
+        {0.5, 0, 0, 0, NAN},  {0.5, 0, 0, 0, HUGE_VAL}, {0, 0.3, 0, 0, 0},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const double *b = bad[i];
         double s[3] = {7, 8, 9};
-        assert_int_equal(rwedge_stress(b[0], b[1], b[2], b[3], b[4], &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+        assert_int_equal(rwedge_stress(b[0], b[1], b[2], b[3], b[4], &s[0], &s[1], &s[2]),
+                         RWEDGE_EDOMAIN);
         assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
     }
     double s[3] = {7, 8, 9};
@@ -294,7 +306,8 @@ static void bad_arguments_leave_outputs_untouched(void **state)
     assert_int_equal(rwedge_stress(0.5, 0, 0, 0, 1, &s[0], &s[1], NULL), RWEDGE_ENULL);
     const double x[2] = {0, 1}, y[2] = {1, -1};
     double sxx[2] = {7, 7}, syy[2], txy[2];
-    assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, y, sxx, syy, txy), RWEDGE_EDOMAIN); /* the second point is bad */
+    /* the second point is bad */
+    assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, y, sxx, syy, txy), RWEDGE_EDOMAIN);
     assert_true(sxx[0] == 7 && s[1] == 8 && s[2] == 9);
     assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, NULL, y, sxx, syy, txy), RWEDGE_ENULL);
     assert_int_equal(rwedge_stresses(0.5, 0, 0, 2, x, NULL, sxx, syy, txy), RWEDGE_ENULL);
@@ -307,7 +320,8 @@ static void missing_arrays_are_refused(void **state)
         double v[5] = {0.1, 0.2, 7, 8, 9}, *at[5];
         for (int i = 0; i < 5; i++)
             at[i] = i == missing ? NULL : &v[i];
-        assert_int_equal(rwedge_stresses(0.5, 0.1, 0, 1, at[0], at[1], at[2], at[3], at[4]), RWEDGE_ENULL);
+        assert_int_equal(rwedge_stresses(0.5, 0.1, 0, 1, at[0], at[1], at[2], at[3], at[4]),
+                         RWEDGE_ENULL);
         assert_true(v[2] == 7 && v[3] == 8 && v[4] == 9);
     }
     const double x = 0.1, y = 0.2;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shipped tables: what they hold is what the library gives, and linear interpolation in them is as good as
- * tables/README.md says. The errors are measured at the centre of every cell, where they are largest, and printed. */
+/* The shipped tables: what they hold is what the library gives, and linear interpolation in them
+ * is as good as tables/README.md says. The errors are measured at the centre of every cell,
+ * where they are largest, and printed. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -62,11 +63,13 @@ static void elastic_limits_are_the_library_s(void **state)
                 const double *v = loaded.cell[i];
                 double limit, x, y;
                 assert_close(v[NU], atof(nus[n]), 0);
-                assert_int_equal(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y), RWEDGE_OK);
+                assert_int_equal(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y),
+                                 RWEDGE_OK);
                 assert_close(v[LIMIT], limit, PRINTED);
                 assert_close(v[X], x, PRINTED);
                 assert_close(v[Y], y, PRINTED);
-                assert_close(fmin(v[SURFACE], isnan(v[BELOW]) ? HUGE_VAL : v[BELOW]), limit, PRINTED);
+                assert_close(fmin(v[SURFACE], isnan(v[BELOW]) ? HUGE_VAL : v[BELOW]), limit,
+                             PRINTED);
             }
         }
 }
@@ -77,8 +80,9 @@ typedef struct {
 
 static double mean_of_corners(int row, int across, int column)
 {
-    return (loaded.cell[row][column] + loaded.cell[row + 1][column] + loaded.cell[row + across][column] +
-            loaded.cell[row + across + 1][column]) / 4;
+    return (loaded.cell[row][column] + loaded.cell[row + 1][column] +
+            loaded.cell[row + across][column] + loaded.cell[row + across + 1][column]) /
+           4;
 }
 
 static void keep_larger(double *worst, double value, double exact)
@@ -86,7 +90,8 @@ static void keep_larger(double *worst, double value, double exact)
     *worst = fmax(*worst, fabs(value / exact - 1));
 }
 
-/* Both branches interpolated apart and the smaller taken, and, for comparison, the limit itself interpolated. */
+/* Both branches interpolated apart and the smaller taken, and, for comparison, the limit itself
+ * interpolated. */
 static errors interpolate_limits(int across, double from)
 {
     errors worst = {0, 0, 0, 0};
@@ -95,7 +100,8 @@ static errors interpolate_limits(int across, double from)
         if ((i + 1) % across == 0 || v[A_OVER_B] < from)
             continue;
         const double alpha = (v[A_OVER_B] + w[A_OVER_B]) / 2, f = (v[F] + w[F]) / 2, nu = v[NU];
-        const double below = mean_of_corners(i, across, BELOW), surface = mean_of_corners(i, across, SURFACE);
+        const double below = mean_of_corners(i, across, BELOW),
+                     surface = mean_of_corners(i, across, SURFACE);
         double exact, x, y;
         assert_int_equal(rwedge_surface_yield(alpha, f, nu, &exact, &x), RWEDGE_OK);
         keep_larger(&worst.surface, surface, exact);
@@ -125,10 +131,12 @@ static void interpolating_the_branches_apart_is_accurate(void **state)
             snprintf(name, sizeof name, "%s%s", cases[i].name, nus[n]);
             load(name);
             const errors e = interpolate_limits(65, cases[i].from);
-            print_message("%-28s a/b >= %.2f: below %.1e, surface %.1e, smaller %.1e; the limit itself %.1e\n", name,
-                          cases[i].from, e.below, e.surface, e.smaller, e.naive);
+            print_message("%-28s a/b >= %.2f: below %.1e, surface %.1e, smaller %.1e; the limit "
+                          "itself %.1e\n",
+                          name, cases[i].from, e.below, e.surface, e.smaller, e.naive);
             assert_true(e.smaller <= cases[i].stated);
-            assert_true(e.naive >= e.smaller); /* the larger by far where a cusp is within the cell */
+            /* the larger by far where a cusp is within the cell */
+            assert_true(e.naive >= e.smaller);
         }
 }
 
@@ -165,8 +173,8 @@ static void contact_law_interpolates(void **state)
         const double inverse_load = (1 / v[2] + 1 / w[2]) / 2; /* a/b linearly in theta a/(AP) */
         keep_larger(&inverse_worst, middle, rwedge_a_over_b(1 / inverse_load));
     }
-    print_message("contact-law: load %.1e, peak pressure %.1e, a/b from the load %.1e\n", load_worst, peak_worst,
-                  inverse_worst);
+    print_message("contact-law: load %.1e, peak pressure %.1e, a/b from the load %.1e\n",
+                  load_worst, peak_worst, inverse_worst);
     assert_true(load_worst <= 1.6e-4 && peak_worst <= 0.0105 && inverse_worst <= 1.1e-4);
 }
 
@@ -180,7 +188,8 @@ static void critical_friction_interpolates(void **state)
     for (int i = 0; i + ACROSS + 1 < loaded.rows; i++) {
         const double *v = loaded.cell[i], *w = loaded.cell[i + ACROSS + 1];
         assert_within(v[2], rwedge_critical_friction(v[0], v[1]), PRINTED);
-        const bool all_positive = v[2] > 0 && loaded.cell[i + 1][2] > 0 && loaded.cell[i + ACROSS][2] > 0 && w[2] > 0;
+        const bool all_positive =
+            v[2] > 0 && loaded.cell[i + 1][2] > 0 && loaded.cell[i + ACROSS][2] > 0 && w[2] > 0;
         if ((i + 1) % ACROSS == 0 || !all_positive)
             continue;
         const double exact = rwedge_critical_friction((v[0] + w[0]) / 2, (v[1] + w[1]) / 2);
@@ -189,7 +198,8 @@ static void critical_friction_interpolates(void **state)
         if (v[0] > 0.095 && v[1] > 0.295)
             worst_of_common = fmax(worst_of_common, error);
     }
-    print_message("critical-friction: %.1e in f where none of the four neighbours is 0; %.1e for a/b >= 0.1, nu >= 0.3\n",
+    print_message("critical-friction: %.1e in f where none of the four neighbours is 0; %.1e for "
+                  "a/b >= 0.1, nu >= 0.3\n",
                   worst, worst_of_common);
     assert_true(worst <= 0.02 && worst_of_common <= 0.004);
 }

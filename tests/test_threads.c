@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every function may be called from any number of threads, and a handle may be read by many at a time: one to eight threads,
- * each with all of the work and the same handles, give the bits that one gives. threads.sh runs this under the thread
- * sanitizer too, which sees accesses that no result shows.
+/* Every function may be called from any number of threads, and a handle may be read by many at a
+ * time: one to eight threads, each with all of the work and the same handles, give the bits that
+ * one gives. threads.sh runs this under the thread sanitizer too, which sees accesses that no
+ * result shows.
  *
  *     test_threads [NUMBERS]     how many arguments of each function */
 #define _POSIX_C_SOURCE 200809L
@@ -67,7 +68,8 @@ static void run_threads(int count, results r[])
 static void assert_same_results(const results *expected, const results *actual)
 {
     assert_in_range(actual->count, 1, RESULTS_PER_NUMBER);
-    assert_memory_equal(actual->values, expected->values, (size_t)numbers * RESULTS_PER_NUMBER * sizeof(double));
+    assert_memory_equal(actual->values, expected->values,
+                        (size_t)numbers * RESULTS_PER_NUMBER * sizeof(double));
 }
 
 static void threads_give_the_bits_of_one(void **state)

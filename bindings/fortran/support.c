@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the test of the Fortran module needs from C: how many handles are alive (linked with --wrap), and the loops that
- * elemental functions are timed against. */
+/* What the test of the Fortran module needs from C: how many handles are alive (linked with
+ * --wrap), and the loops that elemental functions are timed against. */
 #include "rwedge.h"
 
-int32_t __real_rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact);
+int32_t __real_rwedge_contact_create(double theta, double a, double A, double f,
+                                     rwedge_contact **contact);
 int32_t __real_rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy);
 void __real_rwedge_contact_destroy(rwedge_contact *contact);
 int32_t __real_rwedge_series_create(double alpha, int32_t terms, rwedge_series **series);
@@ -16,7 +17,8 @@ int32_t handles_alive(void)
     return alive;
 }
 
-int32_t __wrap_rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
+int32_t __wrap_rwedge_contact_create(double theta, double a, double A, double f,
+                                     rwedge_contact **contact)
 {
     const int32_t status = __real_rwedge_contact_create(theta, a, A, f, contact);
     alive += status == RWEDGE_OK;

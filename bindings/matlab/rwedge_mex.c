@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rwedge for MATLAB and GNU Octave, by the C Matrix API alone: [results] = rwedge_mex('function', arguments...). The functions
- * and classes that users call are written by build_rwedge.m from rwedge.h; each makes one call to this file.
+/* rwedge for MATLAB and GNU Octave, by the C Matrix API alone: [results] =
+ * rwedge_mex('function', arguments...). The functions and classes that users call are written by
+ * build_rwedge.m from rwedge.h; each makes one call to this file.
  *
- * Every function is one of doubles, and is taken over the elements of its arguments: arrays of one size, or scalars, which go
- * with every element. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held where it is called. */
+ * Every function is one of doubles, and is taken over the elements of its arguments: arrays of
+ * one size, or scalars, which go with every element. mexErrMsgIdAndTxt() does not return;
+ * nothing that must be freed is held where it is called. */
 #include "rwedge.h"
 
 #include <float.h>
@@ -18,7 +20,7 @@
 
 enum { MAX_ARGUMENTS = 6, MAX_RESULTS = 3 };
 
-/* ---- Errors ------------------------------------------------------------------------------------------------------- */
+/* ---- Errors ---------------------------------------------------------------------------------- */
 
 static void fail(const char *reason, const char *format, ...)
 {
@@ -35,11 +37,12 @@ static const char *reason_of(int32_t status)
 {
     static const char *const reasons[] = {"ok",     "domain",  "null", "range", "noconv",
                                           "memory", "sliding", "rank", "absent"};
-    return status > 0 && status < (int32_t)(sizeof reasons / sizeof reasons[0]) ? reasons[status] : "unknown";
+    return status > 0 && status < (int32_t)(sizeof reasons / sizeof reasons[0]) ? reasons[status]
+                                                                                : "unknown";
 }
 
-/* What an argument of a function with a status is, and where it is defined: for the messages. Whether a call is an error is for
- * the library to say. */
+/* What an argument of a function with a status is, and where it is defined: for the messages.
+ * Whether a call is an error is for the library to say. */
 typedef struct {
     const char *name;
     double low, high; /* finite, low <= value <= high */
@@ -49,28 +52,32 @@ typedef struct {
 
 static const quantity alpha = {"alpha", 0, DBL_MAX, false, "finite and >= 0"},
                       tip = {"alpha", 0, DBL_MAX, false, "0 or >= 1e-14"},
-                      f = {"f", 0, 1e6, false, "0 to 1e6"},
-                      nu = {"nu", 0, 0.5, false, "0 to 0.5"},
+                      f = {"f", 0, 1e6, false, "0 to 1e6"}, nu = {"nu", 0, 0.5, false, "0 to 0.5"},
                       c = {"c", 0, 1, false, "0 to 1"},
                       x = {"x", -DBL_MAX, DBL_MAX, false, "finite"},
-                      point = {"x", -DBL_MAX, DBL_MAX, false, "finite, and (x, y) not the apex (0, 0) of a sharp wedge"},
+                      point = {"x", -DBL_MAX, DBL_MAX, false,
+                               "finite, and (x, y) not the apex (0, 0) of a sharp wedge"},
                       y = {"y", 0, DBL_MAX, false, "finite and >= 0"},
                       theta = {"theta", 0, 1.5707963267948963, true, "> 0 and < pi/2"},
                       a = {"a", 0, DBL_MAX, false, "finite and >= 0"},
                       A = {"A", 0, DBL_MAX, true, "finite and > 0"},
                       k = {"k", 0, DBL_MAX, true, "finite and > 0, so that the factor is finite"},
-                      P = {"P", 0, 1e148, false, "0, or 1e-148 to 1e148 and at least 1e-8 of the last P"},
+                      P = {"P", 0, 1e148, false,
+                           "0, or 1e-148 to 1e148 and at least 1e-8 of the last P"},
                       Q = {"Q", -DBL_MAX, DBL_MAX, false, "finite, |Q| <= f P"},
                       terms = {"terms", 1, 16777216, false, "whole, 1 to 2^24"},
-                      fitted = {"terms", 1, 16777216, false, "whole, 1 to 2^24, and samples * terms <= 2^27"},
-                      surface = {"x", -DBL_MAX, DBL_MAX, false, "finite, and for a loaded sharp wedge not 0"},
+                      fitted = {"terms", 1, 16777216, false,
+                                "whole, 1 to 2^24, and samples * terms <= 2^27"},
+                      surface = {"x", -DBL_MAX, DBL_MAX, false,
+                                 "finite, and for a loaded sharp wedge not 0"},
                       inside = {"x", -DBL_MAX, DBL_MAX, false, "|x| <= b, the contact"},
                       abscissa = {"x", -1 + DBL_EPSILON / 2, 1 - DBL_EPSILON / 2, false, "|x| < 1"},
                       sample = {"p", -DBL_MAX, DBL_MAX, false, "finite"};
 
 static bool is_in_domain(const quantity *q, double v)
 {
-    if ((q == &tip && v > 0 && v < 1e-14) || (q == &P && v > 0 && v < 1e-148) || (q == &terms && v != floor(v)))
+    if ((q == &tip && v > 0 && v < 1e-14) || (q == &P && v > 0 && v < 1e-148) ||
+        (q == &terms && v != floor(v)))
         return false;
     return v >= q->low && v <= q->high && !(q->above && v == q->low);
 }
@@ -85,30 +92,30 @@ static const char *text_of(double v, char text[32])
     return text;
 }
 
-/* The library's text, then the argument that is to blame, the only one if need be, or all of them where it is none alone; and
- * what is allowed. */
-static void fail_with(int32_t status, const char *function, int arguments, const quantity *const of[], const double v[],
-                      size_t i, size_t n)
+/* The library's text, then the argument that is to blame, the only one if need be, or all of
+ * them where it is none alone; and what is allowed. */
+static void fail_with(int32_t status, const char *function, int arguments,
+                      const quantity *const of[], const double v[], size_t i, size_t n)
 {
     const bool is_outside = status == RWEDGE_EDOMAIN || status == RWEDGE_ERANGE;
     char blamed[640] = "", place[40] = "", number[32];
     size_t length = 0;
     for (int j = 0; is_outside && j < arguments && !length; j++)
         if (arguments == 1 || !is_in_domain(of[j], v[j]))
-            length = (size_t)snprintf(blamed, sizeof blamed, ": %s = %s; allowed is %s", of[j]->name, text_of(v[j], number),
-                                      of[j]->allowed);
+            length = (size_t)snprintf(blamed, sizeof blamed, ": %s = %s; allowed is %s",
+                                      of[j]->name, text_of(v[j], number), of[j]->allowed);
     for (int j = 0; !length && j < arguments; j++)
-        snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s = %s", j ? ", " : ": ", of[j]->name,
-                 text_of(v[j], number));
+        snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s = %s",
+                 j ? ", " : ": ", of[j]->name, text_of(v[j], number));
     for (int j = 0; !length && is_outside && j < arguments; j++)
-        snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s %s", j ? ", " : "; allowed is ", of[j]->name,
-                 of[j]->allowed);
+        snprintf(blamed + strlen(blamed), sizeof blamed - strlen(blamed), "%s%s %s",
+                 j ? ", " : "; allowed is ", of[j]->name, of[j]->allowed);
     if (n > 1)
         snprintf(place, sizeof place, " (element %lu)", (unsigned long)(i + 1));
     fail(reason_of(status), "rwedge_%s: %s%s%s", function, rwedge_strerror(status), blamed, place);
 }
 
-/* ---- Handles: pairs of numbers that are never used twice ---------------------------------------------------------- */
+/* ---- Handles: pairs of numbers that are never used twice ------------------------------------- */
 
 typedef enum { NOTHING, CONTACT, SERIES } kind;
 
@@ -122,7 +129,8 @@ static handle *handles;
 static size_t handle_count, alive;
 static double last_number;
 
-/* When and where this copy of the file was loaded: after build_rwedge there may be two, that of the old objects and the new. */
+/* When and where this copy of the file was loaded: after build_rwedge there may be two, that of
+ * the old objects and the new. */
 static double this_copy(void)
 {
     static double number;
@@ -152,7 +160,8 @@ static void destroy_all(void)
     handle_count = 0;
 }
 
-/* A slot that is free, or NULL where there is no memory for more. Asked for before an object is made, so that none is lost. */
+/* A slot that is free, or NULL where there is no memory for more. Asked for before an object is
+ * made, so that none is lost. */
 static handle *free_slot(void)
 {
     for (size_t i = 0; i < handle_count; i++)
@@ -170,7 +179,8 @@ static handle *free_slot(void)
     return larger;
 }
 
-/* The library stays in memory while there are objects of its own: "clear all" must not take it from them. */
+/* The library stays in memory while there are objects of its own: "clear all" must not take it
+ * from them. */
 static mxArray *keep(handle *slot, kind of, void *object)
 {
     *slot = (handle){of, object, {this_copy(), ++last_number}};
@@ -186,19 +196,22 @@ static handle *find(kind of, const mxArray *number)
     if (!mxIsDouble(number) || mxIsComplex(number) || mxGetNumberOfElements(number) != 2)
         return NULL;
     for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].of == of && memcmp(handles[i].number, mxGetPr(number), sizeof handles[i].number) == 0)
+        if (handles[i].of == of &&
+            memcmp(handles[i].number, mxGetPr(number), sizeof handles[i].number) == 0)
             return &handles[i];
     return NULL;
 }
 
 static void fail_without(const char *function, kind of)
 {
-    fail("handle", "rwedge_%s: there is no such %s (any more)", function, of == CONTACT ? "contact" : "series");
+    fail("handle", "rwedge_%s: there is no such %s (any more)", function,
+         of == CONTACT ? "contact" : "series");
 }
 
-/* ---- The functions, each of doubles ------------------------------------------------------------------------------- */
+/* ---- The functions, each of doubles ---------------------------------------------------------- */
 
-/* One call: a value, or a status and results. An object is what the function belongs to, or NULL. */
+/* One call: a value, or a status and results. An object is what the function belongs to, or
+ * NULL. */
 typedef double value_function(const void *object, const double v[]);
 typedef int32_t status_function(void *object, const double v[], double r[]);
 
@@ -211,25 +224,25 @@ static bool is_int32(double v)
     return v >= INT32_MIN && v <= INT32_MAX && v == floor(v);
 }
 
-#define VALUE(name, call)                                                                                                      \
-    static double name(const void *object, const double v[])                                                                  \
-    {                                                                                                                          \
-        (void)object;                                                                                                          \
-        (void)v;                                                                                                               \
-        return call;                                                                                                           \
+#define VALUE(name, call)                                                                          \
+    static double name(const void *object, const double v[])                                       \
+    {                                                                                              \
+        (void)object;                                                                              \
+        (void)v;                                                                                   \
+        return call;                                                                               \
     }
-#define STATUS(name, call)                                                                                                     \
-    static int32_t name(void *object, const double v[], double r[])                                                           \
-    {                                                                                                                          \
-        (void)object;                                                                                                          \
-        (void)r;                                                                                                               \
-        return call;                                                                                                           \
+#define STATUS(name, call)                                                                         \
+    static int32_t name(void *object, const double v[], double r[])                                \
+    {                                                                                              \
+        (void)object;                                                                              \
+        (void)r;                                                                                   \
+        return call;                                                                               \
     }
-#define ARRAY(name, call)                                                                                                      \
-    static int32_t name(void *object, size_t n, const double *const v[], double *const r[])                                   \
-    {                                                                                                                          \
-        (void)object;                                                                                                          \
-        return call;                                                                                                           \
+#define ARRAY(name, call)                                                                          \
+    static int32_t name(void *object, size_t n, const double *const v[], double *const r[])        \
+    {                                                                                              \
+        (void)object;                                                                              \
+        return call;                                                                               \
     }
 
 VALUE(compliance, rwedge_compliance(v[0], v[1], v[2], v[3]))
@@ -285,7 +298,8 @@ typedef struct {
     status_function *status;
     const quantity *quantities[MAX_ARGUMENTS]; /* of a status function */
     array_function *array;                     /* or NULL */
-    int scalars;                               /* how many of the arguments an array function takes once */
+    /* how many of the arguments an array function takes once */
+    int scalars;
 } function;
 
 static const function functions[] = {
@@ -316,8 +330,24 @@ static const function functions[] = {
     {"contact_half_width", CONTACT, 0, 1, contact_half_width, NULL, {0}, NULL, 0},
     {"contact_stick_half_width", CONTACT, 0, 1, contact_stick_half_width, NULL, {0}, NULL, 0},
     {"contact_memory", CONTACT, 0, 1, contact_memory, NULL, {0}, NULL, 0},
-    {"contact_tractions", CONTACT, 1, 2, NULL, contact_tractions, {&surface}, contact_tractions_at, 0},
-    {"contact_stresses", CONTACT, 2, 3, NULL, contact_stresses, {&point, &y}, contact_stresses_at, 0},
+    {"contact_tractions",
+     CONTACT,
+     1,
+     2,
+     NULL,
+     contact_tractions,
+     {&surface},
+     contact_tractions_at,
+     0},
+    {"contact_stresses",
+     CONTACT,
+     2,
+     3,
+     NULL,
+     contact_stresses,
+     {&point, &y},
+     contact_stresses_at,
+     0},
     {"contact_slip", CONTACT, 1, 1, NULL, contact_slip, {&inside}, contact_slip_at, 0},
     {"contact_dissipated_energy", CONTACT, 0, 1, contact_dissipated_energy, NULL, {0}, NULL, 0},
     {"contact_yield_factor", CONTACT, 2, 3, NULL, contact_yield_factor, {&nu, &k}, NULL, 0},
@@ -329,13 +359,14 @@ static const function functions[] = {
     {"series_stress", SERIES, 3, 3, NULL, series_stress, {&f, &x, &y}, NULL, 0},
 };
 
-/* ---- Arrays ------------------------------------------------------------------------------------------------------- */
+/* ---- Arrays ---------------------------------------------------------------------------------- */
 
 static bool same_size(const mxArray *one, const mxArray *other)
 {
     const mwSize n = mxGetNumberOfDimensions(one);
     return n == mxGetNumberOfDimensions(other) &&
-           memcmp(mxGetDimensions(one), mxGetDimensions(other), (size_t)n * sizeof *mxGetDimensions(one)) == 0;
+           memcmp(mxGetDimensions(one), mxGetDimensions(other),
+                  (size_t)n * sizeof *mxGetDimensions(one)) == 0;
 }
 
 static bool is_scalar(const mxArray *array)
@@ -343,20 +374,27 @@ static bool is_scalar(const mxArray *array)
     return mxGetNumberOfElements(array) == 1;
 }
 
-/* The numbers of the arguments; NULL, or the one that is not a scalar and says the size of the results. */
-static const mxArray *take(const char *name, int count, const mxArray *const arguments[], const double *v[])
+/* The numbers of the arguments; NULL, or the one that is not a scalar and says the size of the
+ * results. */
+static const mxArray *take(const char *name, int count, const mxArray *const arguments[],
+                           const double *v[])
 {
     const mxArray *size = NULL;
     for (int j = 0; j < count; j++) {
         if (!mxIsDouble(arguments[j]) || mxIsComplex(arguments[j]) || mxIsSparse(arguments[j]))
-            fail("class", "rwedge_%s: argument %d is not a full array of real doubles, but %s %s", name, j + 1,
-                 mxIsSparse(arguments[j]) ? "sparse" : mxIsComplex(arguments[j]) ? "complex" : "of class",
+            fail("class", "rwedge_%s: argument %d is not a full array of real doubles, but %s %s",
+                 name, j + 1,
+                 mxIsSparse(arguments[j])    ? "sparse"
+                 : mxIsComplex(arguments[j]) ? "complex"
+                                             : "of class",
                  mxGetClassName(arguments[j]));
         v[j] = mxGetPr(arguments[j]);
         if (is_scalar(arguments[j]))
             continue;
         if (size && !same_size(size, arguments[j]))
-            fail("size", "rwedge_%s: argument %d is neither a scalar nor of the size of those before it", name, j + 1);
+            fail("size",
+                 "rwedge_%s: argument %d is neither a scalar nor of the size of those before it",
+                 name, j + 1);
         size = arguments[j];
     }
     return size;
@@ -374,7 +412,8 @@ static bool suits_array(const function *call, const mxArray *const arguments[], 
 }
 
 /* One element. A branch of yield that does not exist is an answer, NaN: a sweep goes on. */
-static void one(const function *call, void *object, const double v[], double r[], size_t i, size_t n)
+static void one(const function *call, void *object, const double v[], double r[], size_t i,
+                size_t n)
 {
     if (call->value) {
         r[0] = call->value(object, v);
@@ -387,14 +426,16 @@ static void one(const function *call, void *object, const double v[], double r[]
         fail_with(status, call->name, call->arguments, call->quantities, v, i, n);
 }
 
-static void map(const function *call, void *object, const mxArray *const arguments[], mxArray *results[])
+static void map(const function *call, void *object, const mxArray *const arguments[],
+                mxArray *results[])
 {
     const double *v[MAX_ARGUMENTS];
     double *r[MAX_RESULTS] = {NULL, NULL, NULL};
     const mxArray *size = take(call->name, call->arguments, arguments, v);
     const size_t n = size ? mxGetNumberOfElements(size) : 1;
     for (int j = 0; j < call->results; j++) {
-        results[j] = size ? mxCreateNumericArray(mxGetNumberOfDimensions(size), mxGetDimensions(size), mxDOUBLE_CLASS, mxREAL)
+        results[j] = size ? mxCreateNumericArray(mxGetNumberOfDimensions(size),
+                                                 mxGetDimensions(size), mxDOUBLE_CLASS, mxREAL)
                           : mxCreateDoubleMatrix(1, 1, mxREAL);
         r[j] = mxGetPr(results[j]);
     }
@@ -414,7 +455,7 @@ static void map(const function *call, void *object, const mxArray *const argumen
     }
 }
 
-/* ---- What makes objects, and the rest ----------------------------------------------------------------------------- */
+/* ---- What makes objects, and the rest -------------------------------------------------------- */
 
 static handle *slot_or_fail(const char *name)
 {
@@ -466,7 +507,8 @@ static mxArray *series_create(const mxArray *const arguments[])
     rwedge_series *series = NULL;
     all_scalars("series", 2, arguments, v);
     handle *slot = slot_or_fail("series");
-    const int32_t status = is_int32(v[1]) ? rwedge_series_create(v[0], (int32_t)v[1], &series) : RWEDGE_EDOMAIN;
+    const int32_t status =
+        is_int32(v[1]) ? rwedge_series_create(v[0], (int32_t)v[1], &series) : RWEDGE_EDOMAIN;
     if (status != RWEDGE_OK)
         fail_with(status, "series", 2, of, v, 0, 1);
     return keep(slot, SERIES, series);
@@ -477,7 +519,8 @@ static void fail_at_sample(size_t n, const double *const samples[])
 {
     static const quantity *const of[] = {&abscissa, &sample};
     size_t i = 0;
-    while (i + 1 < n && is_in_domain(&abscissa, samples[0][i]) && is_in_domain(&sample, samples[1][i]))
+    while (i + 1 < n && is_in_domain(&abscissa, samples[0][i]) &&
+           is_in_domain(&sample, samples[1][i]))
         i++;
     const double v[] = {samples[0][i], samples[1][i]};
     fail_with(RWEDGE_EDOMAIN, "series_fit", 2, of, v, i, n);
@@ -496,7 +539,8 @@ static mxArray *series_fit(const mxArray *const arguments[])
     handle *slot = slot_or_fail("series_fit");
     const size_t n = mxGetNumberOfElements(arguments[0]);
     const int32_t status =
-        is_int32(count) ? rwedge_series_fit(n, samples[0], samples[1], (int32_t)count, &series) : RWEDGE_EDOMAIN;
+        is_int32(count) ? rwedge_series_fit(n, samples[0], samples[1], (int32_t)count, &series)
+                        : RWEDGE_EDOMAIN;
     if (status == RWEDGE_EDOMAIN && is_int32(count))
         fail_at_sample(n, samples);
     if (status != RWEDGE_OK)
@@ -546,9 +590,15 @@ static const struct {
     int arguments;
     mxArray *(*run)(const mxArray *const arguments[]);
 } commands[] = {
-    {"contact_create", 4, contact_create},  {"contact_copy", 1, contact_copy},     {"contact_destroy", 1, destroy_contact},
-    {"series_create", 2, series_create},    {"series_fit", 3, series_fit},         {"series_destroy", 1, destroy_series},
-    {"version", 0, version},                {"strerror", 1, error_text},           {"alive", 0, objects_alive},
+    {"contact_create", 4, contact_create},
+    {"contact_copy", 1, contact_copy},
+    {"contact_destroy", 1, destroy_contact},
+    {"series_create", 2, series_create},
+    {"series_fit", 3, series_fit},
+    {"series_destroy", 1, destroy_series},
+    {"version", 0, version},
+    {"strerror", 1, error_text},
+    {"alive", 0, objects_alive},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
@@ -556,10 +606,12 @@ static const struct {
 static void need(const char *name, int arguments, int given)
 {
     if (given != arguments)
-        fail("arguments", "rwedge_%s takes %d argument%s, not %d", name, arguments, arguments == 1 ? "" : "s", given);
+        fail("arguments", "rwedge_%s takes %d argument%s, not %d", name, arguments,
+             arguments == 1 ? "" : "s", given);
 }
 
-static void call(const function *of, int nlhs, mxArray *plhs[], int nrhs, const mxArray *const prhs[])
+static void call(const function *of, int nlhs, mxArray *plhs[], int nrhs,
+                 const mxArray *const prhs[])
 {
     mxArray *results[MAX_RESULTS] = {NULL, NULL, NULL};
     void *object = NULL;
@@ -573,7 +625,8 @@ static void call(const function *of, int nlhs, mxArray *plhs[], int nrhs, const 
     }
     need(of->name, of->arguments, nrhs);
     if (nlhs > of->results)
-        fail("arguments", "rwedge_%s gives %d result%s, not %d", of->name, of->results, of->results == 1 ? "" : "s", nlhs);
+        fail("arguments", "rwedge_%s gives %d result%s, not %d", of->name, of->results,
+             of->results == 1 ? "" : "s", nlhs);
     map(of, object, prhs, results);
     for (int j = 0; j < of->results; j++)
         if (j == 0 || j < nlhs)

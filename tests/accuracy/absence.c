@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The maxima of a grid of the half-plane, polar and logarithmic in the radius; a stationary point next to one of them is
- * enclosed, and its Hessian over the enclosure. */
+/* The maxima of a grid of the half-plane, polar and logarithmic in the radius; a stationary
+ * point next to one of them is enclosed, and its Hessian over the enclosure. */
 #include "absence.h"
 
 #include <math.h>
@@ -69,7 +69,8 @@ static bool is_concave(const traction *t, const arb_t x, const arb_t y)
 
 static bool is_second_maximum(double alpha, double f, const arb_t x, const arb_t y)
 {
-    const double from_corner = arf_get_d(arb_midref(x), ARF_RND_NEAR) - alpha, depth = arf_get_d(arb_midref(y), ARF_RND_NEAR);
+    const double from_corner = arf_get_d(arb_midref(x), ARF_RND_NEAR) - alpha,
+                 depth = arf_get_d(arb_midref(y), ARF_RND_NEAR);
     return f > 0.25 && hypot(from_corner, depth) < 0.5 * alpha;
 }
 
@@ -79,8 +80,8 @@ static bool is_proved_next_to(const traction *t, double alpha, double f, double 
     acb_t z;
     acb_init(z);
     acb_set_d_d(z, x, y);
-    const bool proved = ball_stationary(w, w + 1, w + 2, NULL, t, z, PROOF_BITS) && is_concave(t, w, w + 1) &&
-                        !is_second_maximum(alpha, f, w, w + 1);
+    const bool proved = ball_stationary(w, w + 1, w + 2, NULL, t, z, PROOF_BITS) &&
+                        is_concave(t, w, w + 1) && !is_second_maximum(alpha, f, w, w + 1);
     acb_clear(z);
     _arb_vec_clear(w, 3);
     return proved;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The accuracy of every function of the library: certified errors at random arguments, as a table in Markdown.
+/* The accuracy of every function of the library: certified errors at random arguments, as a
+ * table in Markdown.
  *
  *     accuracy [calls [seed [function]]]
  *
- * Exit status 1 where an error exceeds what the header promises, or, where it promises nothing, the bound of the row. The
- * figures depend on calls and seed alone. */
+ * Exit status 1 where an error exceeds what the header promises, or, where it promises nothing,
+ * the bound of the row. The figures depend on calls and seed alone. */
 #include <float.h>
 #include <math.h>
 #include <pthread.h>
@@ -17,7 +18,8 @@
 
 enum { BLOCK = 64, THREADS_MAX = 64 };
 
-static const row *const SECTIONS[] = {LAW_ROWS, STICK_ROWS, STRESS_ROWS, STRENGTH_ROWS, DESIGN_ROWS, HISTORY_ROWS, SERIES_ROWS};
+static const row *const SECTIONS[] = {LAW_ROWS,    STICK_ROWS,   STRESS_ROWS, STRENGTH_ROWS,
+                                      DESIGN_ROWS, HISTORY_ROWS, SERIES_ROWS};
 
 /* ---- Measuring: the threads take blocks of calls ---- */
 
@@ -61,7 +63,8 @@ static void measure(work *w)
 {
     pthread_t threads[THREADS_MAX];
     size_t started = 0;
-    while (started + 1 < count_processors() && pthread_create(&threads[started], NULL, take_part, w) == 0)
+    while (started + 1 < count_processors() &&
+           pthread_create(&threads[started], NULL, take_part, w) == 0)
         started++;
     take_part(w);
     while (started-- > 0)
@@ -100,7 +103,8 @@ static void print_breach(const row *claim, const probe *call, double error)
 static bool report(const row *claim, size_t calls, uint64_t seed)
 {
     const double wanted = ceil((double)calls * claim->part);
-    work w = {.claim = claim, .seed = seed, .count = (size_t)wanted, .lock = PTHREAD_MUTEX_INITIALIZER};
+    work w = {
+        .claim = claim, .seed = seed, .count = (size_t)wanted, .lock = PTHREAD_MUTEX_INITIALIZER};
     w.errors = malloc(w.count * sizeof *w.errors);
     if (!w.errors) {
         fprintf(stderr, "out of memory\n");
@@ -118,8 +122,9 @@ static bool report(const row *claim, size_t calls, uint64_t seed)
     probe call;
     probe_error(claim, seed, worst, &call);
     const bool kept = error <= claim->promised;
-    printf("| `%s` | %s | %zu | %.3g | %.3g | %.1e %s | %s%s | ", claim->function, claim->domain, w.count, error / DBL_EPSILON,
-           usual / DBL_EPSILON, error, claim->measure, claim->promise, kept ? "" : " **broken**");
+    printf("| `%s` | %s | %zu | %.3g | %.3g | %.1e %s | %s%s | ", claim->function, claim->domain,
+           w.count, error / DBL_EPSILON, usual / DBL_EPSILON, error, claim->measure, claim->promise,
+           kept ? "" : " **broken**");
     print_call(stdout, &call, "%.4g");
     printf(" |\n");
     fflush(stdout);
@@ -138,7 +143,8 @@ int main(int count, char *arguments[])
         return 2;
     }
     bool kept = true, found = false;
-    printf("| `rwedge_` | domain sampled | calls | worst, eps | 99.9 %%, eps | worst, and of what | promised | worst at |\n"
+    printf("| `rwedge_` | domain sampled | calls | worst, eps | 99.9 %%, eps | worst, and of what "
+           "| promised | worst at |\n"
            "|---|---|---|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof SECTIONS / sizeof SECTIONS[0]; i++)
         for (const row *claim = SECTIONS[i]; claim->function; claim++)

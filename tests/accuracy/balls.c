@@ -54,7 +54,8 @@ typedef struct {
     arb_srcptr a, force;
 } pressing;
 
-static void force_too_much(arb_ptr value, arb_ptr slope, const arb_t b, const void *context, slong prec)
+static void force_too_much(arb_ptr value, arb_ptr slope, const arb_t b, const void *context,
+                           slong prec)
 {
     const pressing *c = context;
     if (value) {
@@ -155,7 +156,8 @@ void ball_pressure(arb_t p, const arb_t a, const arb_t c, const arb_t x, slong p
 }
 
 /* guess - f(guess)/f'(neighbourhood), where it lies inside the neighbourhood. */
-static bool newton(arb_t zero, const arb_t neighbourhood, ball_function function, const void *context, slong prec)
+static bool newton(arb_t zero, const arb_t neighbourhood, ball_function function,
+                   const void *context, slong prec)
 {
     arb_t middle, value, slope;
     arb_init(middle), arb_init(value), arb_init(slope);
@@ -183,14 +185,16 @@ static void improve(arb_t guess, ball_function function, const void *context, sl
         arb_get_mid_arb(value, value);
         arb_sub(guess, guess, value, prec);
         arb_get_mid_arb(guess, guess);
-        if (arf_is_zero(arb_midref(value)) || (arf_cmpabs(arb_midref(value), arb_midref(guess)) < 0 &&
-                                               ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(guess)) - prec / 2))
+        if (arf_is_zero(arb_midref(value)) ||
+            (arf_cmpabs(arb_midref(value), arb_midref(guess)) < 0 &&
+             ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(guess)) - prec / 2))
             break;
     }
     arb_clear(value), arb_clear(slope);
 }
 
-bool ball_zero(arb_t zero, const arb_t guess, double width, ball_function function, const void *context, slong prec)
+bool ball_zero(arb_t zero, const arb_t guess, double width, ball_function function,
+               const void *context, slong prec)
 {
     arb_t neighbourhood, centre;
     arb_init(neighbourhood), arb_init(centre);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The formulas of one contact in ball arithmetic, from the paper, and roots enclosed by Newton's method. */
+/* The formulas of one contact in ball arithmetic, from the paper, and roots enclosed by Newton's
+ * method. */
 #ifndef BALLS_H
 #define BALLS_H
 
@@ -12,11 +13,13 @@
 #include <arb_mat.h>
 #endif
 
-/* A P/theta of a contact of half-width b, Eq. (7), (11), (15): (b^2 phi0 + a sqrt(b^2-a^2))/a, and its derivative by b. */
+/* A P/theta of a contact of half-width b, Eq. (7), (11), (15): (b^2 phi0 + a sqrt(b^2-a^2))/a,
+ * and its derivative by b. */
 void ball_force(arb_t force, const arb_t a, const arb_t b, slong prec);
 void ball_force_slope(arb_t slope, const arb_t a, const arb_t b, slong prec);
 
-/* The half-width b > 0 of that force; guess is near it, and only a guess. Indeterminate where it is too far off. */
+/* The half-width b > 0 of that force; guess is near it, and only a guess. Indeterminate where it
+ * is too far off. */
 void ball_half_width(arb_t b, const arb_t a, const arb_t force, double guess, slong prec);
 
 /* A p/theta at |x| < c, pressed to the half-width c, Eq. (8), (12), (14); 0 beyond. */
@@ -26,10 +29,13 @@ void ball_pressure(arb_t p, const arb_t a, const arb_t c, const arb_t x, slong p
 void ball_angle(arb_t phi0, arb_t c0, const arb_t a, const arb_t b, slong prec);
 
 /* A function and its derivative over a ball; either may be NULL. */
-typedef void (*ball_function)(arb_ptr value, arb_ptr slope, const arb_t x, const void *context, slong prec);
+typedef void (*ball_function)(arb_ptr value, arb_ptr slope, const arb_t x, const void *context,
+                              slong prec);
 
-/* A zero near the guess: Newton's method, the last step with the derivative over a whole neighbourhood, which proves that there
- * is one and that it is where it says. False where none is proved. The neighbourhoods tried are small beside the width. */
-bool ball_zero(arb_t zero, const arb_t guess, double width, ball_function function, const void *context, slong prec);
+/* A zero near the guess: Newton's method, the last step with the derivative over a whole
+ * neighbourhood, which proves that there is one and that it is where it says. False where none
+ * is proved. The neighbourhoods tried are small beside the width. */
+bool ball_zero(arb_t zero, const arb_t guess, double width, ball_function function,
+               const void *context, slong prec);
 
 #endif

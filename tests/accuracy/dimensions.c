@@ -28,7 +28,8 @@ static double some_geometry(probe *call, double v[3])
 
 static bool draw_radius(probe *call)
 {
-    const double theta = argument(call, "theta", some_angle(call)), a = argument(call, "a", some_unit(call));
+    const double theta = argument(call, "theta", some_angle(call)),
+                 a = argument(call, "a", some_unit(call));
     call->result[0] = rwedge_radius(theta, a);
     return true;
 }
@@ -46,7 +47,8 @@ static void judge_radius(arb_t error, const probe *call, slong prec)
 
 static bool draw_rounding(probe *call)
 {
-    const double theta = argument(call, "theta", some_angle(call)), R = argument(call, "R", some_unit(call));
+    const double theta = argument(call, "theta", some_angle(call)),
+                 R = argument(call, "R", some_unit(call));
     call->result[0] = rwedge_rounding(theta, R);
     return true;
 }
@@ -122,13 +124,14 @@ static void judge_normal_load(arb_t error, const probe *call, slong prec)
 
 /* ---- The load at first yield ---- */
 
-/* alpha d/dalpha of J2 at a point below the surface. With q = 2 phi0/(pi alpha),
- * alpha dG/dalpha = -z G' - q/X and alpha d(y G')/dalpha = -y G' - y z G'' + q y z/X^3: what a flat punch adds. */
+/* alpha d/dalpha of J2 at a point below the surface. With q = 2 phi0/(pi alpha), alpha dG/dalpha
+ * = -z G' - q/X and alpha d(y G')/dalpha = -y G' - y z G'' + q y z/X^3: what a flat punch adds. */
 static void J2_by_alpha_below(arb_t slope, const traction *t, const acb_t z, slong prec)
 {
     const ball_patch *patch = &t->patch[0];
     acb_ptr v = _acb_vec_init(10);
-    acb_ptr G = v, dG = v + 1, X = v + 2, Ga = v + 3, Ha = v + 4, u = v + 5, D = v + 6, Da = v + 7, mu = v + 8, K = v + 9;
+    acb_ptr G = v, dG = v + 1, X = v + 2, Ga = v + 3, Ha = v + 4, u = v + 5, D = v + 6, Da = v + 7,
+            mu = v + 8, K = v + 9;
     arb_ptr w = _arb_vec_init(3);
     arb_ptr q = w, s = w + 1, sa = w + 2;
     ball_potential(G, patch, z, prec);
@@ -184,7 +187,8 @@ static void J2_by_alpha_below(arb_t slope, const traction *t, const acb_t z, slo
     _arb_vec_clear(w, 3);
 }
 
-/* The same at the surface and for fixed x/alpha, where alpha dp/dalpha is 2 phi0/(pi alpha sqrt(1-x^2)). */
+/* The same at the surface and for fixed x/alpha, where alpha dp/dalpha is 2 phi0/(pi alpha
+ * sqrt(1-x^2)). */
 static void J2_by_alpha_at_surface(arb_t slope, const traction *t, const arb_t x, slong prec)
 {
     arb_ptr w = _arb_vec_init(5);
@@ -209,7 +213,8 @@ static void J2_by_alpha_at_surface(arb_t slope, const traction *t, const arb_t x
 }
 
 /* max sqrt(J2) - A k/theta, and its derivative by alpha < 1. */
-static bool excess_of_peak(arb_t value, arb_t slope, const arb_t alpha, const void *context, slong prec)
+static bool excess_of_peak(arb_t value, arb_t slope, const arb_t alpha, const void *context,
+                           slong prec)
 {
     const probe *call = context;
     const double *v = call->value, *r = call->result;
@@ -266,15 +271,16 @@ static bool yields_at_all(const probe *call)
     return yields;
 }
 
-/* The peak of sqrt(J2), in theta/A, from what a tip alpha has, so that all tips come up. result[1] is alpha of the library's
- * load, result[2], result[3] where it yields. */
+/* The peak of sqrt(J2), in theta/A, from what a tip alpha has, so that all tips come up.
+ * result[1] is alpha of the library's load, result[2], result[3] where it yields. */
 static bool draw_yield_load(probe *call)
 {
     double v[3], *r = call->result;
     some_geometry(call, v);
     const double f = argument(call, "f", chance(call, 0.1) ? some_friction(call) : uniform(call));
     const double nu = argument(call, "nu", some_poisson(call));
-    const double tip = log_between(call, 1e-13, 100), peak = rwedge_load(tip) / rwedge_elastic_limit(tip, f, nu);
+    const double tip = log_between(call, 1e-13, 100),
+                 peak = rwedge_load(tip) / rwedge_elastic_limit(tip, f, nu);
     const double k = argument(call, "k", v[0] / v[2] * peak);
     if (v[1] == 0)
         return false;
@@ -325,8 +331,9 @@ static void judge_yield_load(arb_t error, const probe *call, slong prec)
 {
     arb_t alpha, P;
     arb_init(alpha), arb_init(P);
-    const bool proved = call->result[1] >= 1 ? hertz_alpha(alpha, call, prec)
-                                             : ball_parameter(alpha, call->result[1], excess_of_peak, call, prec);
+    const bool proved = call->result[1] >= 1
+                            ? hertz_alpha(alpha, call, prec)
+                            : ball_parameter(alpha, call->result[1], excess_of_peak, call, prec);
     if (proved) {
         arb_set_d(P, call->value[1]);
         const double condition = condition_of(alpha, call, prec);
@@ -344,11 +351,12 @@ static void judge_yield_load(arb_t error, const probe *call, slong prec)
 #define UNITS "lengths, A 1e-70 to 1e70, all AP/(theta a)"
 
 const row DESIGN_ROWS[] = {
-    {"radius", "theta 1e-9 to pi/2; a 1e-70 to 1e70", "relative", DBL_EPSILON, "(1 eps)", 1, draw_radius, judge_radius},
+    {"radius", "theta 1e-9 to pi/2; a 1e-70 to 1e70", "relative", DBL_EPSILON, "(1 eps)", 1,
+     draw_radius, judge_radius},
     {"rounding", "the same", "relative", DBL_EPSILON, "(1 eps)", 1, draw_rounding, judge_rounding},
     {"half_width", UNITS, "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
     {"normal_load", UNITS, "relative", 1e-14, "1e-14", 1, draw_normal_load, judge_normal_load},
-    {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)", 1e-11, "1e-11", 0.2,
-     draw_yield_load, judge_yield_load},
+    {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)",
+     1e-11, "1e-11", 0.2, draw_yield_load, judge_yield_load},
     {0},
 };

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* While the front of slip passes the layer s0 > s > s1 of the path, whose slope differs by w from that of slip, and the load
- * moves linearly from p0 to p1,
+/* While the front of slip passes the layer s0 > s > s1 of the path, whose slope differs by w
+ * from that of slip, and the load moves linearly from p0 to p1,
  *     energy = (A f^2/pi) w int B(u) d ln(eta(u)),   B(u) = int max(P(s) - u, 0) ds over s1 < s < min(s0, u).
- * B is a polynomial of the second degree between its corners s0, s1, p0, p1; the integrals of u^k d ln(eta) are elementary
- * on either side of the load at the end of the rounding. */
+ * B is a polynomial of the second degree between its corners s0, s1, p0, p1; the integrals of
+ * u^k d ln(eta) are elementary on either side of the load at the end of the rounding. */
 #include "energy.h"
 
 typedef struct {
@@ -44,8 +44,9 @@ static void overlap(arb_t B, const layer *l, const arb_t u, slong prec)
     _arb_vec_clear(w, 6);
 }
 
-/* The indefinite integrals of u^k d ln(eta), k = 0, 1, 2, at the load u, in units of corner/(pi/2) =: U and lengths of a:
- * on the rounding u = (pi/2) eta^2; beyond, with phi = asin(1/eta), r = sqrt(eta^2-1), u = eta^2 phi + r,
+/* The indefinite integrals of u^k d ln(eta), k = 0, 1, 2, at the load u, in units of
+ * corner/(pi/2) =: U and lengths of a: on the rounding u = (pi/2) eta^2; beyond, with phi =
+ * asin(1/eta), r = sqrt(eta^2-1), u = eta^2 phi + r,
  *     ln(eta);   eta^2 phi/2 + 3 r/2 - acos(1/eta);   eta^4 phi^2/4 + (5 r^3/6 + r/2) phi + 11 eta^2/12 - (4/3) ln(eta). */
 static void primitives(arb_ptr V, const arb_t eta, bool beyond, slong prec)
 {
@@ -98,7 +99,8 @@ static void sharp_primitives(arb_ptr V, const arb_t u, slong prec)
     arb_mul_2exp_si(V + 2, V + 2, -1);
 }
 
-static void primitives_at(arb_ptr V, const profile *p, const arb_t u, const arb_t U, bool beyond, slong prec)
+static void primitives_at(arb_ptr V, const profile *p, const arb_t u, const arb_t U, bool beyond,
+                          slong prec)
 {
     arb_t one, eta, scaled;
     arb_init(one), arb_init(eta), arb_init(scaled);
@@ -111,7 +113,8 @@ static void primitives_at(arb_ptr V, const profile *p, const arb_t u, const arb_
     } else {
         /* the half-width in a: guess from either end of the law */
         const double load = arf_get_d(arb_midref(scaled), ARF_RND_NEAR);
-        const double hertz = 0.7978845608028654, guess = load < 1.5707963267948966 ? hertz * sqrt(load) : load / 1.9;
+        const double hertz = 0.7978845608028654,
+                     guess = load < 1.5707963267948966 ? hertz * sqrt(load) : load / 1.9;
         arb_sub(eta, u, p->corner, prec);
         if (sign_beside(eta, p->corner, prec) == 0)
             arb_one(eta);
@@ -122,11 +125,14 @@ static void primitives_at(arb_ptr V, const profile *p, const arb_t u, const arb_
     arb_clear(one), arb_clear(eta), arb_clear(scaled);
 }
 
-/* int_lo^hi B d ln(eta), where B is one polynomial and the loads are on one side of the corner; in units of U. */
-static void add_piece(arb_t sum, const layer *l, const profile *p, const arb_t lo, const arb_t hi, slong prec)
+/* int_lo^hi B d ln(eta), where B is one polynomial and the loads are on one side of the corner;
+ * in units of U. */
+static void add_piece(arb_t sum, const layer *l, const profile *p, const arb_t lo, const arb_t hi,
+                      slong prec)
 {
     arb_ptr w = _arb_vec_init(16);
-    arb_ptr B = w, V = w + 3, V_lo = w + 6, U = w + 9, middle = w + 10, x = w + 11, y = w + 12, c = w + 13;
+    arb_ptr B = w, V = w + 3, V_lo = w + 6, U = w + 9, middle = w + 10, x = w + 11, y = w + 12,
+            c = w + 13;
     arb_add(middle, lo, hi, prec);
     arb_mul_2exp_si(middle, middle, -1);
     const bool beyond = arf_cmp(arb_midref(middle), arb_midref(p->corner)) > 0;
@@ -146,7 +152,8 @@ static void add_piece(arb_t sum, const layer *l, const profile *p, const arb_t l
     /* B = c0 + c1 u + c2 u^2 through the three values, u in U */
     arb_div(x, lo, U, prec);
     arb_div(y, hi, U, prec);
-    arb_sub(y, y, x, prec); /* the length; with t = (u - x)/y: B = B0 + (4 B1 - 3 B0 - B2) t + 2 (B0 - 2 B1 + B2) t^2 */
+    /* the length; with t = (u - x)/y: B = B0 + (4 B1 - 3 B0 - B2) t + 2 (B0 - 2 B1 + B2) t^2 */
+    arb_sub(y, y, x, prec);
     arb_mul_2exp_si(c + 1, B + 1, 2);
     arb_submul_ui(c + 1, B, 3, prec);
     arb_sub(c + 1, c + 1, B + 2, prec);
@@ -176,14 +183,16 @@ static void add_layer(arb_t sum, const arb_t weight, const layer *l, const profi
     arb_ptr total = cut + CUTS;
     arb_t length;
     arb_init(length);
-    arb_set(cut, &l->s0), arb_set(cut + 1, &l->s1), arb_set(cut + 2, &l->p0), arb_set(cut + 3, &l->p1);
+    arb_set(cut, &l->s0), arb_set(cut + 1, &l->s1), arb_set(cut + 2, &l->p0),
+        arb_set(cut + 3, &l->p1);
     arb_set(cut + 4, p->corner);
     for (int i = 1; i < CUTS; i++)
         for (int j = i; j > 0 && arf_cmp(arb_midref(cut + j), arb_midref(cut + j - 1)) < 0; j--)
             arb_swap(cut + j, cut + j - 1);
     for (int i = 1; i < CUTS; i++) {
         arb_sub(length, cut + i, cut + i - 1, prec);
-        if (sign_beside(length, cut + i, prec) > 0 && arf_cmp(arb_midref(cut + i), arb_midref(&l->s1)) > 0 &&
+        if (sign_beside(length, cut + i, prec) > 0 &&
+            arf_cmp(arb_midref(cut + i), arb_midref(&l->s1)) > 0 &&
             arf_cmp(arb_midref(cut + i - 1), arb_midref(&l->s1)) >= 0)
             add_piece(total, l, p, cut + i - 1, cut + i, prec);
     }
@@ -201,7 +210,8 @@ typedef struct {
 
 /* Slip of one sign from t = start to end: the front goes from the edge inwards. It is at s when
  * t climb = (P0 - s) - slip (T0 - T(s)), climb = slip rise - run. */
-static void sweep(arb_t sum, const step *st, int slip, const arb_t start, const arb_t end, const profile *p, slong prec)
+static void sweep(arb_t sum, const step *st, int slip, const arb_t start, const arb_t end,
+                  const profile *p, slong prec)
 {
     arb_ptr w = _arb_vec_init(6);
     arb_ptr climb = w, top = w + 1, t_top = w + 2, t = w + 3, weight = w + 4, u = w + 5;
@@ -255,12 +265,13 @@ static void sweep(arb_t sum, const step *st, int slip, const arb_t start, const 
     _arb_vec_clear(w, 6);
 }
 
-/* A falling load: its edge moves along the path, and where what the step is ahead of the path changes sign the zone of slip has
- * shrunk to nothing and begins anew. */
+/* A falling load: its edge moves along the path, and where what the step is ahead of the path
+ * changes sign the zone of slip has shrunk to nothing and begins anew. */
 static void falling(arb_t sum, arb_t most, const step *st, const profile *p, slong prec)
 {
     arb_ptr w = _arb_vec_init(8);
-    arb_ptr t = w, start = w + 1, missing = w + 2, next = w + 3, rate = w + 4, then = w + 5, crossing = w + 6, scale = w + 7;
+    arb_ptr t = w, start = w + 1, missing = w + 2, next = w + 3, rate = w + 4, then = w + 5,
+            crossing = w + 6, scale = w + 7;
     int slip = 0;
     arb_abs(scale, st->load);
     for (int i = st->p->count - 1; i > 0; i--) {
@@ -300,14 +311,15 @@ static void falling(arb_t sum, arb_t most, const step *st, const profile *p, slo
     _arb_vec_clear(w, 8);
 }
 
-void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear, const arb_t a,
-                      const arb_t unit, slong prec)
+void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load, const arb_t shear,
+                      const arb_t a, const arb_t unit, slong prec)
 {
     const corner *end = &p->corners[p->count - 1];
     step st = {.p = p, .load = end->load, .shear = end->shear};
     profile q = {.a = a, .unit = unit};
     arb_t zero, one, steep;
-    arb_init(st.run), arb_init(st.rise), arb_init(q.corner), arb_init(zero), arb_init(one), arb_init(steep);
+    arb_init(st.run), arb_init(st.rise), arb_init(q.corner), arb_init(zero), arb_init(one),
+        arb_init(steep);
     arb_one(one);
     arb_sub(st.run, load, end->load, prec);
     arb_sub(st.rise, shear, end->shear, prec);
@@ -325,5 +337,6 @@ void ball_dissipation(arb_t energy, arb_t ahead, const path *p, const arb_t load
         if (sign_beside(steep, load, prec) > 0)
             sweep(energy, &st, arf_sgn(arb_midref(st.rise)), zero, one, &q, prec);
     }
-    arb_clear(st.run), arb_clear(st.rise), arb_clear(q.corner), arb_clear(zero), arb_clear(one), arb_clear(steep);
+    arb_clear(st.run), arb_clear(st.rise), arb_clear(q.corner), arb_clear(zero), arb_clear(one),
+        arb_clear(steep);
 }

@@ -68,10 +68,12 @@ void ball_stresses(arb_t sxx, arb_t syy, arb_t txy, const traction *t, const acb
 
 enum { ORDERS = 4 };
 
-/* G'' and G''' of one patch, which are algebraic; over the half-width, X = sqrt(z^2-1), q = z^2 - alpha^2:
+/* G'' and G''' of one patch, which are algebraic; over the half-width, X = sqrt(z^2-1), q = z^2
+ * - alpha^2:
  *     G''  =  (2/pi) [c0/(X q) + (phi0/alpha)/X^3],
  *     G''' = -(2/pi) z [c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5]. */
-static void add_bends(acb_ptr sum, const ball_patch *patch, const acb_t point, const arb_t weight, slong prec)
+static void add_bends(acb_ptr sum, const ball_patch *patch, const acb_t point, const arb_t weight,
+                      slong prec)
 {
     acb_ptr v = _acb_vec_init(6);
     acb_ptr z = v, per_X = v + 1, per_X2 = v + 2, corner = v + 3, edge = v + 4, u = v + 5;
@@ -159,11 +161,13 @@ static void by_depth(acb_t D, const acb_ptr N, const acb_ptr T, int k, const arb
     acb_mul_arb(D, D, y, prec);
 }
 
-/* d = i d/dx of what is analytic in z, and the explicit y; all products of derivatives of D and of s. */
+/* d = i d/dx of what is analytic in z, and the explicit y; all products of derivatives of D and
+ * of s. */
 void ball_J2(arb_ptr J2, int order, const traction *t, const acb_t z, slong prec)
 {
     acb_ptr v = _acb_vec_init(2 * ORDERS + 8);
-    acb_ptr N = v, T = v + ORDERS, D = v + 2 * ORDERS, Dx = D + 1, Dy = D + 2, Dxx = D + 3, Dxy = D + 4, Dyy = D + 5, u = D + 6;
+    acb_ptr N = v, T = v + ORDERS, D = v + 2 * ORDERS, Dx = D + 1, Dy = D + 2, Dxx = D + 3,
+            Dxy = D + 4, Dyy = D + 5, u = D + 6;
     arb_ptr w = _arb_vec_init(6);
     arb_ptr s = w, sx = w + 1, sy = w + 2, sxx = w + 3, sxy = w + 4, r = w + 5;
     const arb_srcptr y = acb_imagref(z), kappa = t->kappa;
@@ -243,26 +247,29 @@ static double middle(const arb_t ball)
     return arf_get_d(arb_midref(ball), ARF_RND_NEAR);
 }
 
-/* The inverse of the Hessian at the middle, times -1, in lengths of the depth; any numbers near it serve. */
+/* The inverse of the Hessian at the middle, times -1, in lengths of the depth; any numbers near
+ * it serve. */
 static bool invert(double inverse[3], arb_srcptr J2, double depth, double *flatness)
 {
     const double J = middle(J2 + J2_0), scale = depth * depth / J;
-    const double xx = middle(J2 + J2_XX) * scale, xy = middle(J2 + J2_XY) * scale, yy = middle(J2 + J2_YY) * scale;
+    const double xx = middle(J2 + J2_XX) * scale, xy = middle(J2 + J2_XY) * scale,
+                 yy = middle(J2 + J2_YY) * scale;
     const double determinant = xx * yy - xy * xy;
     if (!(determinant != 0 && isfinite(determinant)))
         return false;
     if (flatness)
-        *flatness = fabs(determinant) / hypot(hypot(xx, yy), xy); /* the smaller curvature, but for a factor of 2 */
+        /* the smaller curvature, but for a factor of 2 */
+        *flatness = fabs(determinant) / hypot(hypot(xx, yy), xy);
     inverse[0] = yy / determinant * scale;
     inverse[1] = -xy / determinant * scale;
     inverse[2] = xx / determinant * scale;
     return true;
 }
 
-/* Krawczyk's operator about the middle of the box, step = K - middle: it contains middle - step of every stationary point of
- * the box; and where K lies inside the box, there is one. */
-static bool krawczyk(arb_ptr step, arb_ptr at_middle, arb_ptr over_box, double *flatness, const traction *t, const acb_t box,
-                     slong prec)
+/* Krawczyk's operator about the middle of the box, step = K - middle: it contains middle - step
+ * of every stationary point of the box; and where K lies inside the box, there is one. */
+static bool krawczyk(arb_ptr step, arb_ptr at_middle, arb_ptr over_box, double *flatness,
+                     const traction *t, const acb_t box, slong prec)
 {
     arb_ptr w = _arb_vec_init(8);
     arb_ptr inv = w, r = w + 3, u = w + 7;
@@ -338,7 +345,8 @@ static void improve(acb_t z, arb_ptr w, const traction *t, slong prec)
     }
 }
 
-bool ball_stationary(arb_t x, arb_t y, arb_t J2, double *flatness, const traction *t, const acb_t z, slong prec)
+bool ball_stationary(arb_t x, arb_t y, arb_t J2, double *flatness, const traction *t, const acb_t z,
+                     slong prec)
 {
     arb_ptr w = _arb_vec_init(3 + 2 * J2_COUNT);
     arb_ptr step = w, at_middle = w + 2, over_box = w + 2 + J2_COUNT, d = w + 2 + 2 * J2_COUNT;
@@ -352,7 +360,8 @@ bool ball_stationary(arb_t x, arb_t y, arb_t J2, double *flatness, const tractio
         acb_get_mid(box, box);
         mag_set_d(arb_radref(acb_realref(box)), ldexp(depth, -(int)bits));
         mag_set(arb_radref(acb_imagref(box)), arb_radref(acb_realref(box)));
-        proved = krawczyk(step, at_middle, over_box, flatness, t, box, prec) && is_inside(box, step);
+        proved =
+            krawczyk(step, at_middle, over_box, flatness, t, box, prec) && is_inside(box, step);
     }
     /* Taylor about the middle m: J2(m + d) in J2(m) + g d + d H d/2, d in the step */
     mag_t reach;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts with a load history: half-widths, tractions, stresses, slip, energy, distance from yield. */
+/* Contacts with a load history: half-widths, tractions, stresses, slip, energy, distance from
+ * yield. */
 #include <float.h>
 #include <math.h>
 
@@ -11,8 +12,9 @@
 
 /* ---- Random histories ---- */
 
-/* Loads of every kind: growing, falling, repeated, in full sliding; never closer to each other than 1e-3 without being equal,
- * because the library takes loads within rounding of each other for equal. */
+/* Loads of every kind: growing, falling, repeated, in full sliding; never closer to each other
+ * than 1e-3 without being equal, because the library takes loads within rounding of each other
+ * for equal. */
 static void some_loads(probe *call, double f, double unit)
 {
     const int count = 1 + (int)(uniform(call) * uniform(call) * LOADS_MAX);
@@ -29,7 +31,11 @@ static void some_loads(probe *call, double f, double unit)
             if (fabs(P / old - 1) < 1e-3)
                 P = old;
             const double how = uniform(call);
-            Q = f * P * (how < 0.08 ? 1 : how < 0.16 ? -1 : how < 0.2 ? 0 : between(call, -0.999, 0.999));
+            Q = f * P *
+                (how < 0.08   ? 1
+                 : how < 0.16 ? -1
+                 : how < 0.2  ? 0
+                              : between(call, -0.999, 0.999));
         }
         call->P[i] = P;
         call->Q[i] = Q;
@@ -44,13 +50,17 @@ static void destroy(void *contact)
     rwedge_contact_destroy(contact);
 }
 
-/* The contact under its last load; NULL, and NaN for a result, where it is refused: all that is drawn is in the domain. */
+/* The contact under its last load; NULL, and NaN for a result, where it is refused: all that is
+ * drawn is in the domain. */
 static rwedge_contact *some_contact(probe *call)
 {
     const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
                  A = argument(call, "A", log_between(call, 1e-6, 1));
     const double kind = uniform(call), b = log_between(call, 1e-3, 10);
-    const double a = argument(call, "a", kind < 0.1 ? 0 : kind < 0.2 ? b * 20 : b * log_between(call, 1e-6, 2));
+    const double a = argument(call, "a",
+                              kind < 0.1   ? 0
+                              : kind < 0.2 ? b * 20
+                                           : b * log_between(call, 1e-6, 2));
     const double f = argument(call, "f", log_between(call, 0.01, 3));
     some_loads(call, f, theta / A * b);
     call->result[0] = NAN;
@@ -68,8 +78,10 @@ static rwedge_contact *some_contact(probe *call)
 /* Next to an edge of some load, of slip, of the rounding; or anywhere in the contact. */
 static double some_contact_place(probe *call, const rwedge_contact *contact)
 {
-    const double *v = call->arguments ? (const double[]){call->value[0], call->value[2], call->value[1]} : 0;
-    const double b = rwedge_contact_half_width(contact), c = rwedge_contact_stick_half_width(contact);
+    const double *v =
+        call->arguments ? (const double[]){call->value[0], call->value[2], call->value[1]} : 0;
+    const double b = rwedge_contact_half_width(contact),
+                 c = rwedge_contact_stick_half_width(contact);
     const double P = call->P[(int)(uniform(call) * call->loads)], kind = uniform(call);
     const double mark = kind < 0.2   ? b
                         : kind < 0.4 ? c
@@ -136,7 +148,8 @@ static void run_history(state *s, slong prec)
 static void width_of(arb_t width, const state *s, const arb_t load, slong prec)
 {
     const double *v = s->call->value;
-    const double guess = rwedge_half_width(v[0], v[2], v[1], arf_get_d(arb_midref(load), ARF_RND_NEAR));
+    const double guess =
+        rwedge_half_width(v[0], v[2], v[1], arf_get_d(arb_midref(load), ARF_RND_NEAR));
     arb_t force;
     arb_init(force);
     arb_div(force, load, s->unit, prec);
@@ -152,8 +165,8 @@ static void weight_of(arb_t weight, const path *p, int i, slong prec)
         arb_sub(weight, weight, p->corners[i + 1].ratio, prec);
 }
 
-/* How much the rounding of loads that are close to each other is magnified in D, the quotient of their differences: nothing
- * from 1e-2 of the load on. */
+/* How much the rounding of loads that are close to each other is magnified in D, the quotient of
+ * their differences: nothing from 1e-2 of the load on. */
 static double closeness(const probe *call)
 {
     double factor = 1;
@@ -163,7 +176,8 @@ static double closeness(const probe *call)
     return factor;
 }
 
-/* A load of the diagram has the rounding of the largest one: by how much more than 1e-14 a half-width may be off. */
+/* A load of the diagram has the rounding of the largest one: by how much more than 1e-14 a
+ * half-width may be off. */
 static double looseness(const state *s, int i)
 {
     double largest = 0;
@@ -262,8 +276,10 @@ static bool draw_shear(probe *call)
     return draw_tractions(call, 1);
 }
 
-/* What half-widths off by 1e-14, and by what their load's rounding is, change in the pressure of a patch. */
-static void change_by_width(arb_t change, const state *s, int i, const arb_t width, const arb_t x, slong prec)
+/* What half-widths off by 1e-14, and by what their load's rounding is, change in the pressure of
+ * a patch. */
+static void change_by_width(arb_t change, const state *s, int i, const arb_t width, const arb_t x,
+                            slong prec)
 {
     arb_t other, p;
     arb_init(other), arb_init(p);
@@ -279,13 +295,14 @@ static void change_by_width(arb_t change, const state *s, int i, const arb_t wid
     arb_clear(other), arb_clear(p);
 }
 
-/* result, over 1e-13 (theta/A + |p|) f and what half-widths off by 1e-14 change, times 1e-13; for the pressure over
- * 1e-12 |p| and that, times 1e-12. */
+/* result, over 1e-13 (theta/A + |p|) f and what half-widths off by 1e-14 change, times 1e-13;
+ * for the pressure over 1e-12 |p| and that, times 1e-12. */
 static void judge_tractions(arb_t error, const probe *call, bool shear, slong prec)
 {
     state s;
     arb_ptr w = _arb_vec_init(8);
-    arb_ptr x = w, width = w + 1, p = w + 2, q = w + 3, weight = w + 4, change = w + 5, sum = w + 6, u = w + 7;
+    arb_ptr x = w, width = w + 1, p = w + 2, q = w + 3, weight = w + 4, change = w + 5, sum = w + 6,
+            u = w + 7;
     state_init(&s, call, prec);
     run_history(&s, prec);
     arb_set_d(x, call->value[4]);
@@ -340,7 +357,8 @@ static bool draw_stresses(probe *call)
     if (!contact)
         return true;
     const double b = rwedge_contact_half_width(contact), kind = uniform(call);
-    double x = some_contact_place(call, contact), y = kind < 0.2 ? 0 : b * log_between(call, 1e-15, 3);
+    double x = some_contact_place(call, contact),
+           y = kind < 0.2 ? 0 : b * log_between(call, 1e-15, 3);
     if (kind > 0.9) {
         x *= log_between(call, 1, 1e4);
         y *= log_between(call, 1, 1e4);
@@ -354,7 +372,8 @@ static bool draw_stresses(probe *call)
 }
 
 /* The traction of the state; with one corner, that of its patch alone. */
-static void traction_of(traction *t, const state *s, int only, double stretch, double nu, slong prec)
+static void traction_of(traction *t, const state *s, int only, double stretch, double nu,
+                        slong prec)
 {
     arb_t width, weight, factor;
     arb_init(width), arb_init(weight), arb_init(factor);
@@ -385,7 +404,8 @@ static void norm_of(arb_t norm, arb_srcptr s, slong prec)
     arb_clear(u);
 }
 
-/* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in the stresses of the patches. */
+/* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in
+ * the stresses of the patches. */
 static void stress_change_by_widths(arb_t sum, const state *s, const acb_t z, slong prec)
 {
     arb_ptr w = _arb_vec_init(7);
@@ -406,8 +426,10 @@ static void stress_change_by_widths(arb_t sum, const state *s, const acb_t z, sl
     _arb_vec_clear(w, 7);
 }
 
-/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths change, over 1e-13. */
-static void stress_scale(arb_t scale, const state *s, arb_srcptr stresses, const acb_t z, slong prec)
+/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths change,
+ * over 1e-13. */
+static void stress_scale(arb_t scale, const state *s, arb_srcptr stresses, const acb_t z,
+                         slong prec)
 {
     arb_t far, change;
     arb_init(far), arb_init(change);
@@ -471,7 +493,8 @@ static bool draw_slip(probe *call)
 }
 
 /* (x X - L - max(x - alpha, 0)^2)/(2 alpha), L = arcosh x, X = sqrt(x^2-1): Hertz. */
-static void hertz_gap(arb_t gap, const arb_t alpha, const arb_t x, const arb_t X, const arb_t L, slong prec)
+static void hertz_gap(arb_t gap, const arb_t alpha, const arb_t x, const arb_t X, const arb_t L,
+                      slong prec)
 {
     arb_t beyond;
     arb_init(beyond);
@@ -485,10 +508,12 @@ static void hertz_gap(arb_t gap, const arb_t alpha, const arb_t x, const arb_t X
     arb_clear(beyond);
 }
 
-/* x - int G dx, int G = x G - (2/(pi alpha)) [(x^2-alpha^2) M/2 - alpha c0 L/2 - phi0 (x X + L)/2], which is 1 at x = 1, with
- * G = (2/pi) [atan(c0/X) + x M/alpha - phi0 X/alpha] and M = atan(tan(phi0) X/x): in all
- * x - (2/pi) [x atan(c0/X) + (x^2+alpha^2) M/(2 alpha) + c0 L/2 - phi0 (x X - L)/(2 alpha)]. */
-static void rounded_gap(arb_t gap, const arb_t alpha, const arb_t x, const arb_t X, const arb_t L, slong prec)
+/* x - int G dx, int G = x G - (2/(pi alpha)) [(x^2-alpha^2) M/2 - alpha c0 L/2 - phi0 (x X +
+ * L)/2], which is 1 at x = 1, with G = (2/pi) [atan(c0/X) + x M/alpha - phi0 X/alpha] and M =
+ * atan(tan(phi0) X/x): in all x - (2/pi) [x atan(c0/X) + (x^2+alpha^2) M/(2 alpha) + c0 L/2 -
+ * phi0 (x X - L)/(2 alpha)]. */
+static void rounded_gap(arb_t gap, const arb_t alpha, const arb_t x, const arb_t X, const arb_t L,
+                        slong prec)
 {
     arb_ptr w = _arb_vec_init(6);
     arb_ptr one = w, phi0 = w + 1, c0 = w + 2, M = w + 3, u = w + 4, v = w + 5;
@@ -531,7 +556,8 @@ static void sharp_gap(arb_t gap, const arb_t x, const arb_t X, const arb_t L, sl
     arb_clear(u);
 }
 
-/* How far the profile lies above the surface that a contact of that half-width deforms, over theta. */
+/* How far the profile lies above the surface that a contact of that half-width deforms, over
+ * theta. */
 static void ball_gap(arb_t gap, const arb_t a, const arb_t width, const arb_t place, slong prec)
 {
     arb_ptr w = _arb_vec_init(4);
@@ -558,7 +584,8 @@ static void ball_gap(arb_t gap, const arb_t a, const arb_t width, const arb_t pl
 }
 
 /* sum (D_i - D_(i+1)) gap_i(x) - D_1 h(x): the displacement of a path over f theta. */
-static void add_displacement(arb_t sum, int sign, const state *s, const path *p, const arb_t x, slong prec)
+static void add_displacement(arb_t sum, int sign, const state *s, const path *p, const arb_t x,
+                             slong prec)
 {
     if (p->count < 2)
         return;
@@ -644,13 +671,15 @@ static bool draw_energy(probe *call)
     return true;
 }
 
-/* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how far Q/f gets ahead of what
- * sticks, or over the new load. Shares of that rounding alone, A (f P epsilon)^2, count as none. */
+/* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how
+ * far Q/f gets ahead of what sticks, or over the new load. Shares of that rounding alone, A (f P
+ * epsilon)^2, count as none. */
 static void judge_energy(arb_t error, const probe *call, slong prec)
 {
     state s;
     arb_ptr w = _arb_vec_init(8);
-    arb_ptr load = w, shear = w + 1, share = w + 2, sum = w + 3, scale = w + 4, ahead = w + 5, u = w + 6, P = w + 7;
+    arb_ptr load = w, shear = w + 1, share = w + 2, sum = w + 3, scale = w + 4, ahead = w + 5,
+            u = w + 6, P = w + 7;
     state_init(&s, call, prec);
     for (int i = 0; i < call->loads; i++) {
         load_of(load, shear, &s, i, prec);
@@ -690,7 +719,8 @@ static bool draw_yield_factor(probe *call)
         return true;
     if (call->value[2] == 0)
         return false;
-    const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)), k = argument(call, "k", 1);
+    const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)),
+                 k = argument(call, "k", 1);
     double *r = call->result;
     if (rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]) != RWEDGE_OK)
         r[0] = NAN;
@@ -698,7 +728,8 @@ static bool draw_yield_factor(probe *call)
 }
 
 /* dJ2/dx along the surface, and its derivative. */
-static void slope_along_surface(arb_ptr value, arb_ptr slope, const arb_t x, const void *context, slong prec)
+static void slope_along_surface(arb_ptr value, arb_ptr slope, const arb_t x, const void *context,
+                                slong prec)
 {
     arb_ptr J2 = _arb_vec_init(J2_COUNT);
     acb_t z;
@@ -713,7 +744,8 @@ static void slope_along_surface(arb_ptr value, arb_ptr slope, const arb_t x, con
     _arb_vec_clear(J2, J2_COUNT);
 }
 
-/* J2 at the mark next to x, if there is one within 1e-7 of it: the rounding's edge, the edge of a patch. */
+/* J2 at the mark next to x, if there is one within 1e-7 of it: the rounding's edge, the edge of
+ * a patch. */
 static bool J2_at_mark(arb_t J2, const state *s, const traction *t, double x, slong prec)
 {
     bool found = false;
@@ -749,9 +781,10 @@ static bool J2_at_mark(arb_t J2, const state *s, const traction *t, double x, sl
     return found;
 }
 
-/* The stationary value next to where the library says the maximum is: below the surface, or at a mark or along the surface,
- * whichever is higher. */
-static bool maximum_next_to(arb_t J2, const state *s, const traction *t, double x, double y, slong prec)
+/* The stationary value next to where the library says the maximum is: below the surface, or at a
+ * mark or along the surface, whichever is higher. */
+static bool maximum_next_to(arb_t J2, const state *s, const traction *t, double x, double y,
+                            slong prec)
 {
     const double b = rwedge_contact_half_width(s->call->object);
     arb_t at, ignored;
@@ -806,18 +839,22 @@ static void judge_yield_factor(arb_t error, const probe *call, slong prec)
 }
 
 const row HISTORY_ROWS[] = {
-    {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
-    {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-13, "1e-13", 1, draw_stick,
-     judge_stick},
-    {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1, draw_pressure, judge_pressure},
-    {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13, "1e-13", 1, draw_shear,
-     judge_shear},
+    {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1, draw_half_width,
+     judge_half_width},
+    {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-13,
+     "1e-13", 1, draw_stick, judge_stick},
+    {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1,
+     draw_pressure, judge_pressure},
+    {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13,
+     "1e-13", 1, draw_shear, judge_shear},
     {"contact_stresses", "points dense at the edges",
-     "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1, draw_stresses,
-     judge_stresses},
-    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1, draw_slip, judge_slip},
-    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1, draw_energy, judge_energy},
-    {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1, draw_yield_factor,
-     judge_yield_factor},
+     "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1,
+     draw_stresses, judge_stresses},
+    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1,
+     draw_slip, judge_slip},
+    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1,
+     draw_energy, judge_energy},
+    {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1,
+     draw_yield_factor, judge_yield_factor},
     {0},
 };

@@ -12,7 +12,9 @@ static const double EPSILON = DBL_EPSILON;
 
 static double some_modulus(probe *call)
 {
-    return chance(call, 0.05) ? HUGE_VAL : chance(call, 0.1) ? log_between(call, 1e-290, 1e290) : log_between(call, 1, 1e6);
+    return chance(call, 0.05)  ? HUGE_VAL
+           : chance(call, 0.1) ? log_between(call, 1e-290, 1e290)
+                               : log_between(call, 1, 1e6);
 }
 
 static double some_ratio(probe *call)
@@ -29,7 +31,8 @@ static void some_bodies(probe *call, double v[4])
     const double same = uniform(call);
     v[0] = argument(call, "E1", some_modulus(call));
     v[1] = argument(call, "nu1", some_ratio(call));
-    v[2] = argument(call, "E2", same < 0.2 && isfinite(v[0]) ? near(call, v[0]) : some_modulus(call));
+    v[2] =
+        argument(call, "E2", same < 0.2 && isfinite(v[0]) ? near(call, v[0]) : some_modulus(call));
     v[3] = argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
 }
 
@@ -173,7 +176,8 @@ static void judge_a_over_b(arb_t error, const probe *call, slong prec)
 
 static bool draw_pressure(probe *call)
 {
-    const double alpha = argument(call, "alpha", some_alpha(call)), x = argument(call, "x", some_place(call, alpha, 1));
+    const double alpha = argument(call, "alpha", some_alpha(call)),
+                 x = argument(call, "x", some_place(call, alpha, 1));
     call->result[0] = rwedge_pressure(alpha, x);
     return alpha > 0 || x != 0;
 }
@@ -253,7 +257,8 @@ static void judge_transition(arb_t error, const probe *call, slong prec)
 
 /* ---- Coefficients ---- */
 
-/* pi b_n m (m^2-1)/4 = (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], and its derivative by phi0. */
+/* pi b_n m (m^2-1)/4 = (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], and its derivative by
+ * phi0. */
 static void ball_bracket(arb_t bracket, arb_t slope, const arb_t phi0, ulong m, slong prec)
 {
     arb_ptr t = _arb_vec_init(5);
@@ -278,17 +283,21 @@ static bool draw_coefficient(probe *call)
 {
     const double alpha = argument(call, "alpha", some_alpha(call));
     const double kind = uniform(call);
-    const double n = argument(call, "n", floor(kind < 0.4 ? between(call, 0, 20) : log_between(call, 1, 2147483647.0)));
+    const double n = argument(
+        call, "n", floor(kind < 0.4 ? between(call, 0, 20) : log_between(call, 1, 2147483647.0)));
     call->result[0] = rwedge_coefficient(alpha, (int32_t)n);
     return true;
 }
 
-/* Within 1e-9 of a zero, the zero at alpha = 1 not counted, the error is taken of the values around, sqrt(1 + (m cot)^2) of the
- * bracket, 1e8 times smaller, as the promise there is: 1e-22 for 1e-14. */
-static void widen_next_to_zero(arb_t scale, const arb_t bracket, const arb_t slope, const arb_t phi0, ulong m, slong prec)
+/* Within 1e-9 of a zero, the zero at alpha = 1 not counted, the error is taken of the values
+ * around, sqrt(1 + (m cot)^2) of the bracket, 1e8 times smaller, as the promise there is: 1e-22
+ * for 1e-14. */
+static void widen_next_to_zero(arb_t scale, const arb_t bracket, const arb_t slope,
+                               const arb_t phi0, ulong m, slong prec)
 {
     arb_ptr t = _arb_vec_init(3);
-    arb_tan(t, phi0, prec); /* d ln(alpha) = cot(phi0) d phi0: the zero is at the relative distance bracket/(tan slope) */
+    /* d ln(alpha) = cot(phi0) d phi0: the zero is at the relative distance bracket/(tan slope) */
+    arb_tan(t, phi0, prec);
     arb_mul(t + 1, t, slope, prec);
     arb_div(t + 1, bracket, t + 1, prec);
     arb_abs(t + 1, t + 1);
@@ -344,15 +353,18 @@ static void judge_coefficient(arb_t error, const probe *call, slong prec)
 #define ALPHA "0, 1e-300 to 1e300; dense at 1"
 
 const row LAW_ROWS[] = {
-    {"compliance", "E 1e-290 to 1e290, rigid; nu -1 to 0.5", "relative", 4 * EPSILON, "4 eps", 1, draw_compliance,
-     judge_compliance},
+    {"compliance", "E 1e-290 to 1e290, rigid; nu -1 to 0.5", "relative", 4 * EPSILON, "4 eps", 1,
+     draw_compliance, judge_compliance},
     {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_beta, judge_beta},
     {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, draw_load, judge_load},
-    {"a_over_b", "1e-300 to 1e300; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1, draw_a_over_b, judge_a_over_b},
-    {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1, draw_pressure, judge_pressure},
+    {"a_over_b", "1e-300 to 1e300; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1,
+     draw_a_over_b, judge_a_over_b},
+    {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1, draw_pressure,
+     judge_pressure},
     {"peak_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, draw_peak, judge_peak},
-    {"transition_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, draw_transition, judge_transition},
-    {"coefficient", "alpha; n 0 to 2^31-1", "relative; at zeros 1e-8 of values around", 1e-14, "1e-14", 1, draw_coefficient,
-     judge_coefficient},
+    {"transition_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, draw_transition,
+     judge_transition},
+    {"coefficient", "alpha; n 0 to 2^31-1", "relative; at zeros 1e-8 of values around", 1e-14,
+     "1e-14", 1, draw_coefficient, judge_coefficient},
     {0},
 };

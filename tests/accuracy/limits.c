@@ -29,7 +29,8 @@ typedef struct {
 
 static void strength_init(strength *s, const double v[3], slong prec)
 {
-    arb_init(s->alpha), arb_init(s->f), arb_init(s->x), arb_init(s->y), arb_init(s->J2), arb_init(s->limit);
+    arb_init(s->alpha), arb_init(s->f), arb_init(s->x), arb_init(s->y), arb_init(s->J2),
+        arb_init(s->limit);
     arb_set_d(s->alpha, fmin(v[0], 1));
     arb_set_d(s->f, v[1] < 1e-100 ? 0 : v[1]);
     ball_contact(&s->t, s->alpha, s->f, v[2], prec);
@@ -37,7 +38,8 @@ static void strength_init(strength *s, const double v[3], slong prec)
 
 static void strength_clear(strength *s)
 {
-    arb_clear(s->alpha), arb_clear(s->f), arb_clear(s->x), arb_clear(s->y), arb_clear(s->J2), arb_clear(s->limit);
+    arb_clear(s->alpha), arb_clear(s->f), arb_clear(s->x), arb_clear(s->y), arb_clear(s->J2),
+        arb_clear(s->limit);
     traction_clear(&s->t);
 }
 
@@ -124,8 +126,8 @@ static bool draw_surface(probe *call)
     return v[2] < 0.5 || v[1] >= 1e-100;
 }
 
-/* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next to it J2 falls by 1 - flatness
- * (distance/depth)^2/2. */
+/* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next
+ * to it J2 falls by 1 - flatness (distance/depth)^2/2. */
 static void judge_place(arb_t error, const probe *call, slong prec)
 {
     strength s;
@@ -151,7 +153,8 @@ static void judge_place(arb_t error, const probe *call, slong prec)
 
 /* ---- Critical friction ---- */
 
-/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f = -Re G. */
+/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
+ * = -Re G. */
 static void J2_by_friction(arb_t slope, const traction *t, const acb_t z, slong prec)
 {
     acb_ptr v = _acb_vec_init(4);
@@ -175,8 +178,8 @@ static void J2_by_friction(arb_t slope, const traction *t, const acb_t z, slong 
     _acb_vec_clear(v, 4);
 }
 
-/* By how much the maximum below exceeds that of the surface, for all f of the ball, and its derivative by f (that of J2 at
- * the maxima). False where one of them is not proved. */
+/* By how much the maximum below exceeds that of the surface, for all f of the ball, and its
+ * derivative by f (that of J2 at the maxima). False where one of them is not proved. */
 static bool excess_below(arb_t excess, arb_t slope, const arb_t f, const void *context, slong prec)
 {
     const probe *call = context;
@@ -213,7 +216,8 @@ static bool find_places(probe *call, double f)
            rwedge_surface_yield(alpha, f, nu, &limit, &r[3]) == RWEDGE_OK;
 }
 
-/* The promise lets 0 stand for what is below 1e-7: it is wrong where the maximum below is still the higher one there. */
+/* The promise lets 0 stand for what is below 1e-7: it is wrong where the maximum below is still
+ * the higher one there. */
 static bool is_wrongly_zero(probe *call)
 {
     enum { BITS = 512 };
@@ -230,7 +234,8 @@ static bool is_wrongly_zero(probe *call)
 
 static bool draw_critical_friction(probe *call)
 {
-    const double alpha = argument(call, "alpha", some_tip(call)), nu = argument(call, "nu", some_poisson(call));
+    const double alpha = argument(call, "alpha", some_tip(call)),
+                 nu = argument(call, "nu", some_poisson(call));
     double *r = call->result;
     r[0] = rwedge_critical_friction(alpha, nu);
     if (r[0] == 0 && !is_wrongly_zero(call))
@@ -257,15 +262,17 @@ static void judge_critical_friction(arb_t error, const probe *call, slong prec)
 }
 
 const row STRENGTH_ROWS[] = {
-    {"elastic_limit, yield_point", "alpha 1e-14 to 1e300; f 0 to 1e6; nu 0 to 0.5", "relative", 1e-12, "1e-12", 1,
-     draw_elastic_limit, judge_limit},
+    {"elastic_limit, yield_point", "alpha 1e-14 to 1e300; f 0 to 1e6; nu 0 to 0.5", "relative",
+     1e-12, "1e-12", 1, draw_elastic_limit, judge_limit},
     {"elastic_limits", "the same", "relative", 1e-12, "1e-12", 1, draw_elastic_limits, judge_limit},
-    {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface, judge_limit},
+    {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface,
+     judge_limit},
     {"surface_yield", "the same", "relative", 1e-12, "1e-12", 1, draw_surface, judge_limit},
-    {"subsurface_yield, place", "where it exists", "of \\|z\\|, times flatness", 1e-12, "about 1e-12", 0.1, draw_subsurface,
-     judge_place},
-    {"surface_yield, place", "the same", "of alpha, times flatness", 1e-12, "about 1e-12", 0.1, draw_surface, judge_place},
-    {"critical_friction", "alpha, nu, where not 0", "of max(f, 0.001/f)", 1e-11, "1e-11", 0.1, draw_critical_friction,
-     judge_critical_friction},
+    {"subsurface_yield, place", "where it exists", "of \\|z\\|, times flatness", 1e-12,
+     "about 1e-12", 0.1, draw_subsurface, judge_place},
+    {"surface_yield, place", "the same", "of alpha, times flatness", 1e-12, "about 1e-12", 0.1,
+     draw_surface, judge_place},
+    {"critical_friction", "alpha, nu, where not 0", "of max(f, 0.001/f)", 1e-11, "1e-11", 0.1,
+     draw_critical_friction, judge_critical_friction},
     {0},
 };

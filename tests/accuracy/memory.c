@@ -26,7 +26,8 @@ void path_copy(path *copy, const path *p)
 void path_clear(path *p)
 {
     for (int i = 0; i < CORNERS_MAX; i++)
-        arb_clear(p->corners[i].load), arb_clear(p->corners[i].shear), arb_clear(p->corners[i].ratio);
+        arb_clear(p->corners[i].load), arb_clear(p->corners[i].shear),
+            arb_clear(p->corners[i].ratio);
 }
 
 int sign_beside(const arb_t value, const arb_t scale, slong prec)
@@ -97,8 +98,10 @@ static void cut_off(path *p, const arb_t load, slong prec)
     arb_clear(shear);
 }
 
-/* (load' - s) - slip (shear' - T(s)) at a corner: how far inside the line of slope `slip` that ends at the new load. */
-static void inside(arb_t depth, const corner *c, int slip, const arb_t load, const arb_t shear, slong prec)
+/* (load' - s) - slip (shear' - T(s)) at a corner: how far inside the line of slope `slip` that
+ * ends at the new load. */
+static void inside(arb_t depth, const corner *c, int slip, const arb_t load, const arb_t shear,
+                   slong prec)
 {
     arb_sub(depth, c->shear, shear, prec);
     arb_mul_si(depth, depth, slip, prec);

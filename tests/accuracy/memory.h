@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram of a load history in balls: the path T(s), T = Q/f, whose slopes D weight the patches of shear traction
- * (lib/README.md, "Load histories"). Loads closer than 2^-(prec/2) of each other count as equal: what that leaves out is of the
- * order of its square root. */
+/* The memory diagram of a load history in balls: the path T(s), T = Q/f, whose slopes D weight
+ * the patches of shear traction (lib/README.md, "Load histories"). Loads closer than 2^-(prec/2)
+ * of each other count as equal: what that leaves out is of the order of its square root. */
 #ifndef MEMORY_H
 #define MEMORY_H
 

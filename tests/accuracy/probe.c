@@ -6,10 +6,12 @@
 
 enum { FIRST_BITS = 128, MOST_BITS = 1 << 14, MOST_DRAWS = 1000 };
 
-/* What the radius of the reference may add to a figure: a ten-thousandth of epsilon, or of the figure. */
+/* What the radius of the reference may add to a figure: a ten-thousandth of epsilon, or of the
+ * figure. */
 static const double NEGLIGIBLE = 1e-4;
 
-/* Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014: splitmix64. */
+/* Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014:
+ * splitmix64. */
 static uint64_t mixed(uint64_t v)
 {
     v = (v ^ (v >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -78,7 +80,8 @@ double some_rounded_alpha(probe *call)
         return log_between(call, 1e-300, 1e-20);
     if (kind < 0.97)
         return log_between(call, 1, 1e300);
-    static const double EXACT[] = {1, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.5, 0.1, 1e-8, 0.7071067811865476, 2};
+    static const double EXACT[] = {
+        1, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.5, 0.1, 1e-8, 0.7071067811865476, 2};
     return EXACT[(int)(8 * uniform(call))];
 }
 
@@ -134,13 +137,15 @@ void some_point(probe *call, double alpha, double c, double *x, double *y)
         *x = some_place(call, alpha, c);
         *y = log_between(call, 1e-18, 1);
     } else if (kind < 0.6) { /* the far field */
-        const double r = log_between(call, 1, chance(call, 0.02) ? 1e260 : 1e4), angle = between(call, 0, 3.14159);
+        const double r = log_between(call, 1, chance(call, 0.02) ? 1e260 : 1e4),
+                     angle = between(call, 0, 3.14159);
         *x = r * cos(angle);
         *y = r * sin(angle);
     } else { /* around a mark, at every scale */
         const double mark = chance(call, 0.3) ? 0 : either_sign(call, some_mark(call, alpha, c));
         const double least = mark == 0 && chance(call, 0.1) ? 1e-300 : 1e-17;
-        const double r = log_between(call, least, 2) * (mark == 0 && chance(call, 0.5) ? fmin(alpha, 1) : 1);
+        const double r =
+            log_between(call, least, 2) * (mark == 0 && chance(call, 0.5) ? fmin(alpha, 1) : 1);
         const double angle = between(call, 0, 3.14159);
         *x = mark + r * cos(angle);
         *y = r * sin(angle);

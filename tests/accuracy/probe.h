@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One call of one function at random arguments, and how far its result is from the exact one. A row of the report draws a
- * call and judges it: the judge computes the error in balls, so that the exact error is within what it returns, and is
- * asked again with more bits until nothing of the figure is the reference's own. */
+/* One call of one function at random arguments, and how far its result is from the exact one. A
+ * row of the report draws a call and judges it: the judge computes the error in balls, so that
+ * the exact error is within what it returns, and is asked again with more bits until nothing of
+ * the figure is the reference's own. */
 #ifndef PROBE_H
 #define PROBE_H
 
@@ -26,11 +27,12 @@ typedef struct {
 
 typedef struct {
     const char *function, *domain;
-    const char *measure;       /* what the error is relative to */
-    double promised;           /* bound of the error in that measure */
-    const char *promise;       /* as the header says it; in parentheses where it says nothing */
-    double part;               /* of the calls asked for; below 1 where a call is costly */
-    bool (*draw)(probe *call); /* false: outside the domain, or rightly without a result; draw again */
+    const char *measure; /* what the error is relative to */
+    double promised;     /* bound of the error in that measure */
+    const char *promise; /* as the header says it; in parentheses where it says nothing */
+    double part;         /* of the calls asked for; below 1 where a call is costly */
+    /* false: outside the domain, or rightly without a result; draw again */
+    bool (*draw)(probe *call);
     void (*judge)(arb_t error, const probe *call, slong prec); /* not negative */
 } row;
 
@@ -51,10 +53,13 @@ double either_sign(probe *call, double value);
 
 /* ---- Arguments, with their edges over-sampled ---- */
 
-double some_alpha(probe *call);                                             /* 0 and 1e-300 to 1e300, dense next to 1 */
-double some_rounded_alpha(probe *call);                                     /* not 0 */
-double some_fraction(probe *call, double mark);                             /* [0, 1], dense next to 0, 1 and the mark */
-double some_place(probe *call, double alpha, double c);                     /* on the surface: next to 0, +-alpha, +-c, +-1 */
+/* 0 and 1e-300 to 1e300, dense next to 1 */
+double some_alpha(probe *call);
+double some_rounded_alpha(probe *call); /* not 0 */
+/* [0, 1], dense next to 0, 1 and the mark */
+double some_fraction(probe *call, double mark);
+/* on the surface: next to 0, +-alpha, +-c, +-1 */
+double some_place(probe *call, double alpha, double c);
 void some_point(probe *call, double alpha, double c, double *x, double *y); /* of the half-plane */
 double some_friction(probe *call);
 double some_poisson(probe *call);

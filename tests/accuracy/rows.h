@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The rows of the report, one list for each section of the header; each ends with a row without a function. */
+/* The rows of the report, one list for each section of the header; each ends with a row without
+ * a function. */
 #ifndef ROWS_H
 #define ROWS_H
 
 #include "probe.h"
 
-extern const row LAW_ROWS[], STICK_ROWS[], STRESS_ROWS[], STRENGTH_ROWS[], DESIGN_ROWS[], HISTORY_ROWS[], SERIES_ROWS[];
+extern const row LAW_ROWS[], STICK_ROWS[], STRESS_ROWS[], STRENGTH_ROWS[], DESIGN_ROWS[],
+    HISTORY_ROWS[], SERIES_ROWS[];
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's series: each function of the coefficients that it holds. The header promises no figures; what is measured is
- * taken beside the sum of the terms' moduli, and bounded in the rows. */
+/* The paper's series: each function of the coefficients that it holds. The header promises no
+ * figures; what is measured is taken beside the sum of the terms' moduli, and bounded in the
+ * rows. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -21,7 +22,8 @@ static double some_sample(probe *call, int i, int n)
     return fmax(-last, fmin(last, x));
 }
 
-/* Analytic coefficients, or a fit to samples of a bell with an odd part. NULL, and NaN for a result, where it is refused. */
+/* Analytic coefficients, or a fit to samples of a bell with an odd part. NULL, and NaN for a
+ * result, where it is refused. */
 static rwedge_series *some_series(probe *call)
 {
     enum { SAMPLES = 40 };
@@ -45,7 +47,8 @@ static rwedge_series *some_series(probe *call)
 }
 
 /* sum a_k R^(k+1), R = z - sqrt(z^2-1), its derivative, and the sum of the moduli of all terms. */
-static void ball_sums(acb_t G, acb_t dG, arb_t moduli, const rwedge_series *series, const acb_t z, slong prec)
+static void ball_sums(acb_t G, acb_t dG, arb_t moduli, const rwedge_series *series, const acb_t z,
+                      slong prec)
 {
     acb_ptr w = _acb_vec_init(4);
     acb_ptr R = w, X = w + 1, power = w + 2, term = w + 3;
@@ -141,7 +144,8 @@ static bool draw_stress(probe *call)
     return fabs(x) < 1e8 && y < 1e8 && (y > 0 || fabs(x) != 1);
 }
 
-/* s = Im G - f Re G, D = (-1 + i f) y G' + f G; beside the moduli of the terms and, with the weights of G', of theirs. */
+/* s = Im G - f Re G, D = (-1 + i f) y G' + f G; beside the moduli of the terms and, with the
+ * weights of G', of theirs. */
 static void judge_stress(arb_t error, const probe *call, slong prec)
 {
     const double *last = call->value + call->arguments;
@@ -198,7 +202,8 @@ static void judge_coefficient(arb_t error, const probe *call, slong prec)
     arb_clear(expected);
 }
 
-/* Of a fit: the root mean square of fit minus sample. Coefficients and samples are what is judged. */
+/* Of a fit: the root mean square of fit minus sample. Coefficients and samples are what is
+ * judged. */
 enum { FIT_SAMPLES = 24 };
 typedef struct {
     rwedge_series *series;
@@ -254,8 +259,8 @@ static void judge_residual(arb_t error, const probe *call, slong prec)
     _arb_vec_clear(v, 4);
 }
 
-/* The exact least-squares coefficients, from the normal equations in many bits; beside the largest of them, and times
- * 1/condition of the columns. */
+/* The exact least-squares coefficients, from the normal equations in many bits; beside the
+ * largest of them, and times 1/condition of the columns. */
 static void judge_fit(arb_t error, const probe *call, slong prec)
 {
     const fit *f = call->object;
@@ -286,7 +291,8 @@ static void judge_fit(arb_t error, const probe *call, slong prec)
         }
         arb_zero(error);
         for (slong k = 0; k < n; k++) {
-            error_over(t, rwedge_series_coefficient(f->series, (int32_t)k), arb_mat_entry(solution, k, 0), largest, prec);
+            error_over(t, rwedge_series_coefficient(f->series, (int32_t)k),
+                       arb_mat_entry(solution, k, 0), largest, prec);
             arb_max(error, error, t, prec);
         }
     } else {
@@ -296,8 +302,8 @@ static void judge_fit(arb_t error, const probe *call, slong prec)
     _arb_vec_clear(column, n + 3);
 }
 
-/* Of the analytic series: an upper bound of the tail. The error is what it lacks of the first 200 terms that are cut off,
- * relatively; 0 where it is enough. */
+/* Of the analytic series: an upper bound of the tail. The error is what it lacks of the first
+ * 200 terms that are cut off, relatively; 0 where it is enough. */
 static bool draw_bound(probe *call)
 {
     rwedge_series *series = NULL;
@@ -314,7 +320,8 @@ static void judge_bound(arb_t error, const probe *call, slong prec)
     arb_t tail, term;
     arb_init(tail), arb_init(term);
     for (int32_t i = 0; i < 200; i++) {
-        arb_set_d(term, fabs(rwedge_coefficient(call->value[0], ((int32_t)call->value[1] + 1) / 2 + i)));
+        arb_set_d(term,
+                  fabs(rwedge_coefficient(call->value[0], ((int32_t)call->value[1] + 1) / 2 + i)));
         arb_add(tail, tail, term, prec);
     }
     arb_set_d(term, call->result[0]);
@@ -328,14 +335,18 @@ static void judge_bound(arb_t error, const probe *call, slong prec)
 #define MODULI "of the sum of the terms' moduli"
 
 const row SERIES_ROWS[] = {
-    {"series_coefficient", "k 0 to 499", "from `coefficient`", 1e-300, "the same", 0.3, draw_coefficient, judge_coefficient},
-    {"series_residual, create", "terms 1 to 1000", "short of the tail's first 200 terms, relative", 1e-14, "a bound", 0.1,
-     draw_bound, judge_bound},
-    {"series_residual, fit", "24 samples, 1 to 12 terms", "of the samples' root mean square", 1e-15, "(1e-15)", 0.3, draw_fit,
-     judge_residual},
-    {"series_fit", "the same", "of the largest coefficient", 1e-13, "(1e-13)", 0.1, draw_fit, judge_fit},
-    {"series_pressure", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_pressure, judge_pressure},
-    {"series_potential", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_potential, judge_potential},
+    {"series_coefficient", "k 0 to 499", "from `coefficient`", 1e-300, "the same", 0.3,
+     draw_coefficient, judge_coefficient},
+    {"series_residual, create", "terms 1 to 1000", "short of the tail's first 200 terms, relative",
+     1e-14, "a bound", 0.1, draw_bound, judge_bound},
+    {"series_residual, fit", "24 samples, 1 to 12 terms", "of the samples' root mean square", 1e-15,
+     "(1e-15)", 0.3, draw_fit, judge_residual},
+    {"series_fit", "the same", "of the largest coefficient", 1e-13, "(1e-13)", 0.1, draw_fit,
+     judge_fit},
+    {"series_pressure", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_pressure,
+     judge_pressure},
+    {"series_potential", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_potential,
+     judge_potential},
     {"series_stress", "1 to 40 terms",
      "of terms times "
      "that sum",

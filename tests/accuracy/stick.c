@@ -28,7 +28,8 @@ static void widths_clear(widths *w)
 static bool draw_stick_width(probe *call)
 {
     const double alpha = argument(call, "alpha", some_alpha(call));
-    call->result[0] = rwedge_stick_width(alpha, argument(call, "Q_over_fP", some_fraction(call, 0.5)));
+    call->result[0] =
+        rwedge_stick_width(alpha, argument(call, "Q_over_fP", some_fraction(call, 0.5)));
     return true;
 }
 
@@ -54,7 +55,8 @@ static void judge_stick_width(arb_t error, const probe *call, slong prec)
 static bool draw_shear_ratio(probe *call)
 {
     const double alpha = argument(call, "alpha", some_alpha(call));
-    call->result[0] = rwedge_shear_ratio(alpha, argument(call, "c", some_fraction(call, fmin(alpha, 1))));
+    call->result[0] =
+        rwedge_shear_ratio(alpha, argument(call, "c", some_fraction(call, fmin(alpha, 1))));
     return true;
 }
 
@@ -114,7 +116,8 @@ static bool draw_max_tension(probe *call)
     return true;
 }
 
-/* sxx = 2 f at the trailing edge over f load: 2 alpha/(phi0 + alpha c0); for alpha >= 1 as for 1. */
+/* sxx = 2 f at the trailing edge over f load: 2 alpha/(phi0 + alpha c0); for alpha >= 1 as for
+ * 1. */
 static void judge_max_tension(arb_t error, const probe *call, slong prec)
 {
     widths w;
@@ -129,9 +132,12 @@ static void judge_max_tension(arb_t error, const probe *call, slong prec)
 }
 
 const row STICK_ROWS[] = {
-    {"stick_width", "alpha; Q/(fP) dense at 0, 1", "relative", 1e-14, "1e-14", 1, draw_stick_width, judge_stick_width},
-    {"shear_ratio", "alpha; c dense at 0, alpha, 1", "relative", 1e-14, "1e-14", 1, draw_shear_ratio, judge_shear_ratio},
-    {"shear", "alpha, c; x dense at 0, ±alpha, ±c, ±1", "of 1 + \\|A p/theta\\|", 1e-14, "1e-14", 1, draw_shear, judge_shear},
+    {"stick_width", "alpha; Q/(fP) dense at 0, 1", "relative", 1e-14, "1e-14", 1, draw_stick_width,
+     judge_stick_width},
+    {"shear_ratio", "alpha; c dense at 0, alpha, 1", "relative", 1e-14, "1e-14", 1,
+     draw_shear_ratio, judge_shear_ratio},
+    {"shear", "alpha, c; x dense at 0, ±alpha, ±c, ±1", "of 1 + \\|A p/theta\\|", 1e-14, "1e-14", 1,
+     draw_shear, judge_shear},
     {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, draw_max_tension, judge_max_tension},
     {0},
 };

@@ -13,8 +13,9 @@ void ball_contact(traction *t, const arb_t alpha, const arb_t f, double nu, slon
     arb_clear(one);
 }
 
-/* ---- On the surface, x = alpha sin(psi): J2 = f^2 (u^2 + P^2) + kappa (P + f u)^2, u = sin(psi), P = |p| ----
- * Next to x = alpha, where P has a vertical tangent, psi gives way to t with cos(psi) = exp(-t). */
+/* ---- On the surface, x = alpha sin(psi): J2 = f^2 (u^2 + P^2) + kappa (P + f u)^2, u =
+ * sin(psi), P = |p| ---- Next to x = alpha, where P has a vertical tangent, psi gives way to t
+ * with cos(psi) = exp(-t). */
 
 typedef struct {
     const traction *t;
@@ -36,15 +37,16 @@ static void sine_and_cosine(arb_t u, arb_t v, const surface *s, const arb_t para
     arb_sqrt(u, u, prec);
 }
 
-/* (1/2) dJ2/du = f^2 (u - P F) + kappa (P + f u)(f - F) with F = -dP/du = (2/pi) [phi0 x/s + ln((s + c0 u)/v)],
- * s = sqrt(1-x^2), and its derivative by psi, or by t: dpsi = (v/u) dt. */
-static void slope_of_J2(arb_ptr value, arb_ptr slope, const arb_t parameter, const void *context, slong prec)
+/* (1/2) dJ2/du = f^2 (u - P F) + kappa (P + f u)(f - F) with F = -dP/du = (2/pi) [phi0 x/s +
+ * ln((s + c0 u)/v)], s = sqrt(1-x^2), and its derivative by psi, or by t: dpsi = (v/u) dt. */
+static void slope_of_J2(arb_ptr value, arb_ptr slope, const arb_t parameter, const void *context,
+                        slong prec)
 {
     const surface *at = context;
     const traction *t = at->t;
     arb_ptr w = _arb_vec_init(12);
-    arb_ptr u = w, v = w + 1, x = w + 2, s = w + 3, one = w + 4, P = w + 5, F = w + 6, r = w + 7, q = w + 8, g = w + 9,
-            half_pi = w + 10, dF = w + 11;
+    arb_ptr u = w, v = w + 1, x = w + 2, s = w + 3, one = w + 4, P = w + 5, F = w + 6, r = w + 7,
+            q = w + 8, g = w + 9, half_pi = w + 10, dF = w + 11;
     const arb_srcptr alpha = t->a, f = t->f, phi0 = t->patch[0].phi0, c0 = t->patch[0].c0;
     arb_one(one);
     sine_and_cosine(u, v, at, parameter, prec);
@@ -151,8 +153,8 @@ static void parameter_of(arb_t parameter, surface *at, double x, slong prec)
         arb_set_d(parameter, -0.5 * log(fmax((1 - sine) * (1 + sine), 1e-16)));
 }
 
-/* From anywhere: the slope of J2 falls through its zero; t is halved in its logarithm, up to where x is alpha to half of the
- * bits. False where the slope is still positive there. */
+/* From anywhere: the slope of J2 falls through its zero; t is halved in its logarithm, up to
+ * where x is alpha to half of the bits. False where the slope is still positive there. */
 static bool search(arb_t parameter, surface *at, slong prec)
 {
     arb_t slope;
@@ -179,7 +181,8 @@ static bool search(arb_t parameter, surface *at, slong prec)
     return found;
 }
 
-/* The maximum is beyond the parameter, whose slope is positive: u rises and P falls from there to x = alpha. */
+/* The maximum is beyond the parameter, whose slope is positive: u rises and P falls from there
+ * to x = alpha. */
 static bool beyond(arb_t u, arb_t J2, const surface *at, const arb_t parameter, slong prec)
 {
     arb_ptr w = _arb_vec_init(3);
@@ -196,7 +199,8 @@ static bool beyond(arb_t u, arb_t J2, const surface *at, const arb_t parameter, 
     return rises;
 }
 
-/* The curvature of J2 over J2: 2 slope' cos(psi) by psi, and cos(psi) = u where the parameter is t, dpsi/dt = cos/u. */
+/* The curvature of J2 over J2: 2 slope' cos(psi) by psi, and cos(psi) = u where the parameter is
+ * t, dpsi/dt = cos/u. */
 static double curvature(const surface *at, const arb_t parameter, const arb_t J2, slong prec)
 {
     arb_ptr w = _arb_vec_init(3);
@@ -209,7 +213,8 @@ static double curvature(const surface *at, const arb_t parameter, const arb_t J2
     return result;
 }
 
-bool ball_surface_maximum(arb_t x, arb_t J2, double *flatness, const traction *t, double guess, slong prec)
+bool ball_surface_maximum(arb_t x, arb_t J2, double *flatness, const traction *t, double guess,
+                          slong prec)
 {
     if (flatness)
         *flatness = 1;
@@ -256,7 +261,8 @@ void ball_limit(arb_t limit, const arb_t alpha, const arb_t J2, slong prec)
 }
 
 /* Newton, the last step with the derivative over a whole neighbourhood. */
-bool ball_parameter(arb_t parameter, double guess, ball_balance balance, const void *context, slong prec)
+bool ball_parameter(arb_t parameter, double guess, ball_balance balance, const void *context,
+                    slong prec)
 {
     arb_ptr w = _arb_vec_init(5);
     arb_ptr value = w, slope = w + 1, ignored = w + 2, ball = w + 3, width = w + 4;
@@ -267,7 +273,8 @@ bool ball_parameter(arb_t parameter, double guess, ball_balance balance, const v
         arb_div(value, value, slope, prec);
         arb_sub(parameter, parameter, value, prec);
         arb_get_mid_arb(parameter, parameter);
-        if (arf_is_zero(arb_midref(value)) || ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(parameter)) - prec / 3)
+        if (arf_is_zero(arb_midref(value)) ||
+            ARF_EXP(arb_midref(value)) < ARF_EXP(arb_midref(parameter)) - prec / 3)
             break;
     }
     proved = proved && balance(value, slope, parameter, context, prec);

@@ -53,7 +53,8 @@ static bool draw_stresses(probe *call)
     enum { POINTS = 20 };
     double v[5], x[POINTS], y[POINTS], sxx[POINTS], syy[POINTS], txy[POINTS];
     some_case(call, chance(call, 0.5), v);
-    const size_t n = 1 + (size_t)(POINTS * uniform(call)), which = (size_t)((double)n * uniform(call));
+    const size_t n = 1 + (size_t)(POINTS * uniform(call)),
+                 which = (size_t)((double)n * uniform(call));
     for (size_t i = 0; i < n; i++) {
         probe other = {.random = call->random};
         some_point(&other, v[0], v[2], &x[i], &y[i]);
@@ -74,7 +75,8 @@ static bool draw_stresses(probe *call)
 }
 
 /* The largest of the components' errors, over the larger of the norm and max(1, f)/(1+|z|). */
-static void tensor_error(arb_t error, const double result[3], arb_srcptr s, const acb_t z, double f, slong prec)
+static void tensor_error(arb_t error, const double result[3], arb_srcptr s, const acb_t z, double f,
+                         slong prec)
 {
     arb_t norm, far;
     arb_init(norm), arb_init(far);
@@ -125,10 +127,13 @@ static void judge_stress(arb_t error, const probe *call, slong prec)
 #define MEASURE "of max(norm, max(1, f)/(1+\\|z\\|)) (4)"
 
 const row STRESS_ROWS[] = {
-    {"stress, full sliding", "alpha from 1e-280; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to 1e260",
+    {"stress, full sliding",
+     "alpha from 1e-280; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to "
+     "1e260",
      MEASURE, 1e-13, "1e-13", 1, draw_sliding, judge_stress},
-    {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13", 1, draw_partial_slip,
+    {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13",
+     1, draw_partial_slip, judge_stress},
+    {"stresses", "the same, 1 to 20 points", MEASURE, 1e-13, "1e-13", 1, draw_stresses,
      judge_stress},
-    {"stresses", "the same, 1 to 20 points", MEASURE, 1e-13, "1e-13", 1, draw_stresses, judge_stress},
     {0},
 };

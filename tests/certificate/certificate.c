@@ -3,9 +3,10 @@
  *
  *     certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv ...
  *
- * An entry is proved if the limit lies within T (1e-9) of what is stated. The enclosure of the limit that shows it reaches from
- * what the stated place gives to D (1e-13) below. Prints a line per a/b, each entry that is not proved, and a summary. Exit
- * status 0 if all are proved, 1 if not, 2 for an error in the command or a table. */
+ * An entry is proved if the limit lies within T (1e-9) of what is stated. The enclosure of the
+ * limit that shows it reaches from what the stated place gives to D (1e-13) below. Prints a line
+ * per a/b, each entry that is not proved, and a summary. Exit status 0 if all are proved, 1 if
+ * not, 2 for an error in the command or a table. */
 #include "search.h"
 
 #include <math.h>
@@ -65,7 +66,8 @@ static void print_unproved(const entry *e)
         printf("exceeded at x/b = %.17g, y/b = %.17g\n", e->beyond_x, e->beyond_y);
         break;
     case NOT_REACHED:
-        printf("not reached: the stated place alone gives a limit of %.17g\n", entry_limit_there(e));
+        printf("not reached: the stated place alone gives a limit of %.17g\n",
+               entry_limit_there(e));
         break;
     case MISNAMED:
         printf("misnamed: the place is not on the stated branch\n");
@@ -107,8 +109,8 @@ static void add(summary *total, const summary *s)
 
 static void print_group(const group *g, const summary *s)
 {
-    printf("a/b = %-5s %4zu of %4zu proved, %4zu to the tenth digit; %7zu squares\n", g->first->a_over_b, s->are[PROVED],
-           s->entries, s->rounded, s->squares);
+    printf("a/b = %-5s %4zu of %4zu proved, %4zu to the tenth digit; %7zu squares\n",
+           g->first->a_over_b, s->are[PROVED], s->entries, s->rounded, s->squares);
     for (size_t i = 0; i < g->count; i++)
         if (g->first[i].is != PROVED)
             print_unproved(&g->first[i]);
@@ -119,7 +121,8 @@ static bool is_wanted(const entry *e, const char *list)
 {
     const size_t length = strlen(e->a_over_b);
     for (const char *item = list; item; item = strchr(item, ',') ? strchr(item, ',') + 1 : NULL)
-        if (strncmp(item, e->a_over_b, length) == 0 && (item[length] == ',' || item[length] == '\0'))
+        if (strncmp(item, e->a_over_b, length) == 0 &&
+            (item[length] == ',' || item[length] == '\0'))
             return true;
     return list == NULL;
 }
@@ -144,17 +147,21 @@ static int report(const work *w)
         print_group(&w->groups[i], &s);
         add(&total, &s);
     }
-    printf("%zu entries of %zu a/b, %zu squares: %zu proved, %zu exceeded, %zu not reached, %zu misnamed, %zu open\n",
-           total.entries, w->count, total.squares, total.are[PROVED], total.are[EXCEEDED], total.are[NOT_REACHED],
-           total.are[MISNAMED], total.are[OPEN]);
-    printf("of those proved, the limit is enclosed to %.0e and within %.2e of what is stated; %zu are proved to be rounded\n",
+    printf("%zu entries of %zu a/b, %zu squares: %zu proved, %zu exceeded, %zu not reached, %zu "
+           "misnamed, %zu open\n",
+           total.entries, w->count, total.squares, total.are[PROVED], total.are[EXCEEDED],
+           total.are[NOT_REACHED], total.are[MISNAMED], total.are[OPEN]);
+    printf("of those proved, the limit is enclosed to %.0e and within %.2e of what is stated; %zu "
+           "are proved to be rounded\n",
            w->wanted.gap, total.distance, total.rounded);
     return total.entries > 0 && total.are[PROVED] == total.entries ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static int usage(void)
 {
-    fputs("usage: certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv ...\n", stderr);
+    fputs("usage: certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv "
+          "...\n",
+          stderr);
     return 2;
 }
 

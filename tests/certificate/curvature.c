@@ -16,9 +16,10 @@ void curvature_clear(curvature *k)
     acb_clear(k->second), acb_clear(k->third), acb_clear(k->fourth);
 }
 
-/* Adds to k the part A of G'' and its derivatives, A' = -z r A and A'' = (z^2 r^2 - r + 2 z^2 t) A, where r and t are the same
- * combination of 1/X^2, 1/q and of their squares: r' = -2 z t. */
-static void add_part(curvature *k, const acb_t A, const acb_t z, const acb_t r, const acb_t t, slong prec)
+/* Adds to k the part A of G'' and its derivatives, A' = -z r A and A'' = (z^2 r^2 - r + 2 z^2 t)
+ * A, where r and t are the same combination of 1/X^2, 1/q and of their squares: r' = -2 z t. */
+static void add_part(curvature *k, const acb_t A, const acb_t z, const acb_t r, const acb_t t,
+                     slong prec)
 {
     acb_t z2, term;
     acb_init(z2), acb_init(term);
@@ -35,7 +36,8 @@ static void add_part(curvature *k, const acb_t A, const acb_t z, const acb_t r, 
 }
 
 /* B, of the edges ±1. */
-static void add_edges(curvature *k, const ball_patch *patch, const acb_t z, const acb_t per_X, const acb_t per_X2, slong prec)
+static void add_edges(curvature *k, const ball_patch *patch, const acb_t z, const acb_t per_X,
+                      const acb_t per_X2, slong prec)
 {
     acb_t B, r, t;
     acb_init(B), acb_init(r), acb_init(t);
@@ -49,7 +51,8 @@ static void add_edges(curvature *k, const ball_patch *patch, const acb_t z, cons
 }
 
 /* A, of the corners ±alpha. */
-static void add_corners(curvature *k, const ball_patch *patch, const acb_t z, const acb_t per_X, const acb_t per_X2, slong prec)
+static void add_corners(curvature *k, const ball_patch *patch, const acb_t z, const acb_t per_X,
+                        const acb_t per_X2, slong prec)
 {
     acb_t per_q, A, r, t;
     acb_init(per_q), acb_init(A), acb_init(r), acb_init(t);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Higher derivatives of the potential of a contact of half-width 1, which are algebraic, in ball arithmetic. */
+/* Higher derivatives of the potential of a contact of half-width 1, which are algebraic, in ball
+ * arithmetic. */
 #ifndef CURVATURE_H
 #define CURVATURE_H
 

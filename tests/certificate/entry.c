@@ -31,27 +31,31 @@ static void set_kappa(arb_t kappa, const arb_t nu)
 static void entry_init(entry *e)
 {
     memset(e, 0, sizeof *e);
-    arb_init(e->alpha), arb_init(e->f), arb_init(e->kappa), arb_init(e->limit), arb_init(e->least), arb_init(e->most);
+    arb_init(e->alpha), arb_init(e->f), arb_init(e->kappa), arb_init(e->limit), arb_init(e->least),
+        arb_init(e->most);
     acb_init(e->place);
 }
 
 static void entry_clear(entry *e)
 {
-    arb_clear(e->alpha), arb_clear(e->f), arb_clear(e->kappa), arb_clear(e->limit), arb_clear(e->least), arb_clear(e->most);
+    arb_clear(e->alpha), arb_clear(e->f), arb_clear(e->kappa), arb_clear(e->limit),
+        arb_clear(e->least), arb_clear(e->most);
     acb_clear(e->place);
 }
 
 static bool entry_parse(entry *e, char *const cell[COLUMNS])
 {
-    if (strlen(cell[0]) >= sizeof e->a_over_b || !set_decimal(e->alpha, cell[0]) || !set_decimal(e->f, cell[1]) ||
-        !set_decimal(e->kappa, cell[2]) || !set_decimal(e->limit, cell[3]) || !set_decimal(acb_realref(e->place), cell[4]) ||
+    if (strlen(cell[0]) >= sizeof e->a_over_b || !set_decimal(e->alpha, cell[0]) ||
+        !set_decimal(e->f, cell[1]) || !set_decimal(e->kappa, cell[2]) ||
+        !set_decimal(e->limit, cell[3]) || !set_decimal(acb_realref(e->place), cell[4]) ||
         !set_decimal(acb_imagref(e->place), cell[5]))
         return false;
     strcpy(e->a_over_b, cell[0]);
     set_kappa(e->kappa, e->kappa);
     e->at_surface = strcmp(cell[6], "surface") == 0;
     return arb_is_positive(e->alpha) && !arb_is_negative(e->f) && arb_is_positive(e->limit) &&
-           !arb_is_negative(acb_imagref(e->place)) && (e->at_surface || strcmp(cell[6], "subsurface") == 0);
+           !arb_is_negative(acb_imagref(e->place)) &&
+           (e->at_surface || strcmp(cell[6], "subsurface") == 0);
 }
 
 /* The first COLUMNS cells of the line, cut apart in place. */

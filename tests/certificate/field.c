@@ -66,11 +66,13 @@ static void enclose_plainly(field *over, const contact *c, const acb_t z)
     acb_init(G), acb_init(H);
     ball_potential(G, &c->patch, z, BITS);
     ball_potential_slope_by_depth(H, &c->patch, z, BITS);
-    *over = (field){constant(acb_realref(G)), constant(acb_imagref(G)), constant(acb_realref(H)), constant(acb_imagref(H))};
+    *over = (field){constant(acb_realref(G)), constant(acb_imagref(G)), constant(acb_realref(H)),
+                    constant(acb_imagref(H))};
     acb_clear(G), acb_clear(H);
 }
 
-/* The models of the real and the imaginary part, from complex coefficients of 1, xi, eta, xi^2, xi eta, eta^2. */
+/* The models of the real and the imaginary part, from complex coefficients of 1, xi, eta, xi^2,
+ * xi eta, eta^2. */
 static void split_parts(model *re, model *im, const complex_number k[6], double rest)
 {
     *re = (model){k[0].re, k[1].re, k[2].re, k[3].re, k[4].re, k[5].re, rest};
@@ -92,8 +94,8 @@ static complex_number sum(complex_number a, complex_number b)
     return (complex_number){a.re + b.re, a.im + b.im};
 }
 
-/* What Taylor's formula of a square needs: G, G', G'', G''' at the centre, to `rounded`, and the largest moduli of G''' and
- * G'''' anywhere in it. */
+/* What Taylor's formula of a square needs: G, G', G'', G''' at the centre, to `rounded`, and the
+ * largest moduli of G''' and G'''' anywhere in it. */
 typedef struct {
     complex_number at[4];
     double rounded[4];
@@ -121,8 +123,9 @@ static derivatives derivatives_over(const contact *c, const acb_t z)
     return d;
 }
 
-/* With z - centre = h omega, |omega| <= sqrt(2), what Taylor's formula leaves along the straight line from the centre is at
- * most this times h^3 and the largest next derivative: 2 sqrt(2)/6, rounded up. */
+/* With z - centre = h omega, |omega| <= sqrt(2), what Taylor's formula leaves along the straight
+ * line from the centre is at most this times h^3 and the largest next derivative: 2 sqrt(2)/6,
+ * rounded up. */
 static const double TAYLOR = 0.4714046;
 
 /* For the rounding of the handful of positive terms that make up a rest. */
@@ -134,7 +137,8 @@ static void expand_G(field *over, const derivatives *d, double h)
     const complex_number G1 = d->at[1], G2 = d->at[2];
     const complex_number k[6] = {d->at[0],           scaled(h, G1),          scaled(h, turned(G1)),
                                  scaled(h2 / 2, G2), scaled(h2, turned(G2)), scaled(-h2 / 2, G2)};
-    const double rest = d->rounded[0] + 2 * h * d->rounded[1] + 2 * h2 * d->rounded[2] + TAYLOR * h2 * h * d->third;
+    const double rest =
+        d->rounded[0] + 2 * h * d->rounded[1] + 2 * h2 * d->rounded[2] + TAYLOR * h2 * h * d->third;
     split_parts(&over->u, &over->v, k, rest * ROUNDED_UP);
 }
 
@@ -152,8 +156,11 @@ static void expand_H(field *over, const derivatives *d, double y, double h)
     double size = 0;
     for (int i = 0; i < 6; i++)
         size += fabs(k[i].re) + fabs(k[i].im);
-    const double cut_off = h2 * h * (TAYLOR * (y + h) * d->fourth + fabs(G3.re) + fabs(G3.im) + d->rounded[3]);
-    const double rounded = (y + h) * (d->rounded[1] + 2 * h * d->rounded[2] + 2 * h2 * d->rounded[3]) + 8 * DBL_EPSILON * size;
+    const double cut_off =
+        h2 * h * (TAYLOR * (y + h) * d->fourth + fabs(G3.re) + fabs(G3.im) + d->rounded[3]);
+    const double rounded =
+        (y + h) * (d->rounded[1] + 2 * h * d->rounded[2] + 2 * h2 * d->rounded[3]) +
+        8 * DBL_EPSILON * size;
     split_parts(&over->p, &over->q, k, (cut_off + rounded) * ROUNDED_UP);
 }
 
@@ -180,7 +187,8 @@ static void take_sharper(model *m, const model *other)
 
 void field_enclose(field *over, const contact *c, square s)
 {
-    static const double TOUCHING = 3, NEAR = 12; /* halves of the square: between, now this is sharper, now that */
+    /* halves of the square: between, now this is sharper, now that */
+    static const double TOUCHING = 3, NEAR = 12;
     const double distance = distance_of_singularity(c, s);
     acb_t z;
     acb_init(z);
@@ -223,7 +231,8 @@ void ball_J2(arb_t J2, const contact *c, const acb_t z, const arb_t f, const arb
     acb_clear(G), acb_clear(H), acb_clear(D), arb_clear(s);
 }
 
-/* |G| and |H| are at most r = P/(pi distance) there, so that |D| <= (f + sqrt(1+f^2)) r and s^2 <= (1+f^2) r^2. */
+/* |G| and |H| are at most r = P/(pi distance) there, so that |D| <= (f + sqrt(1+f^2)) r and s^2
+ * <= (1+f^2) r^2. */
 void ball_far_J2(arb_t J2, const contact *c, ulong distance, const arb_t f, const arb_t kappa)
 {
     arb_t r, one_f2, sum;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential of one contact over squares of the half-plane, lengths in b, stresses in theta/A. */
+/* The potential of one contact over squares of the half-plane, lengths in b, stresses in
+ * theta/A. */
 #ifndef FIELD_H
 #define FIELD_H
 
@@ -21,7 +22,8 @@ typedef struct {
     double x, y, half; /* centre and half a side; y >= half */
 } square;
 
-/* G = u + iv and y G' = p + iq over a square. Rests are infinite where there is no enclosure: split it. */
+/* G = u + iv and y G' = p + iq over a square. Rests are infinite where there is no enclosure:
+ * split it. */
 typedef struct {
     model u, v, p, q;
 } field;

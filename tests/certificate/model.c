@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* No value here has gone through more than some twenty roundings, each of at most DBL_EPSILON/2 of a sum of terms that the
- * bounds contain, up to four times over. */
+/* No value here has gone through more than some twenty roundings, each of at most DBL_EPSILON/2
+ * of a sum of terms that the bounds contain, up to four times over. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
 static double linear_bound(const model *m)
@@ -26,7 +26,8 @@ double model_bound(const model *m)
 
 model model_product(const model *a, const model *b)
 {
-    const double la = linear_bound(a), lb = linear_bound(b), sa = square_bound(a), sb = square_bound(b);
+    const double la = linear_bound(a), lb = linear_bound(b), sa = square_bound(a),
+                 sb = square_bound(b);
     const double whole_a = fabs(a->one) + la + sa, whole_b = fabs(b->one) + lb + sb;
     const double cut_off = la * sb + sa * lb + sa * sb;
     const double from_rests = a->rest * (whole_b + b->rest) + whole_a * b->rest;
@@ -97,7 +98,8 @@ static double determinant(const model *m)
     return 4 * m->xx * m->yy - m->xy * m->xy;
 }
 
-/* Surely. Where not, then with yy larger by 2 DOUBT of itself it is surely not, and has its maximum on the boundary. */
+/* Surely. Where not, then with yy larger by 2 DOUBT of itself it is surely not, and has its
+ * maximum on the boundary. */
 static bool is_concave(const model *m)
 {
     return m->xx < 0 && m->yy < 0 && determinant(m) > DOUBT * (4 * m->xx * m->yy);
@@ -119,12 +121,14 @@ summit model_summit(const model *m)
     return boundary_summit(m);
 }
 
-/* A concave function lies below its tangent plane at any point: the plane's maximum over the square. */
+/* A concave function lies below its tangent plane at any point: the plane's maximum over the
+ * square. */
 static double tangent_bound(const model *m, summit at)
 {
     const double slope_x = m->x + 2 * m->xx * at.xi + m->xy * at.eta;
     const double slope_y = m->y + 2 * m->yy * at.eta + m->xy * at.xi;
-    return value_at(m, at.xi, at.eta) + fabs(slope_x) - slope_x * at.xi + fabs(slope_y) - slope_y * at.eta;
+    return value_at(m, at.xi, at.eta) + fabs(slope_x) - slope_x * at.xi + fabs(slope_y) -
+           slope_y * at.eta;
 }
 
 double model_maximum(const model *m)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A real function on a square as a quadratic polynomial and a bound of the rest. The square's coordinates are xi and eta in
- * [-1, 1]. Coefficients are doubles; `rest` takes in what their arithmetic rounds off, so that the enclosure is rigorous. */
+/* A real function on a square as a quadratic polynomial and a bound of the rest. The square's
+ * coordinates are xi and eta in [-1, 1]. Coefficients are doubles; `rest` takes in what their
+ * arithmetic rounds off, so that the enclosure is rigorous. */
 #ifndef MODEL_H
 #define MODEL_H
 

@@ -3,8 +3,9 @@
  *
  *     J2 = |f (G + iH) - H|^2 + kappa (Im G - f Re G)^2
  *
- * is a quadratic polynomial in f and linear in kappa: six functions of the place alone, enclosed once for a square, serve all
- * entries of one a/b. A square is split in four as long as an entry is left that it might exceed. */
+ * is a quadratic polynomial in f and linear in kappa: six functions of the place alone, enclosed
+ * once for a square, serve all entries of one a/b. A square is split in four as long as an entry
+ * is left that it might exceed. */
 #include "search.h"
 
 #include <math.h>
@@ -119,7 +120,8 @@ static void examine_quarters(tree *t, square s, int depth, size_t listed)
 {
     const double half = s.half / 2;
     for (int i = 0; i < 4; i++)
-        examine(t, (square){s.x + (i % 2 ? half : -half), s.y + (i / 2 ? half : -half), half}, depth, listed);
+        examine(t, (square){s.x + (i % 2 ? half : -half), s.y + (i / 2 ? half : -half), half},
+                depth, listed);
 }
 
 /* All around the squares. */
@@ -156,8 +158,8 @@ static verdict verdict_of_place(const entry *e, double tolerance)
     return is_within(e->least, e->limit, -1, tolerance) ? PROVED : EXCEEDED;
 }
 
-/* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the ceiling J2 (1+gap)^2, it is no
- * less than that over 1+gap. */
+/* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the
+ * ceiling J2 (1+gap)^2, it is no less than that over 1+gap. */
 static void examine_place(const contact *c, entry *e, precision wanted)
 {
     arb_t J2, over;
@@ -177,7 +179,8 @@ static void examine_place(const contact *c, entry *e, precision wanted)
     arb_clear(J2), arb_clear(over);
 }
 
-/* f and kappa rounded to doubles are as good as exact: the combination allows for more roundings than these. */
+/* f and kappa rounded to doubles are as good as exact: the combination allows for more roundings
+ * than these. */
 static candidate candidate_of(entry *e)
 {
     const double f = ball_lower(e->f), kappa = ball_lower(e->kappa);

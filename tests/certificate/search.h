@@ -8,13 +8,16 @@
 /* Relative to the limit. */
 typedef struct {
     double tolerance; /* how far it may be from what is stated */
-    double gap;       /* how far the highest J2 anywhere is proved not to lower it below what the stated place gives */
+    /* how far the highest J2 anywhere is proved not to lower it below what the stated place
+     * gives */
+    double gap;
 } precision;
 
 /* Judges the entries, which are of one a/b. Returns how many squares were looked at. */
 size_t search(entry *entries, size_t count, precision wanted);
 
-/* The six functions of the place of which J2 = sum of weight[i] term[i], weight = 1, f, f^2, kappa, kappa f, kappa f^2. */
+/* The six functions of the place of which J2 = sum of weight[i] term[i], weight = 1, f, f^2,
+ * kappa, kappa f, kappa f^2. */
 enum { TERMS = 6 };
 void enclose_terms(model term[TERMS], const field *over);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential in balls, against the reference stresses, and against its own derivative and limits. */
+/* The potential in balls, against the reference stresses, and against its own derivative and
+ * limits. */
 #include "ball_potential.h"
 #include "claims.h"
 
@@ -68,7 +69,8 @@ static stress superposed(const field *N, const field *C, double f)
 
 static void assert_stress(stress actual, const double expected[3], double x, double y)
 {
-    const double norm = fmax(hypot(hypot(expected[0], expected[1]), expected[2]), 1 / (1 + hypot(x, y)));
+    const double norm =
+        fmax(hypot(hypot(expected[0], expected[1]), expected[2]), 1 / (1 + hypot(x, y)));
     assert_within(actual.sxx, expected[0], 1e-15 * norm);
     assert_within(actual.syy, expected[1], 1e-15 * norm);
     assert_within(actual.txy, expected[2], 1e-15 * norm);
@@ -101,7 +103,8 @@ static void stresses_in_partial_slip_are_the_reference_values(void **state)
     }
 }
 
-/* A wide ball contains what thin balls within it give; small ones are finite at the special points too. */
+/* A wide ball contains what thin balls within it give; small ones are finite at the special
+ * points too. */
 static void wide_balls_contain_thin_ones(void **state)
 {
     (void)state;
@@ -148,7 +151,8 @@ static void the_slope_is_the_derivative(void **state)
             ball_patch patch;
             arb_t a, c;
             acb_t z, h, left, right, slope;
-            arb_init(a), arb_init(c), acb_init(z), acb_init(h), acb_init(left), acb_init(right), acb_init(slope);
+            arb_init(a), arb_init(c), acb_init(z), acb_init(h), acb_init(left), acb_init(right),
+                acb_init(slope);
             arb_set_d(a, alphas[i]);
             arb_set_d(c, 0.75);
             ball_patch_init(&patch, a, c, PREC);

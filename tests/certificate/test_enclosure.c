@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The steps of the certificate: what is said to enclose encloses, and is sharp enough to be of use. */
+/* The steps of the certificate: what is said to enclose encloses, and is sharp enough to be of
+ * use. */
 #include "claims.h"
 #include "curvature.h"
 #include "search.h"
@@ -46,7 +47,8 @@ static void the_maximum_of_a_polynomial_is_bounded_sharply(void **state)
     for (int i = 0; i < 2000; i++) {
         model m = random_model(&seed, 0);
         if (i % 2) /* the concave ones are rare */
-            m.xx = -fabs(m.xx), m.yy = -fabs(m.yy), m.xy = random_between(&seed, -2, 2) * sqrt(m.xx * m.yy);
+            m.xx = -fabs(m.xx), m.yy = -fabs(m.yy),
+            m.xy = random_between(&seed, -2, 2) * sqrt(m.xx * m.yy);
         const double bound = model_maximum(&m);
         const summit top = model_summit(&m);
         assert_true(bound >= maximum_on_grid(&m));
@@ -72,7 +74,8 @@ static void products_and_sums_contain_those_of_the_values(void **state)
     (void)state;
     uint64_t seed = 2;
     for (int i = 0; i < 2000; i++) {
-        const model a = random_model(&seed, i % 3 ? 0.1 : 0), b = random_model(&seed, i % 5 ? 0.01 : 0);
+        const model a = random_model(&seed, i % 3 ? 0.1 : 0),
+                    b = random_model(&seed, i % 5 ? 0.01 : 0);
         const model both[2] = {a, b};
         const double weight[2] = {random_between(&seed, -2, 2), random_between(&seed, -2, 2)};
         const model product = model_product(&a, &b), sum = model_combination(2, weight, both);
@@ -141,10 +144,12 @@ static void the_curvatures_are_those_of_the_slope(void **state)
         }
 }
 
-/* A square of any size down to 1e-7, next to the surface or one of the special places as often as not. */
+/* A square of any size down to 1e-7, next to the surface or one of the special places as often
+ * as not. */
 static square random_square(uint64_t *seed, double alpha)
 {
-    const double half = pow(10, random_between(seed, -7, 0)), by = pow(10, random_between(seed, -1, 1.5)) * half;
+    const double half = pow(10, random_between(seed, -7, 0)),
+                 by = pow(10, random_between(seed, -1, 1.5)) * half;
     const double around[] = {0, alpha, 1, random_between(seed, 0, 3)};
     const double x = around[(int)(4 * random_fraction(seed))] + by * random_between(seed, -1, 1);
     const double y = half + (random_fraction(seed) < 0.5 ? 0 : by);
@@ -172,7 +177,8 @@ static void check_square(const contact *c, square s, uint64_t *seed, tally *coun
     field_enclose(&over, c, s);
     enclose_terms(term, &over);
     const double friction = random_fraction(seed), k = random_fraction(seed) / 3;
-    const double weight[TERMS] = {1, friction, friction * friction, k, k * friction, k * friction * friction};
+    const double weight[TERMS] = {1, friction,     friction * friction,
+                                  k, k * friction, k * friction * friction};
     const model J2_over = model_combination(TERMS, weight, term);
     arb_set_d(f, friction);
     arb_set_d(kappa, k);
@@ -191,7 +197,8 @@ static void check_square(const contact *c, square s, uint64_t *seed, tally *coun
             ball_J2(J2, c, z, f, kappa);
             assert_contains(&J2_over, xi, eta, J2);
             assert_true(ball_lower(J2) <= model_maximum(&J2_over));
-            const double error = fabs(ball_lower(acb_imagref(value)) - value_at(&over.q, xi, eta)) / over.q.rest;
+            const double error =
+                fabs(ball_lower(acb_imagref(value)) - value_at(&over.q, xi, eta)) / over.q.rest;
             count->tightest = fmax(count->tightest, error);
         }
     }
@@ -220,7 +227,8 @@ static void squares_contain_what_points_in_them_give(void **state)
     assert_true(count.tightest > 0.5);
 }
 
-/* The certificate finishes because the rest falls like the cube of the square's size: by 8 when that is halved. */
+/* The certificate finishes because the rest falls like the cube of the square's size: by 8 when
+ * that is halved. */
 static void the_rest_falls_with_the_cube(void **state)
 {
     (void)state;
@@ -257,8 +265,10 @@ static void far_away_J2_is_below_its_bound(void **state)
         arb_set_d(kappa, random_fraction(&seed) / 3);
         contact_init(&c, alpha);
         /* on the curve at that distance from the contact */
-        const double angle = random_between(&seed, 0, 3.14159265), end = random_between(&seed, -1, 1);
-        const double x = fabs(cos(angle)) > 0.5 ? DISTANCE * cos(angle) + (cos(angle) > 0 ? 1 : -1) : end;
+        const double angle = random_between(&seed, 0, 3.14159265),
+                     end = random_between(&seed, -1, 1);
+        const double x =
+            fabs(cos(angle)) > 0.5 ? DISTANCE * cos(angle) + (cos(angle) > 0 ? 1 : -1) : end;
         const double y = fabs(cos(angle)) > 0.5 ? DISTANCE * sin(angle) : DISTANCE;
         acb_set_d_d(z, x, y);
         ball_J2(J2, &c, z, f, kappa);
@@ -267,7 +277,8 @@ static void far_away_J2_is_below_its_bound(void **state)
         arb_div(J2, J2, bound, BITS);
         nearest = fmax(nearest, ball_lower(J2));
         contact_clear(&c);
-        arb_clear(alpha), arb_clear(f), arb_clear(kappa), arb_clear(J2), arb_clear(bound), acb_clear(z);
+        arb_clear(alpha), arb_clear(f), arb_clear(kappa), arb_clear(J2), arb_clear(bound),
+            acb_clear(z);
     }
     assert_true(nearest > 0.3);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results computed ahead arrive in order, each once, whatever the number of threads; blocks of them are computed at one time;
- * and they may be left where they are. Run under the thread sanitizer by tests/threads.sh too. */
+/* Results computed ahead arrive in order, each once, whatever the number of threads; blocks of
+ * them are computed at one time; and they may be left where they are. Run under the thread
+ * sanitizer by tests/threads.sh too. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "ahead.h"
@@ -93,13 +94,16 @@ static void meet_others(const void *context, int64_t i, void *result)
     *(bool *)result = meet(*(meeting *const *)context, &latest);
 }
 
-/* As many blocks at a time as there are threads: none of them waits for a block of another to be computed. */
+/* As many blocks at a time as there are threads: none of them waits for a block of another to be
+ * computed. */
 static void blocks_are_computed_at_one_time(void **state)
 {
     (void)state;
     enum { COUNT = 1000 };
     for (int threads = 2; threads <= 8; threads *= 2) {
-        meeting place = {.lock = PTHREAD_MUTEX_INITIALIZER, .change = PTHREAD_COND_INITIALIZER, .expected = threads};
+        meeting place = {.lock = PTHREAD_MUTEX_INITIALIZER,
+                         .change = PTHREAD_COND_INITIALIZER,
+                         .expected = threads};
         meeting *const at = &place;
         int met = 0;
         ahead *work = ahead_start(threads, COUNT, sizeof(bool), meet_others, &at);

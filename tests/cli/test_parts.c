@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of the command-line tool that its tables do not reach yet, or not with enough values: texts in CSV and JSON,
- * and numbers and ranges by the hundred thousand. */
+/* Parts of the command-line tool that its tables do not reach yet, or not with enough values:
+ * texts in CSV and JSON, and numbers and ranges by the hundred thousand. */
 #include "number.h"
 #include "range.h"
 #include "records.h"
@@ -25,11 +25,13 @@ static uint64_t next_random(uint64_t *state)
 }
 
 /* One row of one cell, and what was written of it. */
-static const char *written(const record_format *format, char separator, const char *name, cell value)
+static const char *written(const record_format *format, char separator, const char *name,
+                           cell value)
 {
     static output out;
     out.used = 0;
-    records rows = {.format = format, .out = &out, .digits = 17, .decimal_sign = '.', .separator = separator};
+    records rows = {
+        .format = format, .out = &out, .digits = 17, .decimal_sign = '.', .separator = separator};
     format->value(&rows, name, value);
     format->end_row(&rows);
     out.buffer[out.used] = '\0';
@@ -58,16 +60,19 @@ static void numbers_that_are_not_finite_are_empty(void **state)
     const double not_finite[] = {NAN, HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < 3; i++) {
         assert_string_equal(written(&delimited_format, ',', "n", cell_number(not_finite[i])), "\n");
-        assert_string_equal(written(&json_format, ',', "n", cell_number(not_finite[i])), "\n{\"n\": null}");
+        assert_string_equal(written(&json_format, ',', "n", cell_number(not_finite[i])),
+                            "\n{\"n\": null}");
     }
 }
 
 static void json_escapes_texts_and_refuses_what_is_not_utf8(void **state)
 {
     (void)state;
-    assert_string_equal(written(&json_format, ',', "n", cell_text("\"\\\n\x01")), "\n{\"n\": \"\\\"\\\\\\n\\u0001\"}");
+    assert_string_equal(written(&json_format, ',', "n", cell_text("\"\\\n\x01")),
+                        "\n{\"n\": \"\\\"\\\\\\n\\u0001\"}");
     assert_string_equal(written(&json_format, ',', "\"", cell_number(0.5)), "\n{\"\\\"\": 0.5}");
-    assert_string_equal(written(&json_format, ',', "n", cell_text("\xc3\xa4")), "\n{\"n\": \"\xc3\xa4\"}");
+    assert_string_equal(written(&json_format, ',', "n", cell_text("\xc3\xa4")),
+                        "\n{\"n\": \"\xc3\xa4\"}");
     assert_string_equal(written(&json_format, ',', "n", cell_empty()), "\n{\"n\": null}");
     assert_non_null(strstr(written(&json_format, ',', "n", cell_text("\xe4")), "not UTF-8"));
 }
@@ -122,19 +127,21 @@ static void values_of_a_range_are_the_nearest_to_their_decimals(void **state)
                       count = (int64_t)(next_random(&seed) % 1000) + 1;
         const int64_t sign = next_random(&seed) % 2 == 0 ? 1 : -1;
         char text[160];
-        snprintf(text, sizeof text, "%" PRId64 "e-%d:%" PRId64 "e-%d:%" PRId64 "e-%d", start, places,
-                 start + sign * (count - 1) * step, places, sign * step, places);
+        snprintf(text, sizeof text, "%" PRId64 "e-%d:%" PRId64 "e-%d:%" PRId64 "e-%d", start,
+                 places, start + sign * (count - 1) * step, places, sign * step, places);
         range values;
         assert_null(range_read(text, &values));
         assert_int_equal(values.count, count);
         const int64_t any = (int64_t)(next_random(&seed) % (uint64_t)count);
         assert_true(range_value(&values, any) == nearest_to(start + sign * any * step, places));
-        assert_true(range_value(&values, count - 1) == nearest_to(start + sign * (count - 1) * step, places));
+        assert_true(range_value(&values, count - 1) ==
+                    nearest_to(start + sign * (count - 1) * step, places));
         range_free(&values);
     }
 }
 
-/* Arguments are typed by people and made by programs: whatever the text, an answer, and only finite values. */
+/* Arguments are typed by people and made by programs: whatever the text, an answer, and only
+ * finite values. */
 static void no_text_upsets_a_range(void **state)
 {
     (void)state;
@@ -152,7 +159,8 @@ static void no_text_upsets_a_range(void **state)
             continue;
         accepted++;
         assert_in_range(values.count, 1, RANGE_VALUES_MAX);
-        assert_true(isfinite(range_value(&values, 0)) && isfinite(range_value(&values, values.count - 1)));
+        assert_true(isfinite(range_value(&values, 0)) &&
+                    isfinite(range_value(&values, values.count - 1)));
         range_free(&values);
     }
     assert_true(accepted > 1000);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How exact the workbook's calculator is: its computation in C, whose values the cells store and which LibreOffice repeats in
- * workbook.sh, against the library. */
+/* How exact the workbook's calculator is: its computation in C, whose values the cells store and
+ * which LibreOffice repeats in workbook.sh, against the library. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +16,8 @@
 #include "workbook_model.h"
 
 /* What the sheet About, the calculator's notes and cli/README.md say. */
-static const double EXACT = 1e-12, LIMIT = 5e-4, YIELD = 1.5e-3, YIELD_SMALL_TIP = 4e-3, CRITICAL = 6e-3;
+static const double EXACT = 1e-12, LIMIT = 5e-4, YIELD = 1.5e-3, YIELD_SMALL_TIP = 4e-3,
+                    CRITICAL = 6e-3;
 static const double SMALL_TIP = 0.02;
 
 static limit_table table;
@@ -40,7 +41,8 @@ static double relative(double got, double expected)
 static void compare(double tip, double f, double nu, errors *worst)
 {
     workbook_inputs in = {0.02, 0.3, 1e5, nu, 2e5, 0.3, 0, f, 0};
-    const double A = rwedge_compliance(in.E1, in.nu1, in.E2, in.nu2), limit = rwedge_elastic_limit(tip, f, nu);
+    const double A = rwedge_compliance(in.E1, in.nu1, in.E2, in.nu2),
+                 limit = rwedge_elastic_limit(tip, f, nu);
     workbook_results got;
     in.P = rwedge_normal_load(in.theta, in.a, A, in.a / tip);
     in.k = in.P * tip / (in.a * limit);
@@ -51,15 +53,18 @@ static void compare(double tip, double f, double nu, errors *worst)
     keep_larger(&worst->limit, relative(got.limit, limit));
     keep_larger(&worst->critical, fabs(got.f_critical - rwedge_critical_friction(tip, nu)));
     if (got.reached > 0) /* at the end of the table the interpolated load may be beyond it */
-        keep_larger(tip < SMALL_TIP ? &worst->yield_small_tip : &worst->yield, relative(got.P_yield, in.P));
+        keep_larger(tip < SMALL_TIP ? &worst->yield_small_tip : &worst->yield,
+                    relative(got.P_yield, in.P));
     else
         assert_true(tip < 1.02 * WORKBOOK_TIP_MIN);
 }
 
 static void show(const char *where, const errors *worst)
 {
-    printf("%s: b, p0, tension %.1e; limit %.1e; load at yield %.1e, %.1e for a/b < %g; critical friction %.1e\n", where,
-           worst->exact, worst->limit, worst->yield, worst->yield_small_tip, SMALL_TIP, worst->critical);
+    printf("%s: b, p0, tension %.1e; limit %.1e; load at yield %.1e, %.1e for a/b < %g; critical "
+           "friction %.1e\n",
+           where, worst->exact, worst->limit, worst->yield, worst->yield_small_tip, SMALL_TIP,
+           worst->critical);
     assert_true(worst->exact <= EXACT);
     assert_true(worst->limit <= LIMIT);
     assert_true(worst->yield <= YIELD);
@@ -92,14 +97,17 @@ static void random_points_are_as_exact_as_stated(void **state)
     uint64_t seed = 2026;
     (void)state;
     for (int i = 0; i < 10000; i++) {
-        const double tip = i % 2 ? uniform(&seed, WORKBOOK_TIP_MIN, 1.5) : exp(uniform(&seed, log(WORKBOOK_TIP_MIN), 0));
-        const double f = i % 10 == 0 ? 0 : uniform(&seed, 0, i % 3 == 0 ? WORKBOOK_FRICTION_MAX : 0.4);
+        const double tip = i % 2 ? uniform(&seed, WORKBOOK_TIP_MIN, 1.5)
+                                 : exp(uniform(&seed, log(WORKBOOK_TIP_MIN), 0));
+        const double f =
+            i % 10 == 0 ? 0 : uniform(&seed, 0, i % 3 == 0 ? WORKBOOK_FRICTION_MAX : 0.4);
         compare(tip, f, uniform(&seed, 0, 0.5), &worst);
     }
     show("random points", &worst);
 }
 
-/* f = 0.376, next to the end of the branch below the surface, cost 0.25 % while the table had no node but 0.4 above it. */
+/* f = 0.376, next to the end of the branch below the surface, cost 0.25 % while the table had no
+ * node but 0.4 above it. */
 static void next_to_the_last_cusp(void **state)
 {
     errors worst = {0};

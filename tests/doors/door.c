@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the calls of calls.csv from standard input: each line back with the bits of its results, as 16 hexadecimal digits
- * ("nan" for every NaN). Every language that the library is called from has such a program, and all print the same lines.
- * Compiled as C and as C++. */
+/* Answers the calls of calls.csv from standard input: each line back with the bits of its
+ * results, as 16 hexadecimal digits ("nan" for every NaN). Every language that the library is
+ * called from has such a program, and all print the same lines. Compiled as C and as C++. */
 #include "rwedge.h"
 
 #include <stdio.h>
@@ -13,24 +13,78 @@ enum { MAX_ARGUMENTS = 5, MAX_RESULTS = 3 };
 /* One contact at a time: contact_create begins the next. */
 static rwedge_contact *contact;
 
-static double load(const double *v) { return rwedge_load(v[0]); }
-static double a_over_b(const double *v) { return rwedge_a_over_b(v[0]); }
-static double pressure(const double *v) { return rwedge_pressure(v[0], v[1]); }
-static double peak_pressure(const double *v) { return rwedge_peak_pressure(v[0]); }
-static double transition_pressure(const double *v) { return rwedge_transition_pressure(v[0]); }
-static double max_tension(const double *v) { return rwedge_max_tension(v[0]); }
-static double stick_width(const double *v) { return rwedge_stick_width(v[0], v[1]); }
-static double shear_ratio(const double *v) { return rwedge_shear_ratio(v[0], v[1]); }
-static double shear(const double *v) { return rwedge_shear(v[0], v[1], v[2]); }
-static double elastic_limit(const double *v) { return rwedge_elastic_limit(v[0], v[1], v[2]); }
-static double critical_friction(const double *v) { return rwedge_critical_friction(v[0], v[1]); }
-static double coefficient(const double *v) { return rwedge_coefficient(v[0], (int32_t)v[1]); }
-static double compliance(const double *v) { return rwedge_compliance(v[0], v[1], v[2], v[3]); }
-static double dundurs_beta(const double *v) { return rwedge_dundurs_beta(v[0], v[1], v[2], v[3]); }
-static double radius(const double *v) { return rwedge_radius(v[0], v[1]); }
-static double rounding(const double *v) { return rwedge_rounding(v[0], v[1]); }
-static double half_width(const double *v) { return rwedge_half_width(v[0], v[1], v[2], v[3]); }
-static double normal_load(const double *v) { return rwedge_normal_load(v[0], v[1], v[2], v[3]); }
+static double load(const double *v)
+{
+    return rwedge_load(v[0]);
+}
+static double a_over_b(const double *v)
+{
+    return rwedge_a_over_b(v[0]);
+}
+static double pressure(const double *v)
+{
+    return rwedge_pressure(v[0], v[1]);
+}
+static double peak_pressure(const double *v)
+{
+    return rwedge_peak_pressure(v[0]);
+}
+static double transition_pressure(const double *v)
+{
+    return rwedge_transition_pressure(v[0]);
+}
+static double max_tension(const double *v)
+{
+    return rwedge_max_tension(v[0]);
+}
+static double stick_width(const double *v)
+{
+    return rwedge_stick_width(v[0], v[1]);
+}
+static double shear_ratio(const double *v)
+{
+    return rwedge_shear_ratio(v[0], v[1]);
+}
+static double shear(const double *v)
+{
+    return rwedge_shear(v[0], v[1], v[2]);
+}
+static double elastic_limit(const double *v)
+{
+    return rwedge_elastic_limit(v[0], v[1], v[2]);
+}
+static double critical_friction(const double *v)
+{
+    return rwedge_critical_friction(v[0], v[1]);
+}
+static double coefficient(const double *v)
+{
+    return rwedge_coefficient(v[0], (int32_t)v[1]);
+}
+static double compliance(const double *v)
+{
+    return rwedge_compliance(v[0], v[1], v[2], v[3]);
+}
+static double dundurs_beta(const double *v)
+{
+    return rwedge_dundurs_beta(v[0], v[1], v[2], v[3]);
+}
+static double radius(const double *v)
+{
+    return rwedge_radius(v[0], v[1]);
+}
+static double rounding(const double *v)
+{
+    return rwedge_rounding(v[0], v[1]);
+}
+static double half_width(const double *v)
+{
+    return rwedge_half_width(v[0], v[1], v[2], v[3]);
+}
+static double normal_load(const double *v)
+{
+    return rwedge_normal_load(v[0], v[1], v[2], v[3]);
+}
 
 static double contact_half_width(const double *v)
 {
@@ -161,7 +215,8 @@ static void print_bits(double value)
         printf(",nan");
 }
 
-/* 0, or 1 with a message where the call is none of ours or fails: the calls that fail are the business of each language. */
+/* 0, or 1 with a message where the call is none of ours or fails: the calls that fail are the
+ * business of each language. */
 static int answer(const char *line)
 {
     double v[MAX_ARGUMENTS], r[MAX_RESULTS];

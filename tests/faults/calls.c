@@ -55,17 +55,68 @@ static bool is_of_kind(char kind, double v)
 }
 
 static const double anything[] = {
-    0, -0.0, 5e-324, 1e-310, DBL_MIN, 1e-300, 7.9e-265, 1e-200, 1e-160, 1e-120, 1e-60, 1e-16, 1e-14, 9.9e-15,
-    3e-9, 1e-6, 1e-3, 0.01, 0.1, 0.25, 0.3, 0.5, 0.9999, 1 - DBL_EPSILON / 2, 1, 1 + DBL_EPSILON, 1.5, 2, 2.5,
-    100, 1e5, 1e6, 1.1e8, 1e10, 1e18, 1e60, 1e150, 1e160, 1e290, 1e300, DBL_MAX, INFINITY, NAN, -5e-324,
-    -1e-300, -1e-9, -0.3, -0.9999, -1, -2, -1e9, -DBL_MAX, -INFINITY,
+    0,         -0.0,
+    5e-324,    1e-310,
+    DBL_MIN,   1e-300,
+    7.9e-265,  1e-200,
+    1e-160,    1e-120,
+    1e-60,     1e-16,
+    1e-14,     9.9e-15,
+    3e-9,      1e-6,
+    1e-3,      0.01,
+    0.1,       0.25,
+    0.3,       0.5,
+    0.9999,    1 - DBL_EPSILON / 2,
+    1,         1 + DBL_EPSILON,
+    1.5,       2,
+    2.5,       100,
+    1e5,       1e6,
+    1.1e8,     1e10,
+    1e18,      1e60,
+    1e150,     1e160,
+    1e290,     1e300,
+    DBL_MAX,   INFINITY,
+    NAN,       -5e-324,
+    -1e-300,   -1e-9,
+    -0.3,      -0.9999,
+    -1,        -2,
+    -1e9,      -DBL_MAX,
+    -INFINITY,
 };
 static const double fractions[] = {
-    0, -0.0, 5e-324, 1e-300, 1e-160, 1e-60, 1e-16, 1e-8, 0.1, 0.25, 0.3, 0.3605, 0.49, 0.5 - 1e-9, 0.5 -
-    DBL_EPSILON / 4, 0.5, 0.5 + DBL_EPSILON, 0.9999, 1 - DBL_EPSILON / 2, 1, 1 + DBL_EPSILON, 2, DBL_MAX,
-    INFINITY, NAN, -5e-324, -0.3, -1 + DBL_EPSILON, -1, -INFINITY,
+    0,
+    -0.0,
+    5e-324,
+    1e-300,
+    1e-160,
+    1e-60,
+    1e-16,
+    1e-8,
+    0.1,
+    0.25,
+    0.3,
+    0.3605,
+    0.49,
+    0.5 - 1e-9,
+    0.5 - DBL_EPSILON / 4,
+    0.5,
+    0.5 + DBL_EPSILON,
+    0.9999,
+    1 - DBL_EPSILON / 2,
+    1,
+    1 + DBL_EPSILON,
+    2,
+    DBL_MAX,
+    INFINITY,
+    NAN,
+    -5e-324,
+    -0.3,
+    -1 + DBL_EPSILON,
+    -1,
+    -INFINITY,
 };
-static const double numbers[] = {0, 1, 2, 3, 7, 50, 1001, 65535, 1 << 20, 1073741823, INT32_MAX, -1, INT32_MIN};
+static const double numbers[] = {0,     1,       2,          3,         7,  50,       1001,
+                                 65535, 1 << 20, 1073741823, INT32_MAX, -1, INT32_MIN};
 
 static const double *edges(char kind, size_t *count)
 {
@@ -175,7 +226,9 @@ static bool has_half_width(const double v[])
 static bool has_load(const double v[])
 {
     const long double width = (long double)v[0] / v[2] * v[3];
-    return v[3] == 0 || width * (v[3] < v[1] ? 1.57079632679489662L * v[3] / v[1] : rwedge_load(v[1] / v[3])) <= DBL_MAX;
+    return v[3] == 0 ||
+           width * (v[3] < v[1] ? 1.57079632679489662L * v[3] / v[1] : rwedge_load(v[1] / v[3])) <=
+               DBL_MAX;
 }
 
 static bool is_not_sharp(const double v[])
@@ -216,7 +269,8 @@ static int32_t stress(const double v[], double out[])
     return rwedge_stress(v[0], v[1], v[2], v[3], v[4], &out[0], &out[1], &out[2]);
 }
 
-/* Three points, in and beside the contact and far away, the outputs in place of the inputs where there is room. */
+/* Three points, in and beside the contact and far away, the outputs in place of the inputs where
+ * there is room. */
 static int32_t stresses(const double v[], double out[])
 {
     const double x[] = {v[3], -v[3], v[3] / 3}, y[] = {v[4], v[4], v[4] / 3};
@@ -256,7 +310,8 @@ static int32_t surface_yield(const double v[], double out[])
 
 /* ---- A contact after two loads ---- */
 
-/* A product that raises no exception of its own; volatile, for else clang converts it before it looks whether it may. */
+/* A product that raises no exception of its own; volatile, for else clang converts it before it
+ * looks whether it may. */
 static double product(double a, double b, double c)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
@@ -369,8 +424,14 @@ static int32_t series_fit(const double v[], double out[])
 /* ---- All of them ---- */
 
 #define BIT(status) (1u << (status))
-#define BY_STATUS(name, kinds, outputs, allowed, also) {#name, kinds, outputs, false, allowed, name, also}
-#define FORMULA(name, kinds, also) {#name, kinds, 1, false, 0, name, also}
+#define BY_STATUS(name, kinds, outputs, allowed, also)                                             \
+    {                                                                                              \
+#name, kinds, outputs, false, allowed, name, also                                          \
+    }
+#define FORMULA(name, kinds, also)                                                                 \
+    {                                                                                              \
+#name, kinds, 1, false, 0, name, also                                                      \
+    }
 
 const public_call public_calls[] = {
     FORMULA(version, "", NULL),
@@ -400,9 +461,11 @@ const public_call public_calls[] = {
     FORMULA(half_width, "hw+w", has_half_width),
     FORMULA(normal_load, "hw+w", has_load),
     {"yield_load", "hw+fn+", 1, true, BIT(RWEDGE_EDOMAIN), yield_load, NULL},
-    BY_STATUS(contact, "hw+fwrwrxy", SEEN, BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING), NULL),
+    BY_STATUS(contact, "hw+fwrwrxy", SEEN,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING), NULL),
     BY_STATUS(yield_factor, "hw+fwrn+", 3,
-              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT), NULL),
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT),
+              NULL),
     BY_STATUS(series_create, "aifxy", 9, BIT(RWEDGE_ERANGE), NULL),
     BY_STATUS(series_fit, "axfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every public function as a call of doubles, with the domain of each argument as the header says it: for tests that try
- * them all with whatever arguments. */
+/* Every public function as a call of doubles, with the domain of each argument as the header
+ * says it: for tests that try them all with whatever arguments. */
 #ifndef CALLS_H
 #define CALLS_H
 
@@ -17,7 +17,8 @@ typedef struct {
     bool may_be_infinite;
     uint32_t also_allowed; /* statuses, as bits, that arguments in the domain may have too */
 
-    /* A pure formula has the status RWEDGE_EDOMAIN where it gives NaN. Outputs that a status leaves alone are left. */
+    /* A pure formula has the status RWEDGE_EDOMAIN where it gives NaN. Outputs that a status
+     * leaves alone are left. */
     int32_t (*make)(const double v[], double out[]);
     bool (*also_in_domain)(const double v[]); /* NULL, or what a domain by argument cannot say */
 } public_call;
@@ -28,10 +29,12 @@ extern const size_t public_call_count;
 /* Whether the header's domain has these arguments. */
 bool is_in_domain(const public_call *call, const double v[]);
 
-/* Whether an argument is in the domain of its kind by itself, or for a ratio that may be refused, will not be. */
+/* Whether an argument is in the domain of its kind by itself, or for a ratio that may be
+ * refused, will not be. */
 bool is_sound(char kind, double v);
 
-/* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls it. */
+/* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls
+ * it. */
 const char *complaint_of(const public_call *call, const double v[], double out[], int32_t *status);
 
 /* The number of edges of a kind of argument, inside the domain and out, and the i-th of them. */

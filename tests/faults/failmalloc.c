@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Preloaded into a program: one allocation fails, or all from one on. For glibc, whose own functions have a second name.
+/* Preloaded into a program: one allocation fails, or all from one on. For glibc, whose own
+ * functions have a second name.
  *
  *     FAIL_AT=N     the N-th allocation fails; unset or 0: none
  *     FAIL_ALL=1    and all after it
  *     FAIL_COUNT=F  the number of allocations is written to the file F at the end
  *     FAIL_MARK=F   the file F appears when one fails
  *
- * Allocations count from where this library is initialised: after the libraries of the program, before its main(). Programs
- * that it starts are not affected. */
+ * Allocations count from where this library is initialised: after the libraries of the program,
+ * before its main(). Programs that it starts are not affected. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>

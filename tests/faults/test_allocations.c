@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every allocation of the library fails in turn, once and for ever after: the call says RWEDGE_ENOMEM, touches nothing, leaks
- * nothing, and gives the same as ever when there is memory again.
+/* Every allocation of the library fails in turn, once and for ever after: the call says
+ * RWEDGE_ENOMEM, touches nothing, leaks nothing, and gives the same as ever when there is memory
+ * again.
  *
- * With PROGRAM_HEAP the four functions are this program's, which stand before those of glibc in every shared library too: GSL's
- * and LAPACK's allocations count. Elsewhere it is linked with --wrap, and sees those of the library alone. */
+ * With PROGRAM_HEAP the four functions are this program's, which stand before those of glibc in
+ * every shared library too: GSL's and LAPACK's allocations count. Elsewhere it is linked with
+ * --wrap, and sees those of the library alone. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -43,7 +45,8 @@ static bool is_granted(void)
     if (!heap.inside)
         return true;
     heap.calls++;
-    return heap.failing == 0 || (heap.for_ever ? heap.calls < heap.failing : heap.calls != heap.failing);
+    return heap.failing == 0 ||
+           (heap.for_ever ? heap.calls < heap.failing : heap.calls != heap.failing);
 }
 
 static void *counted(void *block)
@@ -83,7 +86,8 @@ static void arm(size_t failing, bool for_ever)
     heap.for_ever = for_ever;
 }
 
-/* A call of the library, which is all that counts: what the tests' own machinery allocates does not. */
+/* A call of the library, which is all that counts: what the tests' own machinery allocates does
+ * not. */
 static int32_t left_with(int32_t status)
 {
     heap.inside = false;
@@ -91,11 +95,11 @@ static int32_t left_with(int32_t status)
 }
 
 #define STATUS_OF(call) (heap.inside = true, left_with(call))
-#define RUN(call)                                                                                                              \
-    do {                                                                                                                       \
-        heap.inside = true;                                                                                                    \
-        call;                                                                                                                  \
-        heap.inside = false;                                                                                                   \
+#define RUN(call)                                                                                  \
+    do {                                                                                           \
+        heap.inside = true;                                                                        \
+        call;                                                                                      \
+        heap.inside = false;                                                                       \
     } while (0)
 
 /* ---- Calls that allocate: what they give, as numbers ---- */
@@ -116,7 +120,8 @@ static double next_load(uint64_t *seed, double *Q)
 
 static void look(const rwedge_contact *contact, outcome *seen)
 {
-    const double b = rwedge_contact_half_width(contact), x[3] = {0.1 * b, -0.6 * b, 0.95 * b}, y[3] = {0, b, 0.1 * b};
+    const double b = rwedge_contact_half_width(contact), x[3] = {0.1 * b, -0.6 * b, 0.95 * b},
+                 y[3] = {0, b, 0.1 * b};
     double *n = seen->number;
     n[0] = b;
     RUN(n[1] = rwedge_contact_stick_half_width(contact));
@@ -124,10 +129,12 @@ static void look(const rwedge_contact *contact, outcome *seen)
     RUN(n[3] = (double)rwedge_contact_memory(contact));
     assert_int_equal(STATUS_OF(rwedge_contact_tractions(contact, 3, x, n + 4, n + 7)), RWEDGE_OK);
     assert_int_equal(STATUS_OF(rwedge_contact_slip(contact, 3, x, n + 10)), RWEDGE_OK);
-    assert_int_equal(STATUS_OF(rwedge_contact_stresses(contact, 3, x, y, n + 13, n + 16, n + 19)), RWEDGE_OK);
+    assert_int_equal(STATUS_OF(rwedge_contact_stresses(contact, 3, x, y, n + 13, n + 16, n + 19)),
+                     RWEDGE_OK);
 }
 
-/* A contact, its loads, a copy that goes on: a call that fails is made again, when the heap is sound. */
+/* A contact, its loads, a copy that goes on: a call that fails is made again, when the heap is
+ * sound. */
 static outcome history(void)
 {
     outcome seen = {0};
@@ -200,7 +207,8 @@ static outcome the_rest(void)
     double *n = seen.number;
     const double alpha[2] = {0.3, 0.02}, f[2] = {0.1, 0.5}, x[2] = {0.1, 2}, y[2] = {0, 1};
     heap.inside = true;
-    seen.status = rwedge_elastic_limits(2, alpha, f, 0.3, n) + rwedge_stresses(0.2, 0.3, 0.4, 2, x, y, n + 2, n + 4, n + 6) +
+    seen.status = rwedge_elastic_limits(2, alpha, f, 0.3, n) +
+                  rwedge_stresses(0.2, 0.3, 0.4, 2, x, y, n + 2, n + 4, n + 6) +
                   rwedge_yield_point(0.1, 0.3, 0.3, n + 8, n + 9, n + 10) +
                   rwedge_subsurface_yield(0.1, 0.1, 0.3, n + 11, n + 12, n + 13) +
                   rwedge_surface_yield(0.1, 0.3, 0.3, n + 14, n + 15);
@@ -216,7 +224,8 @@ static outcome the_rest(void)
 
 /* ---- Claims ---- */
 
-/* That GSL's allocations are seen, which are where another library's are: the claims below hold for them too. */
+/* That GSL's allocations are seen, which are where another library's are: the claims below hold
+ * for them too. */
 static void allocations_of_other_libraries_are_seen(void **state)
 {
     (void)state;
@@ -230,7 +239,8 @@ static void allocations_of_other_libraries_are_seen(void **state)
     RUN(gsl_root_fsolver_free(solver));
     assert_int_equal(heap.outstanding, before);
 #else
-    print_message("    not glibc, or under sanitizers: allocations inside shared GSL and LAPACK are not seen here\n");
+    print_message("    not glibc, or under sanitizers: allocations inside shared GSL and LAPACK "
+                  "are not seen here\n");
     skip();
 #endif
 }
@@ -255,7 +265,8 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
             assert_memory_equal(&again, &expected, sizeof again);
         }
     assert_int_equal(heap.outstanding, before);
-    print_message("    %-15s %zu of %zu allocations survived, once and for ever\n", name, allocations, allocations);
+    print_message("    %-15s %zu of %zu allocations survived, once and for ever\n", name,
+                  allocations, allocations);
     return allocations;
 }
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every public function with arguments at the edges of its domain and beyond them: the header's rules for errors hold; a
- * host that traps floating-point exceptions is not trapped, and those it has raised stay raised; its rounding mode, errno and
- * locale are left alone and do not matter; a stack of 64 KiB is enough.
+/* Every public function with arguments at the edges of its domain and beyond them: the header's
+ * rules for errors hold; a host that traps floating-point exceptions is not trapped, and those
+ * it has raised stay raised; its rounding mode, errno and locale are left alone and do not
+ * matter; a stack of 64 KiB is enough.
  *
  *     test_calls [CALLS [TESTS]]   of each function, drawn at random where all combinations are more (default 2000) */
 #define _GNU_SOURCE /* feenableexcept() */
@@ -22,7 +23,7 @@
 
 static size_t most_calls = 2000;
 
-/* ---- All combinations of edges, or so many; a tenth of the function that takes milliseconds ---- */
+/* ---- All combinations of edges, or so many; a tenth of the function that takes milliseconds -- */
 
 typedef struct {
     const public_call *call;
@@ -35,7 +36,9 @@ static combinations combinations_of(const public_call *call)
     combinations c = {.call = call, .all = 1, .seed = 1};
     for (const char *kind = call->kinds; *kind != '\0'; kind++)
         c.all = c.all > most_calls ? c.all : c.all * edge_count(*kind);
-    c.calls = c.all < most_calls ? c.all : strcmp(call->name, "yield_factor") == 0 ? most_calls / 10 : most_calls;
+    c.calls = c.all < most_calls                        ? c.all
+              : strcmp(call->name, "yield_factor") == 0 ? most_calls / 10
+                                                        : most_calls;
     return c;
 }
 
@@ -187,7 +190,9 @@ static const char *traps(const public_call *call, const double v[])
     if (sigsetjmp(trapped, 1) == 0) {
         feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
         complaint_of(call, v, out, &status);
-        answer = fegetexcept() == (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) ? NULL : "the host's traps are changed";
+        answer = fegetexcept() == (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)
+                     ? NULL
+                     : "the host's traps are changed";
     }
     fesetenv(&host);
     return answer;
@@ -220,7 +225,8 @@ static double distance(double one, double other)
     return one == other || size < 1e-290 ? 0 : fabs(one / size - other / size);
 }
 
-/* At the ends of the range of a double the direction of rounding decides whether there is a result at all. */
+/* At the ends of the range of a double the direction of rounding decides whether there is a
+ * result at all. */
 static bool is_far_from_the_ends(const public_call *call, const double v[])
 {
     for (size_t i = 0; call->kinds[i] != '\0'; i++)
@@ -242,8 +248,10 @@ static const char *rounds(const public_call *call, const double v[])
         return "the rounding mode is changed";
     if (!is_far_from_the_ends(call, v))
         return NULL;
-    const bool comparable = complaint == NULL && status == RWEDGE_OK && other == RWEDGE_OK && call->outputs == 1;
-    if (comparable && strcmp(call->name, "dundurs_beta") != 0 && strcmp(call->name, "shear") != 0) /* which may cancel to 0 */
+    const bool comparable =
+        complaint == NULL && status == RWEDGE_OK && other == RWEDGE_OK && call->outputs == 1;
+    if (comparable && strcmp(call->name, "dundurs_beta") != 0 &&
+        strcmp(call->name, "shear") != 0) /* which may cancel to 0 */
         farthest = fmax(farthest, distance(nearest[0], out[0]));
     return complaint;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Histories of loads: whatever they are, the contact stays one that can be. Its friction is never exceeded, its energy
- * never falls, a refused load changes nothing, a copy is the same, the tractions add up to the loads. */
+/* Histories of loads: whatever they are, the contact stays one that can be. Its friction is
+ * never exceeded, its energy never falls, a refused load changes nothing, a copy is the same,
+ * the tractions add up to the loads. */
 #include "input.h"
 #include "rwedge.h"
 
@@ -44,23 +45,26 @@ static appearance look(const subject *s)
 static void check(const subject *s, const appearance *now)
 {
     const double unit = s->theta / s->A;
-    CLAIM(now->stick >= 0 && now->stick <= now->half_width, "c %g, b %g", now->stick, now->half_width);
+    CLAIM(now->stick >= 0 && now->stick <= now->half_width, "c %g, b %g", now->stick,
+          now->half_width);
     CLAIM(isfinite(now->energy) && now->energy >= 0, "%g", now->energy);
-    CLAIM((s->P == 0) == (now->memory == 0) && (s->P == 0) == (now->half_width == 0), "P %g, memory %g", s->P,
-          now->memory);
+    CLAIM((s->P == 0) == (now->memory == 0) && (s->P == 0) == (now->half_width == 0),
+          "P %g, memory %g", s->P, now->memory);
     for (int i = 0; i < POINTS; i++) {
         CLAIM(isfinite(now->p[i]) && now->p[i] <= 0, "p %g", now->p[i]);
-        CLAIM(fabs(now->q[i]) <= s->f * (fabs(now->p[i]) * (1 + 1e-12) + unit * 1e-12), "q %g, p %g, f %g", now->q[i],
-              now->p[i], s->f);
+        CLAIM(fabs(now->q[i]) <= s->f * (fabs(now->p[i]) * (1 + 1e-12) + unit * 1e-12),
+              "q %g, p %g, f %g", now->q[i], now->p[i], s->f);
         CLAIM(isfinite(now->slip[i]), "slip %g", now->slip[i]);
-        CLAIM(isfinite(now->sxx[i]) && isfinite(now->syy[i]) && isfinite(now->txy[i]), "P %g, Q %g", s->P, s->Q);
+        CLAIM(isfinite(now->sxx[i]) && isfinite(now->syy[i]) && isfinite(now->txy[i]), "P %g, Q %g",
+              s->P, s->Q);
     }
     /* on the surface the stresses are the tractions */
-    CLAIM(fabs(now->syy[0] - now->p[0]) <= 1e-11 * (1 + s->f) * (unit + fabs(now->p[0])), "syy %g, p %g", now->syy[0],
-          now->p[0]);
+    CLAIM(fabs(now->syy[0] - now->p[0]) <= 1e-11 * (1 + s->f) * (unit + fabs(now->p[0])),
+          "syy %g, p %g", now->syy[0], now->p[0]);
 }
 
-/* P and Q are the integrals of the tractions: Chebyshev's rule, exact for Hertz, rough for the corners of a history. */
+/* P and Q are the integrals of the tractions: Chebyshev's rule, exact for Hertz, rough for the
+ * corners of a history. */
 static void check_balance(const subject *s)
 {
     enum { N = 200 };
@@ -105,7 +109,8 @@ static void check_yield(const subject *s, input *in)
 static void take_load(input *in, const subject *s, double *P, double *Q)
 {
     const uint8_t choice = take_byte(in);
-    *P = choice % 4 == 0 ? s->P : take_fraction(in) * (choice % 4 == 1 ? 1 : 1e-3) * s->theta / s->A;
+    *P =
+        choice % 4 == 0 ? s->P : take_fraction(in) * (choice % 4 == 1 ? 1 : 1e-3) * s->theta / s->A;
     *Q = s->f * *P * (2 * take_fraction(in) - 1);
     if (choice >= 0xf0)
         *P = take_double(in);
@@ -118,8 +123,9 @@ static void go_on(subject *s, input *in, appearance *now)
     double P, Q;
     take_load(in, s, &P, &Q);
     const int32_t status = rwedge_contact_load(s->contact, P, Q);
-    CLAIM(status == RWEDGE_OK || status == RWEDGE_ESLIDING || status == RWEDGE_ERANGE || status == RWEDGE_EDOMAIN, "%d",
-          (int)status);
+    CLAIM(status == RWEDGE_OK || status == RWEDGE_ESLIDING || status == RWEDGE_ERANGE ||
+              status == RWEDGE_EDOMAIN,
+          "%d", (int)status);
     if (status == RWEDGE_OK) {
         s->P = P;
         s->Q = Q;
@@ -127,7 +133,8 @@ static void go_on(subject *s, input *in, appearance *now)
     const appearance next = look(s);
     if (status != RWEDGE_OK)
         CLAIM(memcmp(now, &next, sizeof next) == 0, "a refused load changed the contact");
-    CLAIM(next.energy >= now->energy, "the energy falls from %.17g to %.17g", now->energy, next.energy);
+    CLAIM(next.energy >= now->energy, "the energy falls from %.17g to %.17g", now->energy,
+          next.energy);
     check(s, &next);
     *now = next;
 }

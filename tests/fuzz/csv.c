@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader of CSV files: any bytes come to an end, in cells that are texts; what the writer has written is read back. */
+/* The reader of CSV files: any bytes come to an end, in cells that are texts; what the writer
+ * has written is read back. */
 #include "csv_input.h"
 #include "file.h"
 #include "input.h"
@@ -10,7 +11,8 @@ enum { COLUMNS_MAX = 6, ROWS_MAX = 8, TEXT_MAX = 12 };
 static void check_row(const csv_input *in, int64_t *line)
 {
     CLAIM(csv_input_count(in) <= CSV_ROW_CELLS, "%zu", csv_input_count(in));
-    CLAIM(csv_input_line(in) >= *line, "line %lld after %lld", (long long)csv_input_line(in), (long long)*line);
+    CLAIM(csv_input_line(in) >= *line, "line %lld after %lld", (long long)csv_input_line(in),
+          (long long)*line);
     *line = csv_input_line(in);
     for (size_t i = 0; i < csv_input_count(in); i++)
         CLAIM(strlen(csv_input_cell(in, i)) <= CSV_ROW_BYTES, "%zu", i);
@@ -62,7 +64,11 @@ static void write_and_read(input *in, char separator)
     static output out;
     take_table(in, &t);
     out = (output){.used = 0};
-    records rows = {.format = &delimited_format, .out = &out, .digits = 17, .decimal_sign = '.', .separator = separator};
+    records rows = {.format = &delimited_format,
+                    .out = &out,
+                    .digits = 17,
+                    .decimal_sign = '.',
+                    .separator = separator};
     for (size_t i = 0; i < t.rows; i++) {
         for (size_t j = 0; j < t.columns; j++)
             delimited_format.value(&rows, "", cell_text(t.cell[i][j]));
@@ -75,7 +81,8 @@ static void write_and_read(input *in, char separator)
         for (size_t j = 0; j < t.columns; j++) {
             /* a byte order mark that begins the file is not data */
             const bool marked = i == 0 && j == 0 && memcmp(t.cell[0][0], "\xef\xbb\xbf", 3) == 0;
-            CLAIM(marked || strcmp(csv_input_cell(file, j), t.cell[i][j]) == 0, "row %zu, column %zu", i, j);
+            CLAIM(marked || strcmp(csv_input_cell(file, j), t.cell[i][j]) == 0,
+                  "row %zu, column %zu", i, j);
         }
     }
     CLAIM(csv_input_next(file) == CSV_END, "end");

@@ -14,7 +14,8 @@ const char *file_of(const void *data, size_t size)
     if (descriptor < 0)
         descriptor = memfd_create("input", 0);
     snprintf(path, sizeof path, "/proc/self/fd/%d", descriptor);
-    if (descriptor < 0 || ftruncate(descriptor, 0) != 0 || (size > 0 && pwrite(descriptor, data, size, 0) != (ssize_t)size)) {
+    if (descriptor < 0 || ftruncate(descriptor, 0) != 0 ||
+        (size > 0 && pwrite(descriptor, data, size, 0) != (ssize_t)size)) {
         perror("memfd");
         exit(1);
     }

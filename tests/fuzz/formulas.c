@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Any public function with any arguments: the header's rules for errors; symmetries and inverses. */
+/* Any public function with any arguments: the header's rules for errors; symmetries and
+ * inverses. */
 #include "calls.h"
 #include "input.h"
 #include "rwedge.h"
@@ -22,7 +23,8 @@ static void check_even(double alpha, double x)
 {
     if (!isfinite(alpha) || !isfinite(x) || alpha <= 0)
         return;
-    CLAIM(rwedge_pressure(alpha, -x) == rwedge_pressure(alpha, x), "alpha %.17g, x %.17g", alpha, x);
+    CLAIM(rwedge_pressure(alpha, -x) == rwedge_pressure(alpha, x), "alpha %.17g, x %.17g", alpha,
+          x);
     CLAIM(rwedge_pressure(alpha, x) <= 0, "alpha %.17g, x %.17g", alpha, x);
 }
 
@@ -32,7 +34,8 @@ static void check_inverses(double alpha, double c)
         return;
     const double load = rwedge_load(alpha);
     CLAIM(are_close(rwedge_a_over_b(load / alpha), alpha, 1e-13), "alpha %.17g", alpha);
-    CLAIM(load <= 2 && load > 0 && rwedge_load(alpha * 1.01) <= load * (1 + 1e-15), "alpha %.17g", alpha);
+    CLAIM(load <= 2 && load > 0 && rwedge_load(alpha * 1.01) <= load * (1 + 1e-15), "alpha %.17g",
+          alpha);
     if (!(c > 0 && c <= 1))
         return;
     const double ratio = rwedge_shear_ratio(alpha, c);
@@ -50,8 +53,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         v[i] = take_argument(&in, call->kinds[i]);
     int32_t status;
     const char *complaint = complaint_of(call, v, out, &status);
-    CLAIM(complaint == NULL, "%s(%.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g): %s", call->name,
-          v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], complaint);
+    CLAIM(complaint == NULL,
+          "%s(%.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g): %s",
+          call->name, v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], complaint);
     check_even(v[0], v[1]);
     check_inverses(v[0], v[1]);
     return 0;

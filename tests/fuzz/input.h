@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the targets share: the fuzzer's bytes taken apart, and claims that end the run where they do not hold. */
+/* What the targets share: the fuzzer's bytes taken apart, and claims that end the run where they
+ * do not hold. */
 #ifndef INPUT_H
 #define INPUT_H
 
@@ -50,14 +51,14 @@ static inline double take_fraction(input *in)
     return (double)take_bytes(in, 2) / 65535;
 }
 
-#define CLAIM(holds, ...)                                                                                              \
-    do {                                                                                                               \
-        if (!(holds)) {                                                                                                \
-            fprintf(stderr, "%s:%d: %s does not hold: ", __FILE__, __LINE__, #holds);                                  \
-            fprintf(stderr, __VA_ARGS__);                                                                              \
-            fputc('\n', stderr);                                                                                       \
-            abort();                                                                                                   \
-        }                                                                                                              \
+#define CLAIM(holds, ...)                                                                          \
+    do {                                                                                           \
+        if (!(holds)) {                                                                            \
+            fprintf(stderr, "%s:%d: %s does not hold: ", __FILE__, __LINE__, #holds);              \
+            fprintf(stderr, __VA_ARGS__);                                                          \
+            fputc('\n', stderr);                                                                   \
+            abort();                                                                               \
+        }                                                                                          \
     } while (0)
 
 static inline bool are_close(double one, double other, double relative)

@@ -17,22 +17,20 @@ static int say(const char *format, va_list values, int status)
     return status;
 }
 
-#define SAYS(name, status)                                                                                             \
-    {                                                                                                                  \
-        va_list values;                                                                                                \
-        va_start(values, format);                                                                                      \
-        const int said = say(format, values, status);                                                                  \
-        va_end(values);                                                                                                \
-        return said;                                                                                                   \
+#define SAYS(name, status)                                                                         \
+    {                                                                                              \
+        va_list values;                                                                            \
+        va_start(values, format);                                                                  \
+        const int said = say(format, values, status);                                              \
+        va_end(values);                                                                            \
+        return said;                                                                               \
     }
 
-int usage_error(const char *format, ...)
-SAYS(usage_error, STATUS_USAGE)
+int usage_error(const char *format, ...) SAYS(usage_error, STATUS_USAGE)
 
-int failure(const char *format, ...)
-SAYS(failure, STATUS_FAILED)
+    int failure(const char *format, ...) SAYS(failure, STATUS_FAILED)
 
-void notice(const char *format, ...)
+        void notice(const char *format, ...)
 {
     va_list values;
     va_start(values, format);

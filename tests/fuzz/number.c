@@ -50,8 +50,10 @@ static void check_write(input *in)
     char text[NUMBER_SIZE];
     double again;
     CLAIM(number_write(value, digits, '.', text) == strlen(text), "%.17g", value);
-    CLAIM(number_read(text, &again) || fabs(value) >= 9.5e307, "%s", text); /* such may be rounded to 2e308 */
-    CLAIM(number_write(value, NUMBER_DIGITS, ',', text) < NUMBER_SIZE && strchr(text, '.') == NULL, "%s", text);
+    /* such may be rounded to 2e308 */
+    CLAIM(number_read(text, &again) || fabs(value) >= 9.5e307, "%s", text);
+    CLAIM(number_write(value, NUMBER_DIGITS, ',', text) < NUMBER_SIZE && strchr(text, '.') == NULL,
+          "%s", text);
     CLAIM(number_read_cell(text, ',', &again) && again == value, "%s", text);
 }
 

@@ -41,7 +41,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     range values;
     const char *complaint = range_read(text, &values);
     if (complaint == NULL) {
-        CLAIM(values.count >= 1 && values.count <= RANGE_VALUES_MAX, "%s: %lld", text, (long long)values.count);
+        CLAIM(values.count >= 1 && values.count <= RANGE_VALUES_MAX, "%s: %lld", text,
+              (long long)values.count);
         if (strchr(text, ':') != NULL)
             check_order(&values, text);
         else

@@ -15,8 +15,10 @@ static void check_sums(const rwedge_series *series, double f, double x, double y
     double s[5] = {NAN, NAN, NAN, NAN, NAN};
     const bool valid = isfinite(f) && f >= 0 && f <= 1e6 && isfinite(x) && isfinite(y) && y >= 0;
     const int32_t expected = valid ? RWEDGE_OK : RWEDGE_EDOMAIN;
-    CLAIM(rwedge_series_potential(series, f, x, y, &s[0], &s[1]) == expected, "f %g, x %g, y %g", f, x, y);
-    CLAIM(rwedge_series_stress(series, f, x, y, &s[2], &s[3], &s[4]) == expected, "f %g, x %g, y %g", f, x, y);
+    CLAIM(rwedge_series_potential(series, f, x, y, &s[0], &s[1]) == expected, "f %g, x %g, y %g", f,
+          x, y);
+    CLAIM(rwedge_series_stress(series, f, x, y, &s[2], &s[3], &s[4]) == expected,
+          "f %g, x %g, y %g", f, x, y);
     for (int i = 0; i < 5; i++)
         CLAIM(isfinite(s[i]) == valid, "f %g, x %g, y %g: %d is %g", f, x, y, i, s[i]);
     CLAIM(isfinite(rwedge_series_pressure(series, x)) == isfinite(x), "x %g", x);
@@ -28,7 +30,9 @@ static void check(const rwedge_series *series, int32_t terms, input *in)
     CLAIM(rwedge_series_residual(series) >= 0, "%g", rwedge_series_residual(series));
     for (int32_t k = 0; k <= terms; k++)
         CLAIM(isfinite(rwedge_series_coefficient(series, k)), "%d", (int)k);
-    CLAIM(isnan(rwedge_series_coefficient(series, -1)) && rwedge_series_coefficient(series, INT32_MAX) == 0, "edges");
+    CLAIM(isnan(rwedge_series_coefficient(series, -1)) &&
+              rwedge_series_coefficient(series, INT32_MAX) == 0,
+          "edges");
     for (int i = 0; i < 4; i++) {
         const double f = fabs(take_number(in)), x = 2 * take_number(in), y = take_number(in);
         check_sums(series, f, x, y);
@@ -59,13 +63,15 @@ static void fit(input *in)
     const int32_t terms = (int32_t)(take_byte(in) % TERMS_MAX) - 1;
     const bool near_chebyshev = take_byte(in) % 2 == 0;
     for (size_t i = 0; i < samples; i++) {
-        x[i] = near_chebyshev ? cos(((double)i + 0.5) * 3.14159265358979323846 / (double)samples) : take_number(in);
+        x[i] = near_chebyshev ? cos(((double)i + 0.5) * 3.14159265358979323846 / (double)samples)
+                              : take_number(in);
         p[i] = take_number(in);
     }
     rwedge_series *series = NULL;
     const int32_t status = rwedge_series_fit(samples, x, p, terms, &series);
-    CLAIM((series != NULL) == (status == RWEDGE_OK) && status >= RWEDGE_OK && status <= RWEDGE_EABSENT, "%d",
-          (int)status);
+    CLAIM((series != NULL) == (status == RWEDGE_OK) && status >= RWEDGE_OK &&
+              status <= RWEDGE_EABSENT,
+          "%d", (int)status);
     CLAIM(status != RWEDGE_OK || (terms > 0 && samples >= (size_t)terms), "%d", (int)terms);
     if (series != NULL)
         check(series, terms, in);

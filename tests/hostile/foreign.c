@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Preloaded, takes the place of functions that the library has from GSL and LAPACK, with other meanings: what a host may have
- * in its address space under the same names. */
+/* Preloaded, takes the place of functions that the library has from GSL and LAPACK, with other
+ * meanings: what a host may have in its address space under the same names. */
 #include <stdint.h>
 
 int gsl_root_fsolver_set(void *solver, void *function, double lower, double upper);
 int gsl_root_fsolver_iterate(void *solver);
 int gsl_root_test_interval(double lower, double upper, double absolute, double relative);
-void dgelsd_(const int64_t *m, const int64_t *n, const int64_t *columns, double *a, const int64_t *lda, double *b,
-             const int64_t *ldb, double *s, const double *condition, int64_t *rank, double *work, const int64_t *lwork,
-             int64_t *iwork, int64_t *info);
+void dgelsd_(const int64_t *m, const int64_t *n, const int64_t *columns, double *a,
+             const int64_t *lda, double *b, const int64_t *ldb, double *s, const double *condition,
+             int64_t *rank, double *work, const int64_t *lwork, int64_t *iwork, int64_t *info);
 
 int gsl_root_fsolver_set(void *solver, void *function, double lower, double upper)
 {
@@ -28,9 +28,9 @@ int gsl_root_test_interval(double lower, double upper, double absolute, double r
     return lower + upper < absolute + relative;
 }
 
-void dgelsd_(const int64_t *m, const int64_t *n, const int64_t *columns, double *a, const int64_t *lda, double *b,
-             const int64_t *ldb, double *s, const double *condition, int64_t *rank, double *work, const int64_t *lwork,
-             int64_t *iwork, int64_t *info)
+void dgelsd_(const int64_t *m, const int64_t *n, const int64_t *columns, double *a,
+             const int64_t *lda, double *b, const int64_t *ldb, double *s, const double *condition,
+             int64_t *rank, double *work, const int64_t *lwork, int64_t *iwork, int64_t *info)
 {
     (void)m;
     (void)n;

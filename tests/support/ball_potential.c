@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* With z = sin(zeta), C = cos(zeta) = -i sqrt(z^2-1), S = sin(zeta+phi0) = c0 z + alpha C, over the half-width, and x >= 0
- * (the other half follows from G(-conj z) = -conj G(z)):
+/* With z = sin(zeta), C = cos(zeta) = -i sqrt(z^2-1), S = sin(zeta+phi0) = c0 z + alpha C, over
+ * the half-width, and x >= 0 (the other half follows from G(-conj z) = -conj G(z)):
  *
  *     l  = ln(sin(zeta-phi0)/S) = ln(z-alpha) + ln(z+alpha) - 2 ln S,
  *     G  = 1 + (i/pi) [ 2 ln(S/(C+c0)) - (z-alpha) l/alpha - 2 phi0 C/alpha ],
  *     G' = (i/pi) [ 2 phi0 z/(alpha C) - l/alpha ].
  *
- * S and C + c0 have positive real parts there. Hertz: G = (z-iC)/alpha; sharp wedge: G = (2/(pi i)) ln((iC+i)/z). */
+ * S and C + c0 have positive real parts there. Hertz: G = (z-iC)/alpha; sharp wedge: G = (2/(pi
+ * i)) ln((iC+i)/z). */
 #include "ball_potential.h"
 
 #include <stdbool.h>
@@ -46,14 +47,15 @@ static void disc(acb_t z, const arb_t bound)
     arb_set(acb_imagref(z), acb_realref(z));
 }
 
-/* What multiplies a logarithm or 1/C, and whether its modulus stays below the distance from where these are infinite: that of
- * the depth does, and of z - alpha, but not that of 1. */
+/* What multiplies a logarithm or 1/C, and whether its modulus stays below the distance from
+ * where these are infinite: that of the depth does, and of z - alpha, but not that of 1. */
 typedef struct {
     acb_t value;
     bool vanishes;
 } factor;
 
-/* by * ln z. Where z may be 0: r (|ln r| + 5) bounds |z ln z| for |z| <= r <= 1/e, as |arg z| <= 3 pi/2. */
+/* by * ln z. Where z may be 0: r (|ln r| + 5) bounds |z ln z| for |z| <= r <= 1/e, as |arg z| <=
+ * 3 pi/2. */
 static void times_logarithm(acb_t product, const factor *by, const acb_t z, slong prec)
 {
     if (!by->vanishes || !acb_contains_zero(z)) {
@@ -104,7 +106,8 @@ void ball_patch_init(ball_patch *patch, const arb_t a, const arb_t c, slong prec
 
 void ball_patch_clear(ball_patch *patch)
 {
-    arb_clear(patch->half_width), arb_clear(patch->alpha), arb_clear(patch->c0), arb_clear(patch->phi0);
+    arb_clear(patch->half_width), arb_clear(patch->alpha), arb_clear(patch->c0),
+        arb_clear(patch->phi0);
 }
 
 static bool is_hertz(const ball_patch *patch)
@@ -129,7 +132,8 @@ static void place_init(place *at, const ball_patch *patch, const acb_t z, slong 
 {
     acb_t plus;
     acb_init(plus);
-    acb_init(at->z), acb_init(at->before), acb_init(at->beyond), acb_init(at->per_root), acb_init(at->C);
+    acb_init(at->z), acb_init(at->before), acb_init(at->beyond), acb_init(at->per_root),
+        acb_init(at->C);
     acb_div_arb(at->z, z, patch->half_width, prec);
     at->mirrored = arf_sgn(arb_midref(acb_realref(z))) < 0;
     if (at->mirrored)
@@ -147,7 +151,8 @@ static void place_init(place *at, const ball_patch *patch, const acb_t z, slong 
 
 static void place_clear(place *at)
 {
-    acb_clear(at->z), acb_clear(at->before), acb_clear(at->beyond), acb_clear(at->per_root), acb_clear(at->C);
+    acb_clear(at->z), acb_clear(at->before), acb_clear(at->beyond), acb_clear(at->per_root),
+        acb_clear(at->C);
 }
 
 /* ln S. */
@@ -159,7 +164,8 @@ static void logarithm_of_S(acb_t result, const ball_patch *patch, const place *a
 }
 
 /* by * l. */
-static void times_l(acb_t product, const factor *by, const ball_patch *patch, const place *at, const acb_t ln_S, slong prec)
+static void times_l(acb_t product, const factor *by, const ball_patch *patch, const place *at,
+                    const acb_t ln_S, slong prec)
 {
     acb_t rest, plus;
     acb_init(rest), acb_init(plus);
@@ -242,7 +248,8 @@ static void over_C(acb_t quotient, const factor *by, const place *at, slong prec
 }
 
 /* by * G' of the half-width 1. */
-static void times_slope(acb_t product, const factor *by, const ball_patch *patch, const place *at, slong prec)
+static void times_slope(acb_t product, const factor *by, const ball_patch *patch, const place *at,
+                        slong prec)
 {
     acb_t edge, ln_S;
     acb_init(edge), acb_init(ln_S);

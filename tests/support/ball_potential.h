@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a rounded wedge, pressed to the half-width c, in ball arithmetic: each
- * result contains the value at every point of the given ball, in as many bits as are asked for. Written from the paper's
- * Eq. (8) in elliptic coordinates; it shares nothing with the library.
+/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a rounded wedge, pressed to the half-width c,
+ * in ball arithmetic: each result contains the value at every point of the given ball, in as
+ * many bits as are asked for. Written from the paper's Eq. (8) in elliptic coordinates; it
+ * shares nothing with the library.
  *
- * Natural units: stresses in theta/A, lengths in any one unit. On y = 0 the values are those of the limit from y > 0, and a
- * ball that reaches below the surface encloses the continuation from above. z = ±a and z = ±c are ordinary points of G and of
- * y G'; a result that has no finite enclosure (G' there, the apex of the sharp wedge) is a ball of infinite radius or not a
- * number. Many bits cancel for small a/c (about twice its magnitude) and far away: look at the radius, and ask for more. */
+ * Natural units: stresses in theta/A, lengths in any one unit. On y = 0 the values are those of
+ * the limit from y > 0, and a ball that reaches below the surface encloses the continuation from
+ * above. z = ±a and z = ±c are ordinary points of G and of y G'; a result that has no finite
+ * enclosure (G' there, the apex of the sharp wedge) is a ball of infinite radius or not a
+ * number. Many bits cancel for small a/c (about twice its magnitude) and far away: look at the
+ * radius, and ask for more. */
 #ifndef BALL_POTENTIAL_H
 #define BALL_POTENTIAL_H
 
@@ -32,7 +35,8 @@ void ball_potential(acb_t G, const ball_patch *patch, const acb_t z, slong prec)
 void ball_potential_slope(acb_t dG, const ball_patch *patch, const acb_t z, slong prec);
 void ball_potential_slope_by_depth(acb_t H, const ball_patch *patch, const acb_t z, slong prec);
 
-/* Blocks of such formulas: square root and logarithm continuous over the closed upper half-plane but for 0, cut downwards. */
+/* Blocks of such formulas: square root and logarithm continuous over the closed upper half-plane
+ * but for 0, cut downwards. */
 void ball_root(acb_t root, const acb_t z, slong prec);
 void ball_logarithm(acb_t logarithm, const acb_t z, slong prec);
 

@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-void claim_within(double actual, double expected, double tolerance, const char *what, const char *file, int line)
+void claim_within(double actual, double expected, double tolerance, const char *what,
+                  const char *file, int line)
 {
     if (fabs(actual - expected) <= tolerance)
         return;
-    print_error("%s\n    is       %.17g\n    expected %.17g\n    off by   %.3g, allowed %.3g\n", what, actual, expected,
-                   fabs(actual - expected), tolerance);
+    print_error("%s\n    is       %.17g\n    expected %.17g\n    off by   %.3g, allowed %.3g\n",
+                what, actual, expected, fabs(actual - expected), tolerance);
     _fail(file, line);
 }
 
@@ -43,7 +44,8 @@ bool reference_next(reference *table)
     }
     table->row++;
     size_t column = 0;
-    for (char *cell = strtok(line, ",\r\n"); cell && column < REFERENCE_COLUMNS; cell = strtok(NULL, ",\r\n")) {
+    for (char *cell = strtok(line, ",\r\n"); cell && column < REFERENCE_COLUMNS;
+         cell = strtok(NULL, ",\r\n")) {
         char *end;
         const double value = strtod(cell, &end);
         table->cell[column++] = *end ? NAN : value;

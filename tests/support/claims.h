@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What every test program shares: assertions with a visible tolerance, reference tables, and a GSL error handler that only
- * counts, because no call of the library may reach it. */
+/* What every test program shares: assertions with a visible tolerance, reference tables, and a
+ * GSL error handler that only counts, because no call of the library may reach it. */
 #ifndef CLAIMS_H
 #define CLAIMS_H
 
@@ -14,20 +14,23 @@
 #include <cmocka.h>
 
 /* |actual - expected| <= relative |expected|. A NaN fails. */
-#define assert_close(actual, expected, relative)                                                                       \
-    claim_within((actual), (expected), (relative)*fabs((double)(expected)), #actual, __FILE__, __LINE__)
+#define assert_close(actual, expected, relative)                                                   \
+    claim_within((actual), (expected), (relative)*fabs((double)(expected)), #actual, __FILE__,     \
+                 __LINE__)
 
 /* |actual - expected| <= absolute. A NaN fails. */
-#define assert_within(actual, expected, absolute)                                                                      \
+#define assert_within(actual, expected, absolute)                                                  \
     claim_within((actual), (expected), (absolute), #actual, __FILE__, __LINE__)
 
 /* actual is not a number. */
 #define assert_nan(actual) claim_nan((actual), #actual, __FILE__, __LINE__)
 
-void claim_within(double actual, double expected, double tolerance, const char *what, const char *file, int line);
+void claim_within(double actual, double expected, double tolerance, const char *what,
+                  const char *file, int line);
 void claim_nan(double actual, const char *what, const char *file, int line);
 
-/* A table of tests/data/, read row by row. Cells that are not numbers are NaN; text keeps the last column. */
+/* A table of tests/data/, read row by row. Cells that are not numbers are NaN; text keeps the
+ * last column. */
 enum { REFERENCE_COLUMNS = 16 };
 typedef struct {
     void *stream;

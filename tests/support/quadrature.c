@@ -21,9 +21,10 @@ static double forward(double t, void *params)
     return c->f(t, c->context);
 }
 
-/* GSL says that it met rounding where a tolerance is asked that is close to it. The caller's assertion judges the value, so
- * the message is kept from the handler that counts. */
-static double quietly(int (*rule)(gsl_function *, const double *, gsl_integration_workspace *, double *, double *),
+/* GSL says that it met rounding where a tolerance is asked that is close to it. The caller's
+ * assertion judges the value, so the message is kept from the handler that counts. */
+static double quietly(int (*rule)(gsl_function *, const double *, gsl_integration_workspace *,
+                                  double *, double *),
                       integrand f, const void *context, const double *where)
 {
     call c = {f, context};
@@ -37,20 +38,24 @@ static double quietly(int (*rule)(gsl_function *, const double *, gsl_integratio
     return value;
 }
 
-static int piece(gsl_function *f, const double *ends, gsl_integration_workspace *w, double *value, double *error)
+static int piece(gsl_function *f, const double *ends, gsl_integration_workspace *w, double *value,
+                 double *error)
 {
     return gsl_integration_qags(f, ends[0], ends[1], 1e-15, 1e-13, INTERVALS, w, value, error);
 }
 
-static int line(gsl_function *f, const double *unused, gsl_integration_workspace *w, double *value, double *error)
+static int line(gsl_function *f, const double *unused, gsl_integration_workspace *w, double *value,
+                double *error)
 {
     (void)unused;
     return gsl_integration_qagi(f, 1e-14, 1e-12, INTERVALS, w, value, error);
 }
 
-static int cauchy(gsl_function *f, const double *where, gsl_integration_workspace *w, double *value, double *error)
+static int cauchy(gsl_function *f, const double *where, gsl_integration_workspace *w, double *value,
+                  double *error)
 {
-    return gsl_integration_qawc(f, where[0], where[1], where[2], 1e-13, 1e-12, INTERVALS, w, value, error);
+    return gsl_integration_qawc(f, where[0], where[1], where[2], 1e-13, 1e-12, INTERVALS, w, value,
+                                error);
 }
 
 double integral(integrand f, const void *context, size_t n, const double points[])
@@ -79,8 +84,8 @@ typedef struct {
     int component;
 } flamant;
 
-/* A force N into the half-plane and S along +x at t, Johnson, Contact Mechanics, Sec. 2.5; p = -N, q = -S. t = sin(phi) takes
- * the square roots from the edges. */
+/* A force N into the half-plane and S along +x at t, Johnson, Contact Mechanics, Sec. 2.5; p =
+ * -N, q = -S. t = sin(phi) takes the square roots from the edges. */
 static double point_force(double phi, const void *context)
 {
     const flamant *c = context;
@@ -94,7 +99,8 @@ static double point_force(double phi, const void *context)
 
 void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3])
 {
-    const double a = asin(fmin(tractions->alpha, 1)), c = asin(tractions->c), here = asin(fmax(-1, fmin(1, x)));
+    const double a = asin(fmin(tractions->alpha, 1)), c = asin(tractions->c),
+                 here = asin(fmax(-1, fmin(1, x)));
     double points[] = {-PI / 2, -a, -c, 0, c, a, PI / 2, here};
     enum { N = sizeof points / sizeof points[0] };
     for (int i = 1; i < N; i++) /* sorted by insertion */

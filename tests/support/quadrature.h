@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Integrals for the tests: the routes to the library's numbers that use none of its closed forms. */
+/* Integrals for the tests: the routes to the library's numbers that use none of its closed
+ * forms. */
 #ifndef QUADRATURE_H
 #define QUADRATURE_H
 
@@ -7,7 +8,8 @@
 
 typedef double (*integrand)(double t, const void *context);
 
-/* int f over the pieces between n+1 ascending points; ends of pieces may be integrably singular. To about 1e-13 relative. */
+/* int f over the pieces between n+1 ascending points; ends of pieces may be integrably singular.
+ * To about 1e-13 relative. */
 double integral(integrand f, const void *context, size_t n, const double points[]);
 
 /* int f from -infinity to infinity, f smooth. */
@@ -21,7 +23,8 @@ typedef struct {
     double alpha, f, c;
 } tractions_case;
 
-/* Stresses at (x, y), y > 0, from Flamant's point forces integrated over the tractions: sxx, syy, txy. */
+/* Stresses at (x, y), y > 0, from Flamant's point forces integrated over the tractions: sxx,
+ * syy, txy. */
 void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3]);
 
 #endif

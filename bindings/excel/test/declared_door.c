@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the calls of tests/doors/calls.sh from standard input, as Excel would: the declarations are read from rwedge.bas, the
- * library is loaded by its path, and each function is called through DispCallFunc, OLE Automation's way to call what is only
- * known by its types. Each line is printed back with the bits of its results, like tests/doors/door.c does.
+/* Answers the calls of tests/doors/calls.sh from standard input, as Excel would: the
+ * declarations are read from rwedge.bas, the library is loaded by its path, and each function is
+ * called through DispCallFunc, OLE Automation's way to call what is only known by its types.
+ * Each line is printed back with the bits of its results, like tests/doors/door.c does.
  *
  *     declared_door.exe RWEDGE.DLL RWEDGE.BAS < CALLS
  *     declared_door.exe RWEDGE.DLL RWEDGE.BAS time      nanoseconds of a call, directly and by DispCallFunc
  *
- * The arguments of a line are used up in turn; what is passed by reference after the last of them receives a result. */
+ * The arguments of a line are used up in turn; what is passed by reference after the last of
+ * them receives a result. */
 #include <windows.h>
 
 #include <oleauto.h>
@@ -38,7 +40,10 @@ static void give_up(const char *what, const char *which)
 
 static VARTYPE type_named(const char *name)
 {
-    static const struct { const char *name; VARTYPE type; } types[] = {
+    static const struct {
+        const char *name;
+        VARTYPE type;
+    } types[] = {
         {"Double", VT_R8}, {"LongPtr", VT_I8}, {"Long", VT_I4}}; /* the longer name first */
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
         if (strncmp(name, types[i].name, strlen(types[i].name)) == 0)
@@ -47,10 +52,12 @@ static VARTYPE type_named(const char *name)
     return VT_EMPTY;
 }
 
-/* "Private Declare PtrSafe Function c_load Lib "rwedge.dll" Alias "rwedge_load" (ByVal alpha As Double) As Double" */
+/* "Private Declare PtrSafe Function c_load Lib "rwedge.dll" Alias "rwedge_load" (ByVal alpha As
+ * Double) As Double" */
 static void declare(char *line, HMODULE library)
 {
-    char *alias = strstr(line, "Alias \"rwedge_"), *open = strchr(line, '('), *close = strchr(line, ')');
+    char *alias = strstr(line, "Alias \"rwedge_"), *open = strchr(line, '('),
+         *close = strchr(line, ')');
     if (!strstr(line, "Lib \"rwedge.dll\""))
         return;
     if (!alias || !open || !close || function_count == MAX_FUNCTIONS)
@@ -112,8 +119,9 @@ static VARIANT call(const function *f, VARIANT *arguments)
     for (int i = 0; i < f->parameters; i++)
         pointers[i] = &arguments[i];
     VariantInit(&result);
-    const HRESULT outcome = DispCallFunc(NULL, (ULONG_PTR)f->address, CC_STDCALL, f->result, (UINT)f->parameters,
-                                         (VARTYPE *)f->types, pointers, &result);
+    const HRESULT outcome =
+        DispCallFunc(NULL, (ULONG_PTR)f->address, CC_STDCALL, f->result, (UINT)f->parameters,
+                     (VARTYPE *)f->types, pointers, &result);
     if (FAILED(outcome))
         give_up("DispCallFunc fails", f->name);
     return result;
@@ -145,16 +153,26 @@ static void answer(const char *line)
         V_VT(v) = f->types[i];
         const char *word = f->is_handle[i] || f->types[i] == VT_I8 ? NULL : strtok(NULL, ",");
         switch (f->types[i]) {
-        case VT_R8: V_R8(v) = strtod(word, NULL); break;
-        case VT_I4: V_I4(v) = atol(word); break;
-        case VT_I8: V_I8(v) = f->is_handle[i] ? contact : 1; break; /* or the length of the arrays */
-        case VT_BYREF | VT_I8: V_I8REF(v) = &contact; break;
+        case VT_R8:
+            V_R8(v) = strtod(word, NULL);
+            break;
+        case VT_I4:
+            V_I4(v) = atol(word);
+            break;
+        /* or the length of the arrays */
+        case VT_I8:
+            V_I8(v) = f->is_handle[i] ? contact : 1;
+            break;
+        case VT_BYREF | VT_I8:
+            V_I8REF(v) = &contact;
+            break;
         case VT_BYREF | VT_R8:
             if (word)
                 given[i] = strtod(word, NULL);
             V_R8REF(v) = word ? &given[i] : &results[result_count++];
             break;
-        default: give_up("cannot be passed", f->name);
+        default:
+            give_up("cannot be passed", f->name);
         }
     }
     VARIANT result = call(f, arguments);
@@ -195,12 +213,12 @@ static void measure(void)
         same_sum += V_R8(&result);
     }
     const double by_types = seconds() - start;
-    printf("rwedge_load: %.0f ns directly, %.0f ns by DispCallFunc%s\n", directly / CALLS * 1e9, by_types / CALLS * 1e9,
-           sum == same_sum ? "" : ", AND ANOTHER RESULT");
+    printf("rwedge_load: %.0f ns directly, %.0f ns by DispCallFunc%s\n", directly / CALLS * 1e9,
+           by_types / CALLS * 1e9, sum == same_sum ? "" : ", AND ANOTHER RESULT");
 }
 
-/* The library with its floating-point mode: loaded into Excel it must leave that alone. The x87 is set as Windows sets it for
- * programs of Microsoft's compilers, to 53 bits. */
+/* The library with its floating-point mode: loaded into Excel it must leave that alone. The x87
+ * is set as Windows sets it for programs of Microsoft's compilers, to 53 bits. */
 static HMODULE loaded(const char *path)
 {
     const uint16_t windows_mode = 0x27f;

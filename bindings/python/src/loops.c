@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inner loops of the package's NumPy ufuncs. They have the signature that NumPy calls, and need neither Python's nor
- * NumPy's headers: rwedge/_ufuncs.py makes the ufuncs of them.
+/* The inner loops of the package's NumPy ufuncs. They have the signature that NumPy calls, and
+ * need neither Python's nor NumPy's headers: rwedge/_ufuncs.py makes the ufuncs of them.
  *
- * Where an argument is outside its domain the results are NaN and FE_INVALID is raised, as by sqrt(-1), so that
- * numpy.errstate(invalid=...) rules what happens; a NaN among the arguments is passed on without it. No other exception
- * leaves a loop. */
+ * Where an argument is outside its domain the results are NaN and FE_INVALID is raised, as by
+ * sqrt(-1), so that numpy.errstate(invalid=...) rules what happens; a NaN among the arguments is
+ * passed on without it. No other exception leaves a loop. */
 #include "rwedge.h"
 
 #include <fenv.h>
@@ -32,24 +32,25 @@ static void leave_exceptions(const fexcept_t *before, bool invalid)
         feraiseexcept(FE_INVALID);
 }
 
-/* ---- Formulas: one result, by value -------------------------------------------------------------------------------- */
+/* ---- Formulas: one result, by value ---------------------------------------------------------- */
 
-/* The loop for functions of these types, given as data, of which the first arguments are doubles. The result comes last, as
- * it may overwrite an argument. */
-#define FORMULA_LOOP(name, inputs, doubles, types, values)                                                                     \
-    void rwedge_loop_##name(char **args, const intptr_t *dimensions, const intptr_t *steps, void *data)                        \
-    {                                                                                                                          \
-        double(*formula) types;                                                                                                \
-        memcpy(&formula, &data, sizeof formula);                                                                               \
-        fexcept_t before;                                                                                                      \
-        fegetexceptflag(&before, FE_ALL_EXCEPT);                                                                               \
-        bool invalid = false;                                                                                                  \
-        for (intptr_t i = 0; i < *dimensions; i++) {                                                                           \
-            const double value = formula values;                                                                               \
-            invalid |= isnan(value) && !some_nan(args, steps, i, 0, doubles);                                                  \
-            AT(double, inputs) = value;                                                                                        \
-        }                                                                                                                      \
-        leave_exceptions(&before, invalid);                                                                                    \
+/* The loop for functions of these types, given as data, of which the first arguments are
+ * doubles. The result comes last, as it may overwrite an argument. */
+#define FORMULA_LOOP(name, inputs, doubles, types, values)                                         \
+    void rwedge_loop_##name(char **args, const intptr_t *dimensions, const intptr_t *steps,        \
+                            void *data)                                                            \
+    {                                                                                              \
+        double(*formula) types;                                                                    \
+        memcpy(&formula, &data, sizeof formula);                                                   \
+        fexcept_t before;                                                                          \
+        fegetexceptflag(&before, FE_ALL_EXCEPT);                                                   \
+        bool invalid = false;                                                                      \
+        for (intptr_t i = 0; i < *dimensions; i++) {                                               \
+            const double value = formula values;                                                   \
+            invalid |= isnan(value) && !some_nan(args, steps, i, 0, doubles);                      \
+            AT(double, inputs) = value;                                                            \
+        }                                                                                          \
+        leave_exceptions(&before, invalid);                                                        \
     }
 
 /* NumPy's integers have 64 bits, the library's 32. */
@@ -67,32 +68,39 @@ FORMULA_LOOP(dddd, 4, 4, (double, double, double, double), (IN(0), IN(1), IN(2),
 FORMULA_LOOP(dddddd, 6, 6, (double, double, double, double, double, double),
              (IN(0), IN(1), IN(2), IN(3), IN(4), IN(5)))
 
-/* ---- Functions with a status, several results, or an object --------------------------------------------------------- */
+/* ---- Functions with a status, several results, or an object ---------------------------------- */
 
 enum { BLOCK = 256, MAX_SHARED = 3, MAX_INPUTS = 3, MAX_OUTPUTS = 3 };
 
 /* Evaluates n points of one object with the same shared arguments. */
-typedef int32_t points_function(const void *object, const double shared[], size_t n, double *const in[], double *const out[]);
+typedef int32_t points_function(const void *object, const double shared[], size_t n,
+                                double *const in[], double *const out[]);
 
-/* The arguments of the ufunc are these: the object's address, the shared doubles, the inputs, the outputs. */
+/* The arguments of the ufunc are these: the object's address, the shared doubles, the inputs,
+ * the outputs. */
 struct points {
     points_function *function;
     int objects, shared, inputs, outputs;
     intptr_t at_once; /* how many points it takes */
 };
 
-/* Evaluates n points from i on. Where one of them fails they go one by one. Was one outside the domain? */
-static bool block(const struct points *points, char **args, const intptr_t *steps, intptr_t i, intptr_t n)
+/* Evaluates n points from i on. Where one of them fails they go one by one. Was one outside the
+ * domain? */
+static bool block(const struct points *points, char **args, const intptr_t *steps, intptr_t i,
+                  intptr_t n)
 {
-    const int first_input = points->objects + points->shared, first_output = first_input + points->inputs;
+    const int first_input = points->objects + points->shared,
+              first_output = first_input + points->inputs;
     double shared[MAX_SHARED], inputs[MAX_INPUTS][BLOCK], outputs[MAX_OUTPUTS][BLOCK];
-    double *in[MAX_INPUTS] = {inputs[0], inputs[1], inputs[2]}, *out[MAX_OUTPUTS] = {outputs[0], outputs[1], outputs[2]};
+    double *in[MAX_INPUTS] = {inputs[0], inputs[1], inputs[2]},
+           *out[MAX_OUTPUTS] = {outputs[0], outputs[1], outputs[2]};
     const void *object = points->objects ? AT(const void *const, 0) : NULL;
     for (int k = 0; k < points->shared; k++)
         shared[k] = AT(const double, points->objects + k);
     for (int k = 0; k < points->inputs; k++)
         for (intptr_t j = 0; j < n; j++)
-            in[k][j] = *(const double *)(const void *)(args[first_input + k] + (i + j) * steps[first_input + k]);
+            in[k][j] = *(const double *)(const void *)(args[first_input + k] +
+                                                       (i + j) * steps[first_input + k]);
     const int32_t status = points->function(object, shared, (size_t)n, in, out);
     bool invalid = false;
     if (status != RWEDGE_OK && n > 1) {
@@ -101,13 +109,15 @@ static bool block(const struct points *points, char **args, const intptr_t *step
         return invalid;
     }
     if (status != RWEDGE_OK) {
-        invalid = status == RWEDGE_EDOMAIN && !some_nan(args, steps, i, points->objects, first_output);
+        invalid =
+            status == RWEDGE_EDOMAIN && !some_nan(args, steps, i, points->objects, first_output);
         for (int k = 0; k < points->outputs; k++)
             out[k][0] = NAN;
     }
     for (int k = 0; k < points->outputs; k++)
         for (intptr_t j = 0; j < n; j++)
-            *(double *)(void *)(args[first_output + k] + (i + j) * steps[first_output + k]) = out[k][j];
+            *(double *)(void *)(args[first_output + k] + (i + j) * steps[first_output + k]) =
+                out[k][j];
     return invalid;
 }
 
@@ -122,17 +132,20 @@ void rwedge_loop_points(char **args, const intptr_t *dimensions, const intptr_t 
     fegetexceptflag(&before, FE_ALL_EXCEPT);
     bool invalid = false;
     for (intptr_t i = 0; i < *dimensions; i += at_once)
-        invalid |= block(points, args, steps, i, at_once < *dimensions - i ? at_once : *dimensions - i);
+        invalid |=
+            block(points, args, steps, i, at_once < *dimensions - i ? at_once : *dimensions - i);
     leave_exceptions(&before, invalid);
 }
 
-/* POINTS(name, objects, shared, inputs, outputs, at_once, call): the function and its row of the table, rwedge_points_name. */
-#define POINTS(name, objects, shared, inputs, outputs, at_once, call)                                                          \
-    static int32_t name(const void *o, const double s[], size_t n, double *const in[], double *const out[])                    \
-    {                                                                                                                          \
-        (void)o, (void)s, (void)n;                                                                                             \
-        return call;                                                                                                           \
-    }                                                                                                                          \
+/* POINTS(name, objects, shared, inputs, outputs, at_once, call): the function and its row of the
+ * table, rwedge_points_name. */
+#define POINTS(name, objects, shared, inputs, outputs, at_once, call)                              \
+    static int32_t name(const void *o, const double s[], size_t n, double *const in[],             \
+                        double *const out[])                                                       \
+    {                                                                                              \
+        (void)o, (void)s, (void)n;                                                                 \
+        return call;                                                                               \
+    }                                                                                              \
     const struct points rwedge_points_##name = {name, objects, shared, inputs, outputs, at_once};
 
 /* A status for those that have none. */
@@ -141,14 +154,21 @@ static int32_t status_of(double value)
     return isnan(value) ? RWEDGE_EDOMAIN : RWEDGE_OK;
 }
 
-POINTS(yield_point, 0, 0, 3, 3, 1, rwedge_yield_point(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
-POINTS(subsurface_yield, 0, 0, 3, 3, 1, rwedge_subsurface_yield(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
+POINTS(yield_point, 0, 0, 3, 3, 1,
+       rwedge_yield_point(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
+POINTS(subsurface_yield, 0, 0, 3, 3, 1,
+       rwedge_subsurface_yield(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
 POINTS(surface_yield, 0, 0, 3, 2, 1, rwedge_surface_yield(*in[0], *in[1], *in[2], out[0], out[1]))
-POINTS(stress, 0, 3, 2, 3, BLOCK, rwedge_stresses(s[0], s[1], s[2], n, in[0], in[1], out[0], out[1], out[2]))
+POINTS(stress, 0, 3, 2, 3, BLOCK,
+       rwedge_stresses(s[0], s[1], s[2], n, in[0], in[1], out[0], out[1], out[2]))
 POINTS(contact_tractions, 1, 0, 1, 2, BLOCK, rwedge_contact_tractions(o, n, in[0], out[0], out[1]))
-POINTS(contact_stresses, 1, 0, 2, 3, BLOCK, rwedge_contact_stresses(o, n, in[0], in[1], out[0], out[1], out[2]))
+POINTS(contact_stresses, 1, 0, 2, 3, BLOCK,
+       rwedge_contact_stresses(o, n, in[0], in[1], out[0], out[1], out[2]))
 POINTS(contact_slip, 1, 0, 1, 1, BLOCK, rwedge_contact_slip(o, n, in[0], out[0]))
-POINTS(series_coefficient, 1, 0, 1, 1, 1, status_of(*out[0] = rwedge_series_coefficient(o, (int32_t)*in[0])))
+POINTS(series_coefficient, 1, 0, 1, 1, 1,
+       status_of(*out[0] = rwedge_series_coefficient(o, (int32_t)*in[0])))
 POINTS(series_pressure, 1, 0, 1, 1, 1, status_of(*out[0] = rwedge_series_pressure(o, *in[0])))
-POINTS(series_potential, 1, 0, 3, 2, 1, rwedge_series_potential(o, *in[0], *in[1], *in[2], out[0], out[1]))
-POINTS(series_stress, 1, 0, 3, 3, 1, rwedge_series_stress(o, *in[0], *in[1], *in[2], out[0], out[1], out[2]))
+POINTS(series_potential, 1, 0, 3, 2, 1,
+       rwedge_series_potential(o, *in[0], *in[1], *in[2], out[0], out[1]))
+POINTS(series_stress, 1, 0, 3, 3, 1,
+       rwedge_series_stress(o, *in[0], *in[1], *in[2], out[0], out[1], out[2]))

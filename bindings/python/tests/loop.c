@@ -8,14 +8,15 @@ void loop_1(double (*formula)(double), size_t n, const double a[], double result
         result[i] = formula(a[i]);
 }
 
-void loop_2(double (*formula)(double, double), size_t n, const double a[], const double b[], double result[])
+void loop_2(double (*formula)(double, double), size_t n, const double a[], const double b[],
+            double result[])
 {
     for (size_t i = 0; i < n; i++)
         result[i] = formula(a[i], b[i]);
 }
 
-void loop_3(double (*formula)(double, double, double), size_t n, const double a[], const double b[], const double c[],
-            double result[])
+void loop_3(double (*formula)(double, double, double), size_t n, const double a[], const double b[],
+            const double c[], double result[])
 {
     for (size_t i = 0; i < n; i++)
         result[i] = formula(a[i], b[i], c[i]);

@@ -60,7 +60,7 @@ print_bits_of()
 {
     name=$1
     shift
-    "$@" -std=c99 -ffp-contract=off -Iinclude lib/*.c tests/every_function.c tests/print_bits.c -o "$work/$name-program" \
+    "$@" -std=c99 -ffp-contract=off -Iinclude -Ilib lib/*/*.c tests/every_function.c tests/print_bits.c -o "$work/$name-program" \
         -lgsl -lgslcblas -llapack -lm && "$work/$name-program" >"$work/$name-now" && mv "$work/$name-now" "$work/$name"
 }
 compare_bits()

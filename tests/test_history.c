@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The memory diagram, apart from any geometry, and the displacement of a patch. */
 #include "claims.h"
-#include "history.h"
+#include "history/memory.h"
 #include "quadrature.h"
 #include "rwedge.h"
-#include "slip.h"
+#include "history/gap.h"
 
 #include <float.h>
 
-static void advance(rw_path *path, double load, double shear)
+static void advance(rw_memory *path, double load, double shear)
 {
-    assert_true(rw_path_reserve(path, 2));
-    rw_path_advance(path, load, shear);
+    assert_true(rw_memory_reserve(path, 2));
+    const rw_departure departure = rw_memory_departure(path, load, shear);
+    rw_memory_advance(path, &departure, load, shear);
 }
 
-static void assert_corner(const rw_path *path, size_t i, double load, double shear)
+static void assert_corner(const rw_memory *path, size_t i, double load, double shear)
 {
     assert_true(i < path->count);
     assert_within(path->corners[i].load, load, 1e-15);
@@ -26,8 +27,8 @@ static void assert_corner(const rw_path *path, size_t i, double load, double she
 static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
     advance(&path, 1, 0.5);
     assert_corner(&path, 1, 0.5, 0);
@@ -44,7 +45,7 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
     advance(&path, 1, -1); /* slides: nothing is left */
     assert_int_equal(path.count, 2);
     assert_true(path.corners[1].ratio == -1);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 /* A cycle of Q under a P that is constant but for rounding, after a first load in proportion:
@@ -56,17 +57,17 @@ static void rounding_of_the_load_hides_no_slip(void **state)
         {17, 0, -8, -3, 0, 19, 0, 0}, {0, -8, -16, -1, 3, 0, -11, 2}, {0, 5, -7, 0, 0, 0, 0, 0}};
     for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
         for (double T = 0.0131; T < 1; T += 0.0131) {
-            rw_path path;
-            assert_true(rw_path_create(&path));
+            rw_memory path;
+            assert_true(rw_memory_create(&path));
             for (int j = 0; j < 40; j++) {
                 const double *of = &ROUNDINGS[i][j % 4], shear = T * (1 + of[4] * DBL_EPSILON);
                 advance(&path, 1 + of[0] * DBL_EPSILON, j % 2 ? shear : -shear);
                 if (j == 0)
                     continue;
-                assert_true(rw_path_end(&path)->ratio == (j % 2 ? 1 : -1));
+                assert_true(rw_memory_end(&path)->ratio == (j % 2 ? 1 : -1));
                 assert_true(path.corners[path.count - 2].load <= 1 - T + 1e-14);
             }
-            rw_path_destroy(&path);
+            rw_memory_destroy(&path);
         }
 }
 
@@ -75,21 +76,21 @@ static void rounding_of_the_load_hides_no_slip(void **state)
 static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 0.5, 0.5);
     advance(&path, 0.99999999999999911, 0);
     advance(&path, 0.5, 0.5);
     assert_int_equal(path.count, 2);
     assert_corner(&path, 1, 0.5, 0.5);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 static void a_rising_load_sticks_where_it_can(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 1, 0.25);
     advance(&path, 2, -0.25);
     assert_int_equal(path.count, 3);
@@ -98,14 +99,14 @@ static void a_rising_load_sticks_where_it_can(void **state)
     advance(&path, 3, 1.75);
     assert_corner(&path, 2, 1 + 1.0 / 3, 0.25 - 0.5 / 3);
     assert_true(path.corners[3].ratio == 1);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 1, 0.25);
     advance(&path, 2, -0.25);
     advance(&path, 1.5, 0);
@@ -113,14 +114,14 @@ static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
     assert_corner(&path, 2, 1.5, 0);
     advance(&path, 0, 0);
     assert_int_equal(path.count, 1);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 static void collinear_steps_are_one(void **state)
 {
     (void)state;
-    rw_path line, steep;
-    assert_true(rw_path_create(&line) && rw_path_create(&steep));
+    rw_memory line, steep;
+    assert_true(rw_memory_create(&line) && rw_memory_create(&steep));
     advance(&steep, 0.3, 0.1);
     const int steps = 30000;
     for (int i = 1; i <= steps; i++) {
@@ -128,12 +129,12 @@ static void collinear_steps_are_one(void **state)
         advance(&line, load, 0.3 * load);
         advance(&steep, 0.3 + load, 0.1 - load);
         /* exactly: it says where friction is exhausted */
-        assert_true(rw_path_end(&steep)->ratio == -1);
+        assert_true(rw_memory_end(&steep)->ratio == -1);
     }
     assert_int_equal(line.count, 2);
     assert_int_equal(steep.count, 3);
-    rw_path_destroy(&line);
-    rw_path_destroy(&steep);
+    rw_memory_destroy(&line);
+    rw_memory_destroy(&steep);
 }
 
 /* Each step differs from a straight one by less than rounding; all together do not. */
@@ -141,17 +142,17 @@ static void a_slow_bend_is_not_straightened(void **state)
 {
     (void)state;
     for (int sign = -1; sign <= 1; sign += 2) {
-        rw_path bend;
-        assert_true(rw_path_create(&bend));
+        rw_memory bend;
+        assert_true(rw_memory_create(&bend));
         advance(&bend, 1, 0);
         const int steps = 30000;
         for (int i = 1; i <= steps; i++)
             advance(&bend, 1 + 1e-9 * i, sign * 0.5e-18 * i * (double)i);
         assert_true(bend.count < 1000);
         for (int i = 1; i <= steps; i += 7)
-            assert_within(rw_path_shear(&bend, 1 + 1e-9 * i), sign * 0.5e-18 * i * (double)i,
+            assert_within(rw_memory_shear(&bend, 1 + 1e-9 * i), sign * 0.5e-18 * i * (double)i,
                           8 * DBL_EPSILON);
-        rw_path_destroy(&bend);
+        rw_memory_destroy(&bend);
     }
 }
 
@@ -159,8 +160,8 @@ static void a_slow_bend_is_not_straightened(void **state)
 static void creep_below_rounding_is_not_lost(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
     for (int i = 1; i <= 1000000; i++)
         advance(&path, 1, i * DBL_EPSILON / 2);
@@ -169,7 +170,7 @@ static void creep_below_rounding_is_not_lost(void **state)
         shear += path.corners[i].ratio * (path.corners[i].load - path.corners[i - 1].load);
     assert_within(shear, 1e6 * DBL_EPSILON / 2, 8 * DBL_EPSILON);
     assert_true(path.count <= 4);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 static void random_load(uint64_t *seed, double *load, double *shear)
@@ -191,8 +192,8 @@ static void a_million_equal_cycles_keep_the_size_of_one(void **state)
             random_load(&seed, &P, &shear[i]);
             load[i] = P;
         }
-        rw_path path;
-        assert_true(rw_path_create(&path));
+        rw_memory path;
+        assert_true(rw_memory_create(&path));
         size_t largest = 0;
         for (int cycle = 0; cycle < 1000000; cycle++)
             for (int i = 0; i < LOADS; i++) {
@@ -201,15 +202,15 @@ static void a_million_equal_cycles_keep_the_size_of_one(void **state)
                     largest = path.count;
                 assert_true(path.count <= largest);
             }
-        rw_path_destroy(&path);
+        rw_memory_destroy(&path);
     }
 }
 
 static void each_load_adds_two_corners_at_most(void **state)
 {
     (void)state;
-    rw_path path;
-    assert_true(rw_path_create(&path));
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
     for (int i = 1; i < 1000; i++) { /* ever smaller reversals: the worst there is */
         const size_t before = path.count;
@@ -219,7 +220,7 @@ static void each_load_adds_two_corners_at_most(void **state)
     assert_int_equal(path.count, 1001);
     advance(&path, 1, 0.95);
     assert_int_equal(path.count, 3);
-    rw_path_destroy(&path);
+    rw_memory_destroy(&path);
 }
 
 /* A step may be taken in parts: the sign of slip can change inside it without a trace. */
@@ -228,8 +229,8 @@ static void a_step_is_the_sum_of_its_parts(void **state)
     (void)state;
     uint64_t seed = 5;
     for (int history = 0; history < 300; history++) {
-        rw_path whole, parts;
-        assert_true(rw_path_create(&whole) && rw_path_create(&parts));
+        rw_memory whole, parts;
+        assert_true(rw_memory_create(&whole) && rw_memory_create(&parts));
         double load = 0, shear = 0;
         for (int leg = 0; leg < 20; leg++) {
             const double from_load = load, from_shear = shear;
@@ -241,16 +242,16 @@ static void a_step_is_the_sum_of_its_parts(void **state)
                 advance(&parts, from_load + i * (load - from_load) / 8,
                         from_shear + i * (shear - from_shear) / 8);
             advance(&parts, load, shear);
-            assert_true(rw_path_end(&whole)->load == load && rw_path_end(&parts)->load == load);
+            assert_true(rw_memory_end(&whole)->load == load && rw_memory_end(&parts)->load == load);
             for (int i = 0; i <= 20; i++)
-                assert_within(rw_path_shear(&whole, load * i / 20),
-                              rw_path_shear(&parts, load * i / 20), 1e-13);
+                assert_within(rw_memory_shear(&whole, load * i / 20),
+                              rw_memory_shear(&parts, load * i / 20), 1e-13);
             for (size_t i = 1; i < whole.count; i++)
                 assert_true(fabs(whole.corners[i].ratio) <= 1 &&
                             whole.corners[i].load > whole.corners[i - 1].load);
         }
-        rw_path_destroy(&whole);
-        rw_path_destroy(&parts);
+        rw_memory_destroy(&whole);
+        rw_memory_destroy(&parts);
     }
 }
 

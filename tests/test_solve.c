@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rooms behind the physics: roots, quadrature, least squares. */
 #include "claims.h"
-#include "integral.h"
-#include "least_squares.h"
+#include "base/integral.h"
+#include "base/least_squares.h"
 #include "rwedge.h"
-#include "solve.h"
+#include "base/root.h"
 
 #include <float.h>
 

@@ -94,8 +94,8 @@ static int field(const arguments *given)
     if (status == STATUS_DONE)
         status = check_grid(given, &what, how.format == NULL);
     if (status == STATUS_DONE)
-        status = output_options_write(&how, how.format == NULL ? vtk_write : grid_write_rows,
-                                      &what);
+        status =
+            output_options_write(&how, how.format == NULL ? vtk_write : grid_write_rows, &what);
     state_free(&what.state);
     range_free(&what.x);
     range_free(&what.y);

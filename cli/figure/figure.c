@@ -16,9 +16,9 @@
 #include <rwedge.h>
 
 enum { FIGURE_COUNT = 8 };
-static const figure *const figures[FIGURE_COUNT] = {&figure_pressure,    &figure_normal,  &figure_sliding,
-                                             &figure_yield_point, &figure_tension, &figure_shear,
-                                             &figure_field,       &figure_loop};
+static const figure *const figures[FIGURE_COUNT] = {
+    &figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point,
+    &figure_tension,  &figure_shear,  &figure_field,   &figure_loop};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_OWN,

@@ -118,17 +118,17 @@ if [ $sanitize = yes ]; then
 fi
 if [ $campaign = yes ]; then
     # every branch of lib/ reached; then what lib/ is checked by
-    step "branches of lib/" sh tests/coverage/coverage.sh . build
-    step "faults in lib/ that the tests notice" sh tests/mutation/mutation.sh . build --sample 300 --jobs "$(processors)"
-    step "survey of the strength" build/tests/strength_survey 50000 2026
-    step "accuracy" build/tests/accuracy/accuracy 20000
-    step "certificate of the tables" build/tests/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
+    step "branches of lib/" sh tests/suite/coverage/coverage.sh . build
+    step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 300 --jobs "$(processors)"
+    step "survey of the strength" build/tests/proof/strength_survey 50000 2026
+    step "accuracy" build/tests/proof/accuracy/accuracy 20000
+    step "certificate of the tables" build/tests/proof/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
     step "certificate of the whole range" \
-        sh tests/certificate/wide.sh build/tests/certificate/certificate build/cli/rwedge "$(processors)"
-    step "edges of all arguments" build/tests/faults/test_calls 5000
+        sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
+    step "edges of all arguments" build/tests/host/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
-    step "failing allocations" sh tests/faults/allocations.sh build/cli/rwedge tests/data build/tests/faults/libfailmalloc.so 2000
-    step "fuzzing" sh tests/fuzz/long.sh 240 build/tests/fuzz/libfuzzer
+    step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
+    step "fuzzing" sh tests/random/long.sh 240 build/tests/random/libfuzzer
 fi
 
 cat "$skips"

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results computed ahead arrive in order, each once, whatever the number of threads; blocks of
  * them are computed at one time; and they may be left where they are. Run under the thread
- * sanitizer by tests/threads.sh too. */
+ * sanitizer by tests/host/threads.sh too. */
 #define _POSIX_C_SOURCE 200809L
 
-#include "ahead.h"
+#include "system/ahead.h"
 
 #include <setjmp.h>
 #include <signal.h>

@@ -46,7 +46,7 @@ def test_it_needs_the_c_and_the_math_library_only():
 def test_other_libraries_do_not_change_its_bits(tmp_path, run, first, then):
     """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""
     foreign = tmp_path / "foreign.so"
-    subprocess.run(["cc", "-shared", "-fPIC", "-o", foreign, TOP / "tests/hostile/foreign.c"], check=True)
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", foreign, TOP / "tests/host/hostile/foreign.c"], check=True)
     script = FIT.format(first=first, then=then)
     assert run("-c", script, LD_PRELOAD=str(foreign)) == run("-c", FIT.format(first="", then=""))
 

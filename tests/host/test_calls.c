@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every public function with arguments at the edges of its domain and beyond them: the header's
+ * rules for errors hold; a host that traps floating-point exceptions is not trapped, and those
+ * it has raised stay raised; its rounding mode, errno and locale are left alone and do not
+ * matter; a stack of 64 KiB is enough.
+ *
+ *     test_calls [CALLS [TESTS]]   of each function, drawn at random where all combinations are more (default 2000) */
+#define _GNU_SOURCE /* feenableexcept() */
+#include "calls.h"
+#include "claims.h"
+#include "rwedge.h"
+
+#include <errno.h>
+#include <fenv.h>
+#include <float.h>
+#include <locale.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static size_t most_calls = 2000;
+
+/* ---- All combinations of edges, or so many; a tenth of the function that takes milliseconds -- */
+
+typedef struct {
+    const public_call *call;
+    size_t all, number, calls; /* combinations; the next one; how many will be made */
+    uint64_t seed;
+} combinations;
+
+static combinations combinations_of(const public_call *call)
+{
+    combinations c = {.call = call, .all = 1, .seed = 1};
+    for (const char *kind = call->kinds; *kind != '\0'; kind++)
+        c.all = c.all > most_calls ? c.all : c.all * edge_count(*kind);
+    c.calls = c.all < most_calls                        ? c.all
+              : strcmp(call->name, "yield_factor") == 0 ? most_calls / 10
+                                                        : most_calls;
+    return c;
+}
+
+/* Most of those that are drawn have all of their arguments in the domain. */
+static double draw(combinations *c, char kind)
+{
+    const bool any = random_fraction(&c->seed) < 0.03;
+    double v;
+    do
+        v = edge(kind, (size_t)(random_fraction(&c->seed) * (double)edge_count(kind)));
+    while (!any && !is_sound(kind, v));
+    return v;
+}
+
+static bool next(combinations *c, double v[])
+{
+    if (c->number == c->calls)
+        return false;
+    size_t rest = c->number++;
+    for (const char *kind = c->call->kinds; *kind != '\0'; kind++, v++) {
+        *v = c->all <= most_calls ? edge(*kind, rest % edge_count(*kind)) : draw(c, *kind);
+        rest /= edge_count(*kind);
+    }
+    return true;
+}
+
+static void show(const public_call *call, const double v[], const char *what)
+{
+    print_error("%s(", call->name);
+    for (size_t i = 0; call->kinds[i] != '\0'; i++)
+        print_error("%s%.17g", i > 0 ? ", " : "", v[i]);
+    print_error("): %s\n", what);
+}
+
+/* Something to be asked of every call: NULL, or what is wrong. */
+typedef const char *question(const public_call *call, const double v[]);
+
+static void ask_of_every_call(question *ask)
+{
+    size_t asked = 0, wrong = 0;
+    for (size_t i = 0; i < public_call_count; i++) {
+        combinations c = combinations_of(&public_calls[i]);
+        size_t shown = 0;
+        for (double v[CALL_ARGUMENTS]; next(&c, v); asked++) {
+            const char *answer = ask(&public_calls[i], v);
+            if (answer == NULL)
+                continue;
+            wrong++;
+            if (shown++ < 3)
+                show(&public_calls[i], v, answer);
+        }
+    }
+    print_message("    %zu calls of %zu functions\n", asked, public_call_count);
+    if (wrong > 0)
+        fail_msg("%zu of %zu calls", wrong, asked);
+}
+
+/* ---- Answers ---- */
+
+static const char *answers(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    return complaint_of(call, v, out, &status);
+}
+
+static void every_answer_follows_the_rules_for_errors(void **state)
+{
+    (void)state;
+    ask_of_every_call(answers);
+}
+
+/* ---- The host's exceptions ---- */
+
+static const char *flags(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    errno = 12345;
+    feclearexcept(FE_ALL_EXCEPT);
+    complaint_of(call, v, out, &status);
+    const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    if (errno != 12345)
+        return "errno is set";
+    return (raised & FE_INVALID) != 0     ? "invalid is raised"
+           : (raised & FE_DIVBYZERO) != 0 ? "division by zero is raised"
+           : (raised & FE_OVERFLOW) != 0  ? "overflow is raised"
+                                          : NULL;
+}
+
+static void no_call_raises_an_exception_but_inexact_and_underflow(void **state)
+{
+    (void)state;
+    ask_of_every_call(flags);
+}
+
+enum { EVERYTHING = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT };
+
+/* By the host's arithmetic, so that they are where the library's are. */
+static void raise_everything(void)
+{
+    volatile double zero = 0, most = DBL_MAX, least = DBL_MIN, sink;
+    feclearexcept(FE_ALL_EXCEPT);
+    sink = zero / zero;
+    sink = most / zero;
+    sink = most * most;
+    sink = least * least;
+    (void)sink;
+}
+
+static const char *keeps_flags(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    errno = 12345;
+    raise_everything();
+    const char *complaint = complaint_of(call, v, out, &status);
+    const int left = fetestexcept(EVERYTHING);
+    return complaint != NULL    ? complaint
+           : errno != 12345     ? "errno is set"
+           : left != EVERYTHING ? "an exception that the host has raised is cleared"
+                                : NULL;
+}
+
+static void no_call_clears_an_exception_of_the_host(void **state)
+{
+    (void)state;
+    raise_everything();
+    assert_int_equal(fetestexcept(EVERYTHING), EVERYTHING);
+    ask_of_every_call(keeps_flags);
+}
+
+#ifdef __GLIBC__
+static sigjmp_buf trapped;
+
+static void spring(int number)
+{
+    (void)number;
+    siglongjmp(trapped, 1);
+}
+
+static const char *traps(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    fenv_t host;
+    feholdexcept(&host);
+    const char *volatile answer = "it is trapped";
+    if (sigsetjmp(trapped, 1) == 0) {
+        feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+        complaint_of(call, v, out, &status);
+        answer = fegetexcept() == (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)
+                     ? NULL
+                     : "the host's traps are changed";
+    }
+    fesetenv(&host);
+    return answer;
+}
+
+static void no_call_is_trapped_in_a_host_that_traps(void **state)
+{
+    (void)state;
+    if (feenableexcept(FE_DIVBYZERO) == -1) {
+        print_message("SKIPPED: this machine cannot trap floating-point exceptions\n");
+        skip();
+    }
+    fedisableexcept(FE_DIVBYZERO);
+    struct sigaction spring_it = {.sa_handler = spring}, before;
+    sigaction(SIGFPE, &spring_it, &before);
+    ask_of_every_call(traps);
+    sigaction(SIGFPE, &before, NULL);
+}
+#endif
+
+/* ---- Rounding modes ---- */
+
+static int mode;
+static double farthest;
+
+/* How far two answers are apart, relatively to the larger; 0 where either is tiny: underflow. */
+static double distance(double one, double other)
+{
+    const double size = fmax(fabs(one), fabs(other));
+    return one == other || size < 1e-290 ? 0 : fabs(one / size - other / size);
+}
+
+/* At the ends of the range of a double the direction of rounding decides whether there is a
+ * result at all. */
+static bool is_far_from_the_ends(const public_call *call, const double v[])
+{
+    for (size_t i = 0; call->kinds[i] != '\0'; i++)
+        if (v[i] != 0 && isfinite(v[i]) && (fabs(v[i]) < 1e-300 || fabs(v[i]) > 1e300))
+            return false;
+    return true;
+}
+
+static const char *rounds(const public_call *call, const double v[])
+{
+    double nearest[CALL_OUTPUTS], out[CALL_OUTPUTS];
+    int32_t status, other;
+    complaint_of(call, v, nearest, &status);
+    fesetround(mode);
+    const char *complaint = complaint_of(call, v, out, &other);
+    const int after = fegetround();
+    fesetround(FE_TONEAREST);
+    if (after != mode)
+        return "the rounding mode is changed";
+    if (!is_far_from_the_ends(call, v))
+        return NULL;
+    const bool comparable =
+        complaint == NULL && status == RWEDGE_OK && other == RWEDGE_OK && call->outputs == 1;
+    if (comparable && strcmp(call->name, "dundurs_beta") != 0 &&
+        strcmp(call->name, "shear") != 0) /* which may cancel to 0 */
+        farthest = fmax(farthest, distance(nearest[0], out[0]));
+    return complaint;
+}
+
+static void every_rounding_mode_gives_answers_by_the_rules(void **state)
+{
+    (void)state;
+    const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (int i = 0; i < 4; i++) {
+        mode = modes[i];
+        farthest = 0;
+        ask_of_every_call(rounds);
+        print_message("    rounding mode %d: values differ by %.2g at most\n", i, farthest);
+    }
+}
+
+/* ---- Locale ---- */
+
+typedef struct {
+    uint64_t hash;
+    size_t calls;
+} digest;
+
+static digest everything;
+
+static const char *digests(const public_call *call, const double v[])
+{
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    complaint_of(call, v, out, &status);
+    unsigned char bytes[sizeof out];
+    memcpy(bytes, out, sizeof out);
+    for (size_t i = 0; i < sizeof bytes; i++) /* FNV-1a */
+        everything.hash = (everything.hash ^ bytes[i]) * UINT64_C(1099511628211);
+    everything.calls++;
+    return NULL;
+}
+
+static digest digest_of_everything(void)
+{
+    everything = (digest){UINT64_C(14695981039346656037), 0};
+    ask_of_every_call(digests);
+    return everything;
+}
+
+/* tests/host/locale.sh runs this where it has made a locale with a comma. */
+static void a_decimal_comma_changes_no_bit(void **state)
+{
+    (void)state;
+    const char *name = getenv("COMMA_LOCALE");
+    if (name == NULL)
+        skip();
+    const digest point = digest_of_everything();
+    assert_non_null(setlocale(LC_ALL, name));
+    char text[8];
+    snprintf(text, sizeof text, "%.1f", 0.5);
+    assert_string_equal(text, "0,5");
+    const digest comma = digest_of_everything();
+    assert_string_equal(setlocale(LC_NUMERIC, NULL), name);
+    assert_memory_equal(&point, &comma, sizeof point);
+    setlocale(LC_ALL, "C");
+}
+
+/* ---- Stack ---- */
+
+enum { STACK = 1 << 16, PAINT = 0xa5 };
+
+/* One function on a thread of its own; what it leaves of its painted stack is what was not used. */
+static void *run_on_small_stack(void *of_call)
+{
+    const public_call *call = of_call;
+    combinations c = combinations_of(call);
+    c.calls = c.calls < 2000 ? c.calls : 2000;
+    double out[CALL_OUTPUTS];
+    int32_t status;
+    for (double v[CALL_ARGUMENTS]; next(&c, v);)
+        complaint_of(call, v, out, &status);
+    return NULL;
+}
+
+static size_t used_stack(void *(*run)(void *), void *argument)
+{
+    unsigned char *stack;
+    assert_int_equal(posix_memalign((void **)&stack, 1 << 16, STACK), 0);
+    memset(stack, PAINT, STACK);
+    pthread_attr_t attributes;
+    pthread_t thread;
+    assert_int_equal(pthread_attr_init(&attributes), 0);
+    assert_int_equal(pthread_attr_setstack(&attributes, stack, STACK), 0);
+    assert_int_equal(pthread_create(&thread, &attributes, run, argument), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    pthread_attr_destroy(&attributes);
+    size_t unused = 0;
+    while (unused < STACK && stack[unused] == PAINT)
+        unused++;
+    free(stack);
+    return STACK - unused;
+}
+
+static void a_stack_of_64_KiB_is_enough(void **state)
+{
+    (void)state;
+    size_t most = 0;
+    for (size_t i = 0; i < public_call_count; i++) {
+        public_call call = public_calls[i];
+        const size_t used = used_stack(run_on_small_stack, &call);
+        print_message("    %-20s %6zu bytes of stack\n", call.name, used);
+        most = used > most ? used : most;
+    }
+    assert_true(most > 0 && most < STACK / 2);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        most_calls = (size_t)strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        cmocka_set_test_filter(argv[2]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_answer_follows_the_rules_for_errors),
+        cmocka_unit_test(no_call_raises_an_exception_but_inexact_and_underflow),
+        cmocka_unit_test(no_call_clears_an_exception_of_the_host),
+#ifdef __GLIBC__
+        cmocka_unit_test(no_call_is_trapped_in_a_host_that_traps),
+#endif
+        cmocka_unit_test(every_rounding_mode_gives_answers_by_the_rules),
+        cmocka_unit_test(a_decimal_comma_changes_no_bit),
+        cmocka_unit_test(a_stack_of_64_KiB_is_enough),
+    };
+    return RUN_CLAIMS("calls", tests);
+}

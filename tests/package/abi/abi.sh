@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The library's binary interface is the stored one: soname, exported symbols with their version and status codes (interface.txt),
+# and the types of all parameters (librwedge.abi, by libabigail).
+#     abi.sh SOURCE BUILD           compares
+#     abi.sh SOURCE BUILD --store   stores anew: after an addition; after a change that breaks, RWEDGE_ABI grows first
+set -eu
+source=$1 build=$2 store=${3:-}
+here=$source/tests/package/abi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+cmake -S "$source" -B "$build/abi" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS="-ffile-prefix-map=$source=." \
+    -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF >"$work/log" 2>&1 &&
+    cmake --build "$build/abi" --target rwedge >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+library=$build/abi/lib/librwedge.so
+
+{
+    echo "soname $(readelf -d "$library" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')"
+    nm -D --defined-only --with-symbol-versions "$library" | awk '$2 == "T" { print $3 }' | LC_ALL=C sort
+    sed -n 's/^ *\(RWEDGE_[A-Z]* = [0-9]*\).*/\1/p' "$source/include/rwedge.h"
+} >"$work/interface.txt"
+if [ "$store" = --store ]; then
+    cp "$work/interface.txt" "$here/interface.txt"
+elif ! diff "$here/interface.txt" "$work/interface.txt"; then
+    echo "FAILED: < stored, > exported now"
+    exit 1
+else
+    echo "ok: soname, symbols and status codes as stored"
+fi
+
+command -v abidiff >/dev/null || { echo "SKIPPED: no abidiff here (Debian's abigail-tools); the symbols were compared"; exit 77; }
+if [ "$store" = --store ]; then
+    abidw --headers-dir "$source/include" --no-corpus-path --no-comp-dir-path --no-show-locs --no-elf-needed \
+        --no-architecture \
+        --out-file "$here/librwedge.abi" "$library"
+elif ! abidiff --no-architecture --headers-dir2 "$source/include" "$here/librwedge.abi" "$library"; then
+    echo "FAILED: the types of the interface have changed"
+    exit 1
+else
+    echo "ok: types as stored"
+fi

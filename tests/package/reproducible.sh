@@ -1,0 +1,112 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The same bytes in tables/ from every compiler, level of optimisation and math library; the same bits from the library for
+# every compiler, level and processor, those of pressures and stresses from every math library too.
+#     reproducible.sh SOURCE BUILD
+set -eu
+source=$(realpath "$1") build=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$source"
+
+# The committed tables, written again by the tool as it was built, and on a processor without fused multiply-add.
+mkdir "$work/here" "$work/plain"
+compare()
+{
+    count=0
+    for file in tables/*.csv; do
+        if ! cmp "$file" "$2/$(basename "$file")"; then
+            echo "FAILED: $file is not what $1 writes"
+            exit 1
+        fi
+        count=$((count + 1))
+    done
+    [ "$count" -gt 0 ] && [ "$count" -eq "$(find "$2" -name '*.csv' | wc -l)" ] ||
+        { echo "FAILED: tables/ does not hold what $1 writes"; exit 1; }
+    echo "ok: $count tables, $1"
+}
+./tables/generate.sh "$work/here" "$build/cli/rwedge" >/dev/null
+compare "this build" "$work/here"
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable ./tables/generate.sh "$work/plain" \
+    "$build/cli/rwedge" >/dev/null
+compare "a processor without fused multiply-add" "$work/plain"
+
+# Another math library, by its own build of the tool. It stands in for all that the library calls but what IEEE or C define to
+# the last bit; sincos() is what a compiler makes of a sin() and a cos().
+exact='sqrt|fmin|fmax|frexp|ilogb|ldexp|floor|ceil|fabs'
+nm -D --undefined-only "$build"/lib/librwedge.so | sed -n 's/.* U \([a-z0-9]*\)@.*/\1/p' | sort >"$work/called"
+nm -D --defined-only "$(ldd "$build"/lib/librwedge.so | sed -n 's/.*libm.*=> \([^ ]*\).*/\1/p')" |
+    sed -n 's/.* [WTi] \([a-z0-9]*\)@.*/\1/p' | sort -u | comm -12 - "$work/called" | grep -vxE "$exact" | sed 's/^sincos$/sin\ncos/' >"$work/inexact"
+[ -s "$work/inexact" ] || { echo "FAILED: no function of the math library found in the library"; exit 1; }
+while read -r name; do
+    grep -q "^#define $name(" tests/package/other_libm.h || { echo "FAILED: tests/package/other_libm.h does not have $name()"; exit 1; }
+done <"$work/inexact"
+mkdir "$work/other"
+CFLAGS="-include $source/tests/package/other_libm.h" cmake -S "$source" -B "$work/other-build" -DCMAKE_BUILD_TYPE=Release \
+    -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_BUILD_CLI=ON >"$work/log" 2>&1 &&
+    cmake --build "$work/other-build" --parallel 2 --target rwedge_cli >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+./tables/generate.sh "$work/other" "$work/other-build/cli/rwedge" >/dev/null
+compare "another math library" "$work/other"
+
+# Bit for bit: a program that prints the bits of results of every function, from both compilers at every level, without the
+# vectors that only some processors have, and with all that this one has, fused multiply-add among it.
+sed -n '/^RWEDGE_API/,/;/p' include/rwedge.h | grep -o 'rwedge_[a-zA-Z_0-9]*(' | sort -u >"$work/functions"
+while read -r name; do
+    grep -qF "$name" tests/support/every_function.c || { echo "FAILED: tests/support/every_function.c does not call $name)"; exit 1; }
+done <"$work/functions"
+
+# print_bits_of NAME COMPILER OPTIONS... - leaves the bits, or nothing where they could not be had.
+print_bits_of()
+{
+    name=$1
+    shift
+    "$@" -std=c99 -ffp-contract=off -Iinclude -Ilib -Itests/support lib/*/*.c tests/support/every_function.c tests/package/print_bits.c -o "$work/$name-program" \
+        -lgsl -lgslcblas -llapack -lm && "$work/$name-program" >"$work/$name-now" && mv "$work/$name-now" "$work/$name"
+}
+compare_bits()
+{
+    name=$1
+    shift
+    [ -s "$work/$name" ] || { echo "FAILED: $*: nothing printed"; exit 1; }
+    if ! cmp "$work/gcc-O0" "$work/$name"; then
+        echo "FAILED: $* and gcc -O0 differ"
+        diff "$work/gcc-O0" "$work/$name" | head -n 4
+        exit 1
+    fi
+    echo "ok: $(wc -l <"$work/$name") results of $(wc -l <"$work/functions") functions, $*"
+}
+here=''
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null && here="$here $compiler" || echo "SKIPPED: no $compiler here"
+done
+case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc here"; exit 77 ;; esac
+vectors='-fno-math-errno -fno-trapping-math' # as lib/CMakeLists.txt has them
+for compiler in $here; do # one after the other, so that two processors are enough
+    print_bits_of $compiler-O0 $compiler -O0 &
+    print_bits_of $compiler-O1 $compiler -O1
+    wait
+    print_bits_of $compiler-O2 $compiler -O2 $vectors &
+    print_bits_of $compiler-O3 $compiler -O3 $vectors
+    wait
+    print_bits_of $compiler-baseline $compiler -O3 $vectors -DRW_BASELINE &
+    print_bits_of $compiler-native $compiler -O3 $vectors -march=native
+    wait
+    for level in -O0 -O1 -O2 -O3; do
+        compare_bits $compiler$level $compiler $level
+    done
+    compare_bits $compiler-baseline $compiler -O3, vectors of every such processor
+    compare_bits $compiler-native $compiler -O3, all that this processor has
+done
+
+# With another math library pressures and stresses keep every bit, as they call nothing but sqrt(); something else differs, or
+# it would be the same library.
+print_bits_of foreign gcc -O2 $vectors -include tests/package/other_libm.h
+grep -E '^(pressure|stress|stresses) ' "$work/gcc-O0" >"$work/without-library"
+grep -E '^(pressure|stress|stresses) ' "$work/foreign" >"$work/without-library-foreign"
+cmp "$work/without-library" "$work/without-library-foreign" ||
+    { echo "FAILED: pressures and stresses depend on the math library"; exit 1; }
+if cmp -s "$work/gcc-O0" "$work/foreign"; then
+    echo "FAILED: the other math library is the same one: nothing differs"
+    exit 1
+fi
+echo "ok: $(wc -l <"$work/without-library") pressures and stresses, another math library"

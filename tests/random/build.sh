@@ -1,0 +1,58 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Compiles the targets with libFuzzer and the address and undefined-behaviour sanitizers, library and tool included.
+#
+#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET go
+#
+# Ends with 77 where no clang has libFuzzer.
+set -eu
+source=$(cd "$1" && pwd)
+mkdir -p "$2"
+cd "$2"
+echo 'int LLVMFuzzerTestOneInput(const unsigned char *d, unsigned long n) { return d && n > 9; }' >trial.c
+for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-14}; do
+    "$clang" -fsanitize=fuzzer,address trial.c -o trial 2>/dev/null && break
+    clang=
+done
+[ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev)"; exit 77; }
+flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
+flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli -I$source/tests/host -I$source/tests/random"
+flags="$flags $(pkg-config --cflags popt jansson gsl)"
+libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
+
+# compile FILE.c ... - notes the commands, and the objects.
+compile()
+{
+    for file; do
+        name=$(echo "${file#"$source"/}" | tr / _)
+        echo "$clang $flags -c $file -o ${name%.c}.o" >>commands
+        objects="$objects ${name%.c}.o"
+    done
+}
+: >commands
+objects=
+compile "$source"/lib/*/*.c
+library=$objects
+objects=
+for file in "$source"/cli/*.c "$source"/cli/*/*.c; do
+    case $file in
+    */main.c | */message.c | */xlsx.c) ;; # the messages are our own; spreadsheets are none of the inputs
+    *) compile "$file" ;;
+    esac
+done
+compile "$source/tests/random/messages.c" "$source/tests/random/file.c"
+tool=$objects
+objects=
+compile "$source/tests/host/calls.c"
+calls=$objects
+targets='formulas contact series number range csv batch'
+for target in $targets; do
+    echo "$clang $flags -c $source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands
+done
+xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands
+rm -f tool.a
+ar rc tool.a $tool
+for target in $targets; do
+    "$clang" -fsanitize=fuzzer,address,undefined "fuzz_$target.o" $calls tool.a $library $libraries -o "fuzz_$target"
+done
+echo "$clang: $targets"

@@ -1,0 +1,21 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# No function of the header lacks a target that calls it.     covered.sh SOURCE
+set -eu
+cd "$1"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+sed -n '/^RWEDGE_API/,/;/p' include/rwedge.h | grep -o 'rwedge_[a-zA-Z_0-9]*(' | sort -u >"$work/declared"
+# the formulas of calls.c are named by a macro: FORMULA_1(load) calls rwedge_load()
+sed 's/^FORMULA_[0-9](\([a-z_]*\))$/rwedge_\1(/' tests/random/targets/formulas.c tests/random/targets/contact.c tests/random/targets/series.c \
+    tests/host/calls.c >"$work/targets"
+status=0
+[ -s "$work/declared" ] || status=1
+while read -r function; do
+    grep -qF "$function" "$work/targets" || {
+        echo "FAILED: ${function%(} is called by no target"
+        status=1
+    }
+done <"$work/declared"
+echo "$(wc -l <"$work/declared") functions of the header"
+exit $status

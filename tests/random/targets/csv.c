@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The reader of CSV files: any bytes come to an end, in cells that are texts; what the writer
+ * has written is read back. */
+#include "rows/csv_input.h"
+#include "file.h"
+#include "input.h"
+#include "rows/delimited.h"
+
+enum { COLUMNS_MAX = 6, ROWS_MAX = 8, TEXT_MAX = 12 };
+
+static void check_row(const csv_input *in, int64_t *line)
+{
+    CLAIM(csv_input_count(in) <= CSV_ROW_CELLS, "%zu", csv_input_count(in));
+    CLAIM(csv_input_line(in) >= *line, "line %lld after %lld", (long long)csv_input_line(in),
+          (long long)*line);
+    *line = csv_input_line(in);
+    for (size_t i = 0; i < csv_input_count(in); i++)
+        CLAIM(strlen(csv_input_cell(in, i)) <= CSV_ROW_BYTES, "%zu", i);
+}
+
+static void read_anything(const uint8_t *data, size_t size, char separator)
+{
+    csv_input *in = csv_input_open(file_of(data, size), separator);
+    CLAIM(in != NULL, "open");
+    csv_event event;
+    size_t rows = 0;
+    int64_t line = 1;
+    while ((event = csv_input_next(in)) == CSV_ROW || event == CSV_MALFORMED) {
+        check_row(in, &line);
+        CLAIM(++rows <= size, "%zu rows of %zu bytes", rows, size);
+    }
+    if (event == CSV_END)
+        CLAIM(csv_input_next(in) == CSV_END, "a row after the end");
+    csv_input_close(in);
+}
+
+/* ---- What was written ---- */
+
+typedef struct {
+    size_t columns, rows;
+    char cell[ROWS_MAX][COLUMNS_MAX][TEXT_MAX + 1];
+} table;
+
+static void take_table(input *in, table *t)
+{
+    memset(t, 0, sizeof *t);
+    t->columns = 2 + take_byte(in) % (COLUMNS_MAX - 1);
+    while (t->rows < ROWS_MAX && in->left > 0) {
+        for (size_t i = 0; i < t->columns; i++) {
+            const size_t length = take_byte(in) % (TEXT_MAX + 1);
+            for (size_t j = 0; j < length; j++) {
+                static const char special[] = "\",;\n\r\t 'x.";
+                const uint8_t c = take_byte(in);
+                t->cell[t->rows][i][j] = c < 128 ? special[c % (sizeof special - 1)] : (char)c;
+            }
+        }
+        t->rows++;
+    }
+}
+
+static void write_and_read(input *in, char separator)
+{
+    static table t;
+    static output out;
+    take_table(in, &t);
+    out = (output){.used = 0};
+    records rows = {.format = &delimited_format,
+                    .out = &out,
+                    .digits = 17,
+                    .decimal_sign = '.',
+                    .separator = separator};
+    for (size_t i = 0; i < t.rows; i++) {
+        for (size_t j = 0; j < t.columns; j++)
+            delimited_format.value(&rows, "", cell_text(t.cell[i][j]));
+        delimited_format.end_row(&rows);
+    }
+    csv_input *file = csv_input_open(file_of(out.buffer, out.used), separator);
+    CLAIM(file != NULL, "open");
+    for (size_t i = 0; i < t.rows; i++) {
+        CLAIM(csv_input_next(file) == CSV_ROW && csv_input_count(file) == t.columns, "row %zu", i);
+        for (size_t j = 0; j < t.columns; j++) {
+            /* a byte order mark that begins the file is not data */
+            const bool marked = i == 0 && j == 0 && memcmp(t.cell[0][0], "\xef\xbb\xbf", 3) == 0;
+            CLAIM(marked || strcmp(csv_input_cell(file, j), t.cell[i][j]) == 0,
+                  "row %zu, column %zu", i, j);
+        }
+    }
+    CLAIM(csv_input_next(file) == CSV_END, "end");
+    csv_input_close(file);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    input in = {data, size};
+    const uint8_t kind = take_byte(&in);
+    const char separator = kind % 2 == 0 ? ',' : ';';
+    if (kind < 128)
+        read_anything(in.data, in.left, separator);
+    else
+        write_and_read(&in, separator);
+    return 0;
+}

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Times per call beside those of the plain way, the paper's series and a search on a grid, and
+ * how they grow with the number of points. Processor time, each the fastest of several, all in
+ * one run: the ratios hold on a busy machine too. Not a test: test_speed.c is.
+ *
+ *     build/tests/speed/bench [--quick] [TERMS]     TERMS of the plain series, 60 if not given; --quick stops at 10^5 points */
+#include "plain.h"
+#include "rwedge.h"
+#include "stopwatch.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS = 100000, LIMITS = 650, RUNS = 7 };
+static int terms = PLAIN_TERMS;
+
+/* Points and their stresses, or cases and their elastic limits, for the longest array. */
+static double *xs, *ys, *out[3];
+
+static void make_points(long n)
+{
+    for (long i = 0; i < n; i++) {
+        xs[i] = 4 * fmod((double)i * 0.6180339887498949, 1) - 2;
+        ys[i] = 2 * fmod((double)i * 0.7548776662466927, 1) + 1e-3;
+    }
+}
+
+/* ---- Stresses ---- */
+
+static double point_by_point(double c, long n)
+{
+    double sum = 0;
+    for (long i = 0; i < n; i++) {
+        double sxx, syy, txy;
+        rwedge_stress(0.3, 0.4, c, xs[i], ys[i], &sxx, &syy, &txy);
+        sum += sxx + syy + txy;
+    }
+    return sum;
+}
+
+static double one_by_one(long n)
+{
+    return point_by_point(0, n);
+}
+
+static double one_by_one_partial_slip(long n)
+{
+    return point_by_point(0.4, n);
+}
+
+static double in_array(double c, long n)
+{
+    rwedge_stresses(0.3, 0.4, c, (size_t)n, xs, ys, out[0], out[1], out[2]);
+    return out[0][0] + out[2][n - 1];
+}
+
+static double as_array(long n)
+{
+    return in_array(0, n);
+}
+
+static double as_array_partial_slip(long n)
+{
+    return in_array(0.4, n);
+}
+
+static double plain_points(long n)
+{
+    plain_series s;
+    double sum = 0;
+    plain_coefficients(&s, 0.3, terms);
+    for (long i = 0; i < n; i++)
+        sum += plain_J2(&s, 0.4, 0.3, xs[i], ys[i]);
+    return sum;
+}
+
+/* ---- Elastic limits; every call is cold ---- */
+
+/* The paper's table: a/b = 0.1 ... 1, f = 0 ... 0.8. */
+static double case_of(long i, double *f)
+{
+    *f = 0.0125 * (double)(i % (LIMITS / 10));
+    return (double)(i % LIMITS / (LIMITS / 10) + 1) / 10;
+}
+
+static double limits_one_by_one(long n)
+{
+    double sum = 0, f;
+    for (long i = 0; i < n; i++) {
+        const double alpha = case_of(i, &f);
+        sum += rwedge_elastic_limit(alpha, f, 0.3);
+    }
+    return sum;
+}
+
+/* The same with both branches, as `rwedge table` writes it. */
+static double branches(long n)
+{
+    double sum = 0, f;
+    for (long i = 0; i < n; i++) {
+        const double alpha = case_of(i, &f);
+        double limit, x, y;
+        if (rwedge_subsurface_yield(alpha, f, 0.3, &limit, &x, &y) == RWEDGE_OK)
+            sum += limit;
+        rwedge_surface_yield(alpha, f, 0.3, &limit, &x);
+        sum += limit;
+    }
+    return sum;
+}
+
+/* n cases, each another one, as an array. */
+static double limits_in_array(long n)
+{
+    const long across = (long)ceil(sqrt((double)n));
+    for (long i = 0; i < n; i++) {
+        out[0][i] = ((double)(i / across) + 1) / (double)across;
+        out[1][i] = 0.8 * (double)(i % across) / (double)across;
+    }
+    rwedge_elastic_limits((size_t)n, out[0], out[1], 0.3, out[2]);
+    return out[2][n - 1];
+}
+
+static double plain_limits(long n)
+{
+    double sum = 0;
+    for (long j = 0; j < n; j++)
+        sum += plain_limit(0.5, 0.05 * (double)j, 0.3, terms);
+    return sum;
+}
+
+/* ---- Others ---- */
+
+static double inverses(long n)
+{
+    double sum = 0;
+    for (long i = 0; i < n; i++)
+        sum += rwedge_a_over_b(1 + 1e-4 * (double)i);
+    return sum;
+}
+
+static double pressures(long n)
+{
+    double sum = 0;
+    for (long i = 0; i < n; i++)
+        sum += rwedge_pressure(0.3, (double)i / (double)n);
+    return sum;
+}
+
+/* A fretting test: constant P, Q up and down, and each time the stresses at a hundred points. */
+static double load_steps(long n)
+{
+    enum { POINTS_A_STEP = 100 };
+    rwedge_contact *contact;
+    double sum = 0;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK)
+        return NAN;
+    rwedge_contact_load(contact, 20000, 0);
+    for (long i = 0; i < n; i++) {
+        rwedge_contact_load(contact, 20000, 9000 * sin(0.3 * (double)i));
+        rwedge_contact_stresses(contact, POINTS_A_STEP, xs, ys, out[0], out[1], out[2]);
+        sum += out[0][0];
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
+/* ---- What is printed ---- */
+
+static void print_calls(double series, double search)
+{
+    const struct {
+        const char *what;
+        work call;
+        long n;
+        double plain;
+    } rows[] = {
+        {"stress at a point, full sliding", one_by_one, POINTS, series},
+        {"stress at a point, partial slip", one_by_one_partial_slip, POINTS, 2 * series},
+        {"stress in an array, full sliding", as_array, POINTS, series},
+        {"stress in an array, partial slip", as_array_partial_slip, POINTS, 2 * series},
+        {"elastic limit, cold", limits_one_by_one, LIMITS, search},
+        {"both branches, cold", branches, LIMITS, search},
+        {"half-width from the load", inverses, POINTS, 0},
+        {"pressure", pressures, POINTS, 0},
+        {"load step and 100 stress points", load_steps, 1000, 0},
+    };
+    printf("%-34s %12s %12s %12s\n", "ns a call", "this", "plain", "plain / this");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const double time = fastest(rows[i].call, rows[i].n, RUNS);
+        printf("%-34s %12.1f", rows[i].what, 1e9 * time);
+        if (rows[i].plain > 0)
+            printf(" %12.1f %12.1f", 1e9 * rows[i].plain, rows[i].plain / time);
+        printf("\n");
+    }
+}
+
+/* A few runs of a second at most. */
+static int runs_for(long n, double expected)
+{
+    const double each = (double)n * expected;
+    return each > 0.5 ? 1 : each > 0.1 ? 3 : RUNS;
+}
+
+static void print_growth(const char *what, work call, long from, long to, double expected)
+{
+    printf("%-34s", what);
+    for (long n = from; n <= to; n *= 10)
+        printf(" %9.1f", 1e9 * fastest(call, n, runs_for(n, expected)));
+    printf("\n");
+}
+
+static void print_powers(const char *what, int from, int to)
+{
+    printf("\n%-34s", what);
+    for (int k = from; k <= to; k++)
+        printf("      10^%d", k);
+    printf("\n");
+}
+
+static bool reserve(size_t n)
+{
+    double **arrays[] = {&xs, &ys, &out[0], &out[1], &out[2]};
+    bool reserved = true;
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++)
+        reserved = (*arrays[i] = malloc(n * sizeof **arrays[i])) != NULL && reserved;
+    return reserved;
+}
+
+static void release(void)
+{
+    free(xs);
+    free(ys);
+    for (int i = 0; i < 3; i++)
+        free(out[i]);
+}
+
+int main(int argc, char **argv)
+{
+    const bool quick = argc > 1 && strcmp(argv[1], "--quick") == 0;
+    if (argc > 1 + quick)
+        terms = atoi(argv[1 + quick]);
+    if (terms < 1 || terms > PLAIN_TERMS_MAX || argc > 2 + quick) {
+        fprintf(stderr, "usage: bench [--quick] [TERMS]   1 <= TERMS <= %d\n", PLAIN_TERMS_MAX);
+        return 2;
+    }
+    const long most_points = quick ? 100000 : 10000000, most_limits = quick ? 10000 : 1000000;
+    if (!reserve((size_t)most_points)) {
+        fprintf(stderr, "bench: no memory for %ld points\n", most_points);
+        release();
+        return 1;
+    }
+    make_points(most_points);
+    const double series = fastest(plain_points, POINTS, RUNS),
+                 search = fastest(plain_limits, 13, quick ? 1 : RUNS);
+    print_calls(series, search);
+    print_powers("ns a point, points in an array", 3, quick ? 5 : 7);
+    print_growth("stress, full sliding", as_array, 1000, most_points, 30e-9);
+    print_growth("stress, partial slip", as_array_partial_slip, 1000, most_points, 60e-9);
+    print_growth("plain series", plain_points, 1000, quick ? 100000 : 1000000, series);
+    print_powers("ns a limit, limits in an array", 2, quick ? 4 : 6);
+    print_growth("elastic limit", limits_in_array, 100, most_limits, 6e-6);
+    printf("\nThe paper's table of %d elastic limits: %.2f ms; by the plain search: %.0f ms.\n",
+           LIMITS, 1e3 * LIMITS * fastest(limits_one_by_one, LIMITS, RUNS), 1e3 * LIMITS * search);
+    printf("Error of the plain elastic limit at a/b = 0.5, f = 0.6: %.1e\n",
+           plain_limit(0.5, 0.6, 0.3, terms) / rwedge_elastic_limit(0.5, 0.6, 0.3) - 1);
+    release();
+    return 0;
+}

@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The unit tests reach every branch of lib/, but for those that ALWAYS() and NEVER() argue (lib/base/always.h).
+# Compiled without optimisation or inlining, so that branches are those of the source, and without the choice that potential.c
+# makes by the processor.
+#     coverage.sh SOURCE BUILD
+set -eu
+source=$(cd "$1" && pwd) build=$2/coverage
+. "$source/tests/suite/unit_tests.sh"
+
+for tool in gcc gcov python3; do
+    command -v $tool >/dev/null || { echo "SKIPPED: no $tool here"; exit 77; }
+done
+
+mkdir -p "$build"
+build=$(cd "$build" && pwd)
+log=$build/log
+programs=$(unit_tests "$source")
+# shellcheck disable=SC2086
+cmake -S "$source" -B "$build" -DCMAKE_C_COMPILER=gcc -DCMAKE_BUILD_TYPE=None -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_INSTALL=OFF \
+    -DCMAKE_C_FLAGS='-O0 --coverage -fprofile-update=atomic -Dalways_inline=unused -DRW_BASELINE -DRW_COVERAGE' >"$log" 2>&1 &&
+    cmake --build "$build" --parallel 2 --target $programs >>"$log" 2>&1 || { cat "$log"; exit 1; }
+find "$build" -name '*.gcda' -delete
+
+for program in $programs; do
+    case $program in
+    strength_survey) cases=300 ;;
+    test_calls) cases=100 ;;
+    *) cases='' ;;
+    esac
+    # shellcheck disable=SC2086
+    "$(find "$build/tests" -type f -name "$program")" $cases >"$log" 2>&1 || { cat "$log"; echo "FAILED: $program"; exit 1; }
+done
+find "$build/lib" -name '*.gcda' -exec gcov --json-format --branch-probabilities --stdout {} + >"$build/gcov.json" 2>"$log" ||
+    { cat "$log"; exit 1; }
+python3 "$source/tests/suite/coverage/branches.py" "$source/lib" "$build/gcov.json"

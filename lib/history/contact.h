@@ -5,16 +5,22 @@
 
 #include "history/slip_origin.h"
 #include "formulas/size.h"
-#include "history/memory.h"
-#include "stress/potential.h"
+#include "history/path.h"
+#include "stress/eccentric.h"
 #include "rwedge.h"
+
+typedef struct {
+    double P, M, Q, sigma;
+} rw_loads;
 
 struct rwedge_contact {
     rw_geometry geometry;
     double f;
+    rw_loads loads;
     /* their sum; the carry is what rounding left out of a long history */
     double energy, energy_carry;
     rw_memory memory; /* loads are P, shears Q/f */
+    bool is_eccentric; /* had a moment, or another tension than at first, since it touched */
     rw_slip_origins origins;
 };
 

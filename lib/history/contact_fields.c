@@ -17,8 +17,15 @@ static bool is_apex(const rwedge_contact *contact, double x, double y)
 
 static double patch_pressure(const rw_corner *corner, double a, double x)
 {
-    const double s = corner->half_width;
-    return fabs(x) < s && rw_patch_matters(s, a) ? rw_patch_pressure(a, s, x) : 0;
+    const rw_patch patch = corner->patch;
+    const double s = rw_patch_half_width(patch);
+    if (x <= patch.left || x >= patch.right || !rw_patch_matters(s, a))
+        return 0;
+    if (rw_patch_middle(patch) == 0)
+        return rw_patch_pressure(a, s, x);
+    rw_eccentric potential;
+    rw_eccentric_init(&potential, a, patch);
+    return rw_eccentric_at(&potential, x, 0).G_im;
 }
 
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
@@ -77,17 +84,18 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     for (size_t i = 0; i < n; i++)
         fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
     for (size_t j = 1; j < memory->count; j++) {
-        const double s = memory->corners[j].half_width, weight = rw_patch_weight(memory, j);
+        const rw_patch where = memory->corners[j].patch;
+        const double s = rw_patch_half_width(where), weight = rw_patch_weight(memory, j);
         const bool whole = j + 1 == memory->count;
         if (!rw_patch_matters(s, contact->geometry.a) || (weight == 0 && !whole))
             continue;
         size_t which[RW_BLOCK];
         double near_x[RW_BLOCK], near_y[RW_BLOCK];
         const int count = points_in_reach(s, n, x, y, which, near_x, near_y);
-        rw_potential patch;
+        rw_eccentric patch;
         rw_fields of_patch;
-        rw_potential_init_patch(&patch, contact->geometry.a, s);
-        rw_potential_fields(&patch, count, near_x, near_y, &of_patch);
+        rw_eccentric_init(&patch, contact->geometry.a, where);
+        rw_eccentric_fields(&patch, count, near_x, near_y, &of_patch);
         for (int k = 0; k < count; k++) {
             const rw_field field = rw_field_in(&of_patch, k);
             add(&fields->tangential[which[k]], weight, field);
@@ -115,7 +123,7 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
         for (size_t i = 0; i < block; i++) {
             const rw_field shear = rw_field_multiple(contact->f, fields.tangential[i]);
             const rw_stress_state s = rw_superpose(fields.normal[i], shear);
-            sxx[start + i] = unit * (s.mean - s.difference);
+            sxx[start + i] = unit * (s.mean - s.difference) + contact->loads.sigma;
             syy[start + i] = unit * (s.mean + s.difference);
             txy[start + i] = unit * s.shear;
         }

@@ -22,6 +22,9 @@ static const double SMALLEST_LOAD = 1e-148, LARGEST_LOAD = 1e148, LARGEST_WIDTH 
  * arcosh(1/DBL_MIN). */
 static const double SHARP_PEAK = 452;
 
+/* Of the tilt over theta: closer to 1 the edges are not to be told from rounding. */
+static const double LARGEST_TILT = 1 - 1e-9;
+
 /* Q/f, at friction's limit exactly. */
 static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
 {
@@ -95,36 +98,131 @@ static double energy_of(const rwedge_contact *contact, double P, double shear)
 static void measure_new_corners(rwedge_contact *contact)
 {
     rw_memory *memory = &contact->memory;
-    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].half_width);)
-        memory->corners[i].half_width = rw_half_width(&contact->geometry, memory->corners[i].load);
+    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);)
+        memory->corners[i].patch = rw_patch_under_tilt(
+            &contact->geometry, memory->corners[i].load, memory->corners[i].tilt);
+}
+
+/* Differences of rounding in P and M are none. */
+static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
+{
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    const double arm = fmax(fabs(end->patch.left), fabs(end->patch.right));
+    return fabs(to.P - contact->loads.P) <= rw_memory_tolerance(end->load) &&
+           fabs(to.M - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
+}
+
+/* What the loads are to the memory, and to the contact. */
+static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *step)
+{
+    const rw_geometry *g = &contact->geometry;
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    *step = (rw_step){.geometry = g,
+                      .memory = &contact->memory,
+                      .from_P = contact->loads.P,
+                      .from_M = contact->loads.M,
+                      .to_P = to.P,
+                      .to_M = to.M,
+                      .to = {.load = to.P}};
+    const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
+    if (status != RWEDGE_OK)
+        return status;
+    /* 0 first: A sigma/(4 theta f) of no friction is none */
+    step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
+    if (!isfinite(step->to.stretch))
+        return RWEDGE_ERANGE;
+    step->patch = rw_patch_under_moment(g, to.P, to.M);
+    step->to.tilt = to.M != 0 ? rw_patch_pressing(g->a, step->patch).tilt : 0;
+    if (is_same_pressing(contact, to) && !rw_path_is_plain(&contact->memory, step->to)) {
+        step->to_P = step->from_P;
+        step->to_M = step->from_M;
+        step->to.load = end->load;
+        step->to.tilt = end->tilt;
+        step->patch = end->patch;
+    }
+    return RWEDGE_OK;
+}
+
+static int32_t check(const rwedge_contact *contact, rw_loads to)
+{
+    if (!rw_is_nonnegative(to.P) || !isfinite(to.M) || !isfinite(to.Q) || !isfinite(to.sigma) ||
+        (to.P == 0 && to.M != 0))
+        return RWEDGE_EDOMAIN;
+    if (to.P > 0 &&
+        (!is_in_range(contact, to.P) || to.P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
+        return RWEDGE_ERANGE;
+    return RWEDGE_OK;
+}
+
+/* A flank that lies on the surface, to rounding, has no edge to tell. */
+static bool is_tilt_possible(const rw_step *step)
+{
+    return step->to.load == 0 || (isfinite(step->patch.left) && fabs(step->to.tilt) < LARGEST_TILT);
+}
+
+/* The energy of a step; NaN where it is too large for a double. */
+static double share_of(const rwedge_contact *contact, const rw_step *step)
+{
+    if (rw_path_is_plain(&contact->memory, step->to) || contact->f == 0)
+        return energy_of(contact, step->to.load, step->to.shear);
+    return NAN;
+}
+
+static void go(rwedge_contact *contact, const rw_step *step, const rw_departure *departure)
+{
+    rw_memory *memory = &contact->memory;
+    if (memory->count == 1) /* it touches */
+        memory->corners[0].tilt = step->to.tilt;
+    if (contact->f == 0)
+        rw_memory_restart(memory, step->to, 0);
+    else if (departure->slip != 0 && departure->corner.load == 0 && departure->kept == 1)
+        rw_memory_restart(memory, step->to, departure->slip); /* it slides */
+    else
+        rw_memory_advance(memory, departure, step->to);
+    if (memory->count == 1) {
+        memory->corners[0].tilt = 0;
+        memory->corners[0].stretch = step->to.stretch;
+    }
+    measure_new_corners(contact);
+}
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    int32_t status = check(contact, to);
+    rw_step step;
+    if (status == RWEDGE_OK)
+        status = make_step(contact, to, &step);
+    if (status != RWEDGE_OK)
+        return status;
+    if (!is_tilt_possible(&step))
+        return RWEDGE_EDOMAIN;
+    rw_departure departure = {.corner = {0}};
+    if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
+        return RWEDGE_EPATH;
+    const double share = share_of(contact, &step) + contact->energy_carry;
+    if (!isfinite(share) || contact->energy / 2 + share / 2 > DBL_MAX / 2)
+        return RWEDGE_ERANGE;
+    /* the carry may be negative */
+    const double energy = fmax(contact->energy, contact->energy + share);
+    if (!rw_memory_reserve(&contact->memory, 2) ||
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure.slip != 0,
+                                 step.to.load, step.to.shear))
+        return RWEDGE_ENOMEM;
+    go(contact, &step, &departure);
+    contact->energy_carry = share - (energy - contact->energy);
+    contact->energy = energy;
+    contact->loads = to;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    return contact ? apply(contact, (rw_loads){P, M, Q, sigma}) : RWEDGE_ENULL;
 }
 
 int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
 {
     if (!contact)
         return RWEDGE_ENULL;
-    if (!rw_is_nonnegative(P) || !isfinite(Q))
-        return RWEDGE_EDOMAIN;
-    if (P > 0 &&
-        (!is_in_range(contact, P) || P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
-        return RWEDGE_ERANGE;
-    double shear;
-    const int32_t status = shear_of(contact, P, Q, &shear);
-    if (status != RWEDGE_OK)
-        return status;
-    const double share = energy_of(contact, P, shear) + contact->energy_carry;
-    if (!isfinite(share) || contact->energy / 2 + share / 2 > DBL_MAX / 2)
-        return RWEDGE_ERANGE;
-    /* the carry may be negative */
-    const double energy = fmax(contact->energy, contact->energy + share);
-    const rw_departure departure = rw_memory_departure(&contact->memory, P, shear);
-    if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure.slip != 0, P,
-                                 shear))
-        return RWEDGE_ENOMEM;
-    rw_memory_advance(&contact->memory, &departure, P, shear);
-    measure_new_corners(contact);
-    contact->energy_carry = share - (energy - contact->energy);
-    contact->energy = energy;
-    return RWEDGE_OK;
+    return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
 }

@@ -33,7 +33,7 @@ static double displacement(const rwedge_contact *contact, const rw_memory *memor
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {
-        const double s = memory->corners[i].half_width;
+        const double s = memory->corners[i].patch.right;
         if (s >= x)
             continue;
         const double step =
@@ -47,8 +47,8 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
                                      double x)
 {
     rw_corner corner = left->corner;
-    if (ALWAYS(isnan(corner.half_width))) /* it is no corner of the path, which would have one */
-        corner.half_width = rw_half_width(&contact->geometry, corner.load);
+    if (ALWAYS(isnan(corner.patch.left))) /* it is no corner of the path, which would have one */
+        corner.patch = rw_patch_under_tilt(&contact->geometry, corner.load, 0);
     const rw_memory alone = {.corners = &corner, .count = 1};
     return displacement(contact, &alone, 0, 1, left->slip, x);
 }

@@ -2,6 +2,7 @@
 /* A contact with a load history: its life, its loads and what a load gives. */
 #include "contact.h"
 
+#include "batch.h"
 #include "dissipation.h"
 #include "pressure.h"
 #include "stress.h"

@@ -12,6 +12,7 @@
 #include "slip.h"
 
 #include "domain.h"
+#include "far_series.h"
 #include "integral.h"
 
 #include <float.h>

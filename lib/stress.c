@@ -6,6 +6,7 @@
  * belongs to the same profile pressed to the half-width c of the stick zone. */
 #include "stress.h"
 
+#include "batch.h"
 #include "domain.h"
 #include "inline.h"
 #include "rwedge.h"

@@ -65,7 +65,8 @@ enum {
     RWEDGE_ENOMEM = 5,   /* out of memory */
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
-    RWEDGE_EABSENT = 8   /* what was asked for does not exist for these arguments */
+    RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
@@ -300,7 +301,59 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  * is repeated costs the memory of one. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
-/* Half-width b of the contact, length; 0 when separated; NaN for NULL.
+/* The next point of the history with a moment and a bulk tension, reached in a straight line of all
+ * four.                                                                                         new
+ *   P      as above
+ *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
+ *          where P is 0
+ *   Q      as above
+ *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface
+ *          by A sigma/4 under a wedge that does not stretch, and so makes it slip. Without contact, P
+ *          = 0, it only adds: apply it first to have it without slip
+ * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact for loads
+ * with M = 0 and one sigma, whatever P and Q do; and, lib/README.md "Moment and bulk tension",
+ *   - under constant P and M, where |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact,
+ *     so that both edges slip one way;
+ *   - where P and M grow or fall so that both edges move outwards or both inwards, and the edges slip
+ *     one way or stick.
+ * Other loads have no closed form: RWEDGE_EPATH, as where a front of slip or an edge ends between two
+ * patches of the memory at one side and not at the other. Without friction, f = 0, there are none.
+ * RWEDGE_EDOMAIN also where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but
+ * lies on the surface. Otherwise as rwedge_contact_load(). */
+RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
+                                        double sigma);
+
+/* What is in the way where rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and how
+ * to go round it, in English; empty where nothing is, and where the loads are refused for another
+ * reason. The contact stays as it is.                                                           new
+ *   largest  receives the largest |d sigma| that slips one way with this change of Q, stress: 0 where P
+ *            or M change, HUGE_VAL without friction; may be NULL
+ * Static text, never NULL. */
+RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
+                                               double Q, double sigma, double *largest);
+
+/* The present loads: each receives one number.
+ * RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M,
+                                        double *Q, double *sigma);
+
+/* The edges of the contact, left < x < right, length.                                           new
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width over 1 - |tilt|/theta. */
+RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left,
+                                        double *right);
+
+/* The edges of the stick zone, length: between them and those of the contact friction is exhausted,
+ * |q| = f |p|. Those of the contact where there is no such zone.                                new
+ * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
+                                             double *right);
+
+/* The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
+ *                                                                                               new */
+RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
+
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+ * off the centre.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "patch.h"
+#include "formulas/patch.h"
 
-#include "domain.h"
-#include "logarithm.h"
+#include "base/domain.h"
+#include "base/logarithm.h"
 #include "rwedge.h"
-#include "solve.h"
+#include "base/root.h"
 
 #include <float.h>
 

@@ -14,7 +14,7 @@ int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge
     rwedge_contact *created = malloc(sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    *created = (rwedge_contact){.geometry = geometry, .f = f};
+    *created = (rwedge_contact){.geometry = geometry, .f = f, .is_origin_known = true};
     if (!rw_memory_create(&created->memory)) {
         free(created);
         return RWEDGE_ENOMEM;

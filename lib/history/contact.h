@@ -18,9 +18,10 @@ struct rwedge_contact {
     double f;
     rw_loads loads;
     /* their sum; the carry is what rounding left out of a long history */
-    double energy, energy_carry;
+    double energy, energy_carry; /* NaN where it is not known */
     rw_memory memory; /* loads are P, shears Q/f */
-    bool is_eccentric; /* had a moment, or another tension than at first, since it touched */
+    bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
+    bool is_origin_known; /* of the slip that then is: see contact_slip.c */
     rw_slip_origins origins;
 };
 

@@ -2,6 +2,7 @@
 /* The next load of a contact: whether it is allowed, and what it does. */
 #include "history/contact.h"
 #include "history/dissipation.h"
+#include "history/off_centre.h"
 
 #include <float.h>
 
@@ -160,12 +161,20 @@ static bool is_tilt_possible(const rw_step *step)
     return step->to.load == 0 || (isfinite(step->patch.left) && fabs(step->to.tilt) < LARGEST_TILT);
 }
 
-/* The energy of a step; NaN where it is too large for a double. */
-static double share_of(const rwedge_contact *contact, const rw_step *step)
+/* The energy of a step off the centre, which has led from `before` to the present memory: NaN where
+ * there is no single integral for it. */
+static double share_off_centre(const rwedge_contact *contact, const rw_memory *before,
+                               const rw_step *step, int slip)
 {
-    if (rw_path_is_plain(&contact->memory, step->to) || contact->f == 0)
-        return energy_of(contact, step->to.load, step->to.shear);
-    return NAN;
+    const rw_geometry *g = &contact->geometry;
+    const rw_memory *after = &contact->memory;
+    if (slip == 0)
+        return 0;
+    const bool slides = after->count == 2 && slip != 0;
+    if (step->to_P != step->from_P || step->to_M != step->from_M || slides)
+        return NAN;
+    return contact->f * g->theta * (contact->f * g->theta / g->A) *
+           rw_annuli_work(before, after, g->a);
 }
 
 static void go(rwedge_contact *contact, const rw_step *step, const rw_departure *departure)
@@ -186,6 +195,83 @@ static void go(rwedge_contact *contact, const rw_step *step, const rw_departure 
     measure_new_corners(contact);
 }
 
+static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                          const rw_departure *departure)
+{
+    const double load = step->to.load, shear = step->to.shear;
+    const double share = energy_of(contact, load, shear) + contact->energy_carry;
+    const bool is_known = !isnan(contact->energy);
+    if (!isfinite(share) || (is_known && contact->energy / 2 + share / 2 > DBL_MAX / 2))
+        return RWEDGE_ERANGE;
+    /* the carry may be negative */
+    const double energy =
+        is_known ? fmax(contact->energy, contact->energy + share) : contact->energy;
+    if (!rw_memory_reserve(&contact->memory, 2) ||
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
+                                 shear))
+        return RWEDGE_ENOMEM;
+    go(contact, step, departure);
+    contact->energy_carry = is_known ? share - (energy - contact->energy) : 0;
+    contact->energy = energy;
+    contact->loads = to;
+    if (load == 0) {
+        contact->was_off_centre = false;
+        contact->is_origin_known = true;
+    }
+    return RWEDGE_OK;
+}
+
+static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
+{
+    return contact->f > 0 && step->to.load > 0 &&
+           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to)) &&
+           !(contact->memory.count == 1 && step->to.tilt == 0);
+}
+
+/* One origin serves for all points where they were in contact before the first slip, and none came
+ * after it. */
+static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int slip)
+{
+    const rw_slip_origins *origins = &contact->origins;
+    const double last = rw_memory_end(&contact->memory)->load;
+    if (!contact->is_origin_known || origins->count > 1)
+        return false;
+    if (origins->count == 1 && origins->all[0].to_load > origins->all[0].from_load)
+        return false;
+    const bool grew = fmax(last, step->to.load) > (origins->count == 1 ? origins->fresh : last);
+    return slip == 0 || !grew;
+}
+
+static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                             const rw_departure *departure)
+{
+    const int slip = departure->slip;
+    rw_memory before;
+    if (!rw_memory_copy(&contact->memory, &before))
+        return RWEDGE_ENOMEM;
+    const bool is_known = keeps_origin(contact, step, slip);
+    const bool is_plain = rw_path_is_plain(&before, step->to);
+    const double plain_share = is_plain ? energy_of(contact, step->to.load, step->to.shear) : 0;
+    if (!rw_memory_reserve(&contact->memory, 2) ||
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, slip != 0, step->to.load,
+                                 step->to.shear)) {
+        rw_memory_destroy(&before);
+        return RWEDGE_ENOMEM;
+    }
+    go(contact, step, departure);
+    const bool slides = contact->memory.count == 2 && slip != 0;
+    contact->was_off_centre = true;
+    contact->is_origin_known = is_known && !slides;
+    const double share = contact->energy_carry +
+                         (is_plain ? plain_share : share_off_centre(contact, &before, step, slip));
+    const double energy = contact->energy + share; /* NaN if one of them is */
+    contact->energy_carry = isnan(energy) ? 0 : share - (energy - contact->energy);
+    contact->energy = energy;
+    contact->loads = to;
+    rw_memory_destroy(&before);
+    return RWEDGE_OK;
+}
+
 static int32_t apply(rwedge_contact *contact, rw_loads to)
 {
     int32_t status = check(contact, to);
@@ -199,20 +285,9 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
-    const double share = share_of(contact, &step) + contact->energy_carry;
-    if (!isfinite(share) || contact->energy / 2 + share / 2 > DBL_MAX / 2)
-        return RWEDGE_ERANGE;
-    /* the carry may be negative */
-    const double energy = fmax(contact->energy, contact->energy + share);
-    if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure.slip != 0,
-                                 step.to.load, step.to.shear))
-        return RWEDGE_ENOMEM;
-    go(contact, &step, &departure);
-    contact->energy_carry = share - (energy - contact->energy);
-    contact->energy = energy;
-    contact->loads = to;
-    return RWEDGE_OK;
+    if (!is_off_centre(contact, &step))
+        return go_centred(contact, to, &step, &departure);
+    return go_off_centre(contact, to, &step, &departure);
 }
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
@@ -225,4 +300,41 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     if (!contact)
         return RWEDGE_ENULL;
     return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
+}
+
+static const char *text_of(rw_obstacle obstacle)
+{
+    switch (obstacle) {
+    case RW_EDGES_PART:
+        return "one edge of the contact would advance while the other recedes: change P with M, so "
+               "that dM/dP stays within a quarter of the contact's width from its middle";
+    case RW_SLIPS_BOTH_WAYS:
+        return "the two edges would slip in opposite directions: change sigma by less, or Q by more, "
+               "or in a load of its own at constant P and M";
+    case RW_FRONTS_PART:
+        return "slip or the edges would end between different patches of the history at the left and "
+               "at the right: go on until both have passed, or separate the bodies first";
+    case RW_GROWS_UNEVENLY:
+        return "the contact would grow with a shear that does not keep to its tilt: change P and M "
+               "first, under constant Q and sigma, then Q and sigma";
+    default:
+        return "";
+    }
+}
+
+const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M, double Q,
+                                    double sigma, double *largest)
+{
+    const rw_loads to = {P, M, Q, sigma};
+    rw_step step;
+    rw_departure departure;
+    if (!contact || check(contact, to) != RWEDGE_OK ||
+        make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
+        return "";
+    const double stretch_of_tension = contact->geometry.A / contact->geometry.theta / 4;
+    if (largest)
+        *largest = contact->f > 0
+                       ? rw_path_largest_stretch(&step) * contact->f / stretch_of_tension
+                       : HUGE_VAL;
+    return contact->f > 0 ? text_of(rw_path_departure(&step, &departure)) : "";
 }

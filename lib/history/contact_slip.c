@@ -14,6 +14,7 @@
 
 #include "base/always.h"
 #include "history/gap.h"
+#include "history/off_centre.h"
 
 /* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the
  * profile. */
@@ -90,16 +91,31 @@ static double slip_at(const rwedge_contact *contact, double x)
     return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
 }
 
+/* Off the centre: over the one origin there is. */
+static double slip_off_centre(const rwedge_contact *contact, double x)
+{
+    if (contact->origins.count == 0)
+        return 0;
+    const double w = rw_path_displacement(&contact->memory, &contact->origins.all[0].base,
+                                          contact->geometry.a, x);
+    return contact->f > 1 ? contact->f * w * contact->geometry.theta
+                          : contact->geometry.theta * w * contact->f;
+}
+
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
                             double slip[])
 {
     if (!contact || (n > 0 && (!x || !slip)))
         return RWEDGE_ENULL;
-    const double b = rwedge_contact_half_width(contact);
+    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || fabs(x[i]) > b)
+        if (!isfinite(x[i]) || x[i] < patch.left || x[i] > patch.right)
             return RWEDGE_EDOMAIN;
+    if (contact->was_off_centre && !contact->is_origin_known)
+        return RWEDGE_EPATH;
     for (size_t i = 0; i < n; i++)
-        slip[i] = rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i])) : 0;
+        slip[i] = contact->was_off_centre                     ? slip_off_centre(contact, x[i])
+                  : rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i]))
+                                                              : 0;
     return RWEDGE_OK;
 }

@@ -8,7 +8,7 @@
  * <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to the surface between marks
  * they continue across it. In polar coordinates around each mark, with ln r, no maximum is
  * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle,
- * reaches from 3 b (beyond it J2 falls like r^-2) to 1e-9 of the distance to the next mark,
+ * reaches from 3 b (beyond it J2 falls like r^-2, to that of the bulk tension) to 1e-9 of the distance to the next mark,
  * however near that is, and has the marks themselves and the surface on it. Every maximum of the
  * grid that is not far below the highest is then followed to its top. */
 #include "history/contact.h"
@@ -39,6 +39,7 @@ static const double ROUGHLY = 0.05;
 typedef struct {
     const rwedge_contact *contact;
     double kappa, magnify;
+    double tension; /* half the bulk tension */
     double J2, x, y;
     /* of the highest that was climbed; its distance from the mark, infinite before */
     double top_x, top_y, top_radius;
@@ -57,7 +58,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     for (size_t i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        const double difference = s->magnify * state.difference, mean = s->magnify * state.mean;
+        const double difference = s->magnify * (state.difference - s->tension),
+                     mean = s->magnify * (state.mean + s->tension);
         const double in_shear = s->magnify * state.shear;
         J2[i] = difference * difference + in_shear * in_shear + s->kappa * mean * mean;
         if (J2[i] > s->J2) {
@@ -70,18 +72,24 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 
 /* ---- The marks ---- */
 
-/* Mark 0 is the centre, then in pairs +-: the edges of the contact, +-a, and the patches' edges
- * from outside inwards. */
+/* Mark 0 is the centre, then in pairs the left and right ones: the edges of the contact, the ends of
+ * the rounding, and the patches' edges from outside inwards. */
 static double mark(const rwedge_contact *contact, size_t i)
 {
     if (i == 0)
         return 0;
     const size_t pair = (i + 1) / 2, corners = contact->memory.count;
-    const double at =
-        pair == 2
-            ? fmin(contact->geometry.a, rwedge_contact_half_width(contact))
-            : contact->memory.corners[pair == 1 ? corners - 1 : corners + 1 - pair].half_width;
-    return i % 2 ? at : -at;
+    const rw_patch patch =
+        contact->memory.corners[pair <= 2 ? corners - 1 : corners + 1 - pair].patch;
+    const double a = pair == 2 ? contact->geometry.a : HUGE_VAL;
+    return i % 2 ? fmin(a, patch.right) : fmax(-a, patch.left);
+}
+
+/* How far the contact reaches from the centre. */
+static double extent(const rwedge_contact *contact)
+{
+    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
+    return fmax(-patch.left, patch.right);
 }
 
 static size_t count_marks(const rwedge_contact *contact)
@@ -93,7 +101,7 @@ static size_t count_marks(const rwedge_contact *contact)
  * it, whose grid takes over there. */
 static double reach(const rwedge_contact *contact, size_t i)
 {
-    double nearest = 1.5 * rwedge_contact_half_width(contact);
+    double nearest = 1.5 * extent(contact);
     for (size_t j = 0; j < i; j++)
         nearest = fmin(nearest, fabs(mark(contact, i) - mark(contact, j)));
     return 2 * nearest;
@@ -104,7 +112,7 @@ static double reach(const rwedge_contact *contact, size_t i)
  * the rounding of the mark itself. */
 static double innermost_radius(const rwedge_contact *contact, size_t i)
 {
-    double nearest = rwedge_contact_half_width(contact);
+    double nearest = extent(contact);
     for (size_t j = 0; j < count_marks(contact); j++) {
         const double distance = fabs(mark(contact, i) - mark(contact, j));
         if (distance > 0)
@@ -311,6 +319,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
                 .magnify = rw_power_of_two(doublings),
+                .tension = contact->loads.sigma / 2 * (contact->geometry.A / contact->geometry.theta),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {

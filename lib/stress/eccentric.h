@@ -4,8 +4,9 @@
 #ifndef RW_ECCENTRIC_H
 #define RW_ECCENTRIC_H
 
-#include "patch.h"
-#include "potential.h"
+#include "formulas/patch.h"
+#include "stress/batch.h"
+#include "stress/potential.h"
 
 /* What a half of the plane, right or left of the patch's middle, sees of the profile; the left
  * half as its mirror image. */

@@ -28,7 +28,7 @@
  * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt().
  * Whatever iterates, allocates or has several results returns a status, RWEDGE_OK or a reason,
  * and leaves its outputs untouched on failure; RWEDGE_OK implies finite outputs. Nothing prints,
- * exits, aborts, allocates (but _create, _fit, _copy and _load), sets errno or keeps state
+ * exits, aborts, allocates (but _create, _fit, _copy, _load, _apply, _restore and _history), sets errno or keeps state
  * between calls.
  *
  * Threads: every function may be called from any number of threads; a handle may be read by many
@@ -352,6 +352,29 @@ RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, doub
  *                                                                                               new */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 
+/* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+ * slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) =
+ * 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges: this
+ * is how a pad is matched to a specimen.                                                        new
+ *   normal_left, normal_right  K_N, stress over the root of a length
+ *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of sigma
+ *                              less what it was when the bodies touched
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
+                                                  double *normal_left, double *normal_right,
+                                                  double *shear_left, double *shear_right);
+
+/* The zone that never slips while loads go to and fro between two points in a straight line, once
+ * the first cycles are over, whatever was before.           Andresen and Hills, see lib/README.md; new
+ *   P1, M1, Q1, sigma1  as for rwedge_contact_apply(); 2 likewise
+ *   left, right         its edges, length
+ * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite directions,
+ * or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+ * RWEDGE_ENULL, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
+                                          double M1, double Q1, double sigma1, double P2, double M2,
+                                          double Q2, double sigma2, double *left, double *right);
+
 /* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
  * off the centre.
  *                                                                   Eq. (7), (11), (15), inverse */
@@ -384,6 +407,36 @@ RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_
 RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n,
                                            const double x[], const double y[], double sxx[],
                                            double syy[], double txy[]);
+
+/* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
+ * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as it
+ * was is not computed again.                                                                     new
+ *   P, M, Q, sigma  loads numbers each
+ *   x, y            n numbers each
+ *   sxx, syy, txy   each receives loads n numbers, the n of the first load first; not one of the inputs
+ * The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and nothing is
+ * written. As both functions; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
+                                                 const double P[], const double M[],
+                                                 const double Q[], const double sigma[], size_t n,
+                                                 const double x[], const double y[], double sxx[],
+                                                 double syy[], double txy[]);
+
+/* The contact as numbers, for restarts and for other processes: what is made of them again gives the
+ * same bits for ever after. The numbers are of no other use. Their form has a version: this library
+ * reads what it and the older ones have written.                                                new
+ *   n      rwedge_contact_state_size(), 0 for NULL; a number of its own for each contact and load
+ *   state  receives n numbers
+ * RWEDGE_ENULL; RWEDGE_ERANGE for another n. */
+RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
+RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double state[]);
+
+/* The contact of such numbers.                                                                  new
+ *   contact  receives the handle
+ * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with
+ * rwedge_contact_destroy(). */
+RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[],
+                                          rwedge_contact **contact);
 
 /* Slip at n points of the surface, length: the tangential displacement of the half-plane's
  * surface relative to the wedge's since the point last came into contact. It has the sign of q

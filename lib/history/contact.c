@@ -63,54 +63,6 @@ int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M
     return RWEDGE_OK;
 }
 
-static int32_t give_edges(rw_patch patch, double *left, double *right)
-{
-    *left = patch.left;
-    *right = patch.right;
-    return RWEDGE_OK;
-}
-
-int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right)
-{
-    if (!contact || !left || !right)
-        return RWEDGE_ENULL;
-    if (contact->memory.count < 2)
-        return RWEDGE_EABSENT;
-    return give_edges(rw_memory_end(&contact->memory)->patch, left, right);
-}
-
-/* The front of the zone that slips, where there is one. */
-static const rw_corner *stick_zone(const rwedge_contact *contact)
-{
-    const rw_corner *end = rw_memory_end(&contact->memory);
-    return fabs(end->ratio) == 1 ? end - 1 : end;
-}
-
-int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left, double *right)
-{
-    if (!contact || !left || !right)
-        return RWEDGE_ENULL;
-    const rw_corner *front = stick_zone(contact);
-    if (front->load == 0)
-        return RWEDGE_EABSENT;
-    return give_edges(front->patch, left, right);
-}
-
-double rwedge_contact_tilt(const rwedge_contact *contact)
-{
-    return contact ? contact->geometry.theta * rw_memory_end(&contact->memory)->tilt : NAN;
-}
-
-double rwedge_contact_half_width(const rwedge_contact *contact)
-{
-    return contact ? rw_patch_half_width(rw_memory_end(&contact->memory)->patch) : NAN;
-}
-
-double rwedge_contact_stick_half_width(const rwedge_contact *contact)
-{
-    return contact ? rw_patch_half_width(stick_zone(contact)->patch) : NAN;
-}
-
 size_t rwedge_contact_memory(const rwedge_contact *contact)
 {
     return contact ? contact->memory.count - 1 : 0;

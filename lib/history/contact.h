@@ -17,6 +17,7 @@ struct rwedge_contact {
     rw_geometry geometry;
     double f;
     rw_loads loads;
+    double touched_at; /* the bulk tension at which the bodies touched */
     /* their sum; the carry is what rounding left out of a long history */
     double energy, energy_carry; /* NaN where it is not known */
     rw_memory memory; /* loads are P, shears Q/f */
@@ -43,5 +44,21 @@ typedef struct {
 
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
+
+/* A patch's own fields at n <= RW_BLOCK points; whether they add anything; and their part of the
+ * contact's, of which the last patch is the whole. */
+void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
+                     rw_fields *fields);
+bool rw_patch_adds(const rwedge_contact *contact, rw_patch patch, double weight, bool whole);
+void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
+                  rw_contact_fields *fields);
+
+/* Whether there is a stress: not at the apex of a sharp wedge. */
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
+
+/* The stresses of the fields and a bulk tension. */
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
+                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+                              double txy[]);
 
 #endif

@@ -62,20 +62,41 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
-/* The points at which a patch of half-width s is not remote beyond all bounds: which, and how
- * many. */
-static int points_in_reach(double s, size_t n, const double x[], const double y[],
-                           size_t which[RW_BLOCK], double near_x[RW_BLOCK], double near_y[RW_BLOCK])
+bool rw_patch_adds(const rwedge_contact *contact, rw_patch patch, double weight, bool whole)
 {
-    int count = 0;
-    for (size_t i = 0; i < n; i++) {
-        if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
-            continue;
-        near_x[count] = x[i];
-        near_y[count] = y[i];
-        which[count++] = i;
+    return rw_patch_matters(rw_patch_half_width(patch), contact->geometry.a) &&
+           (weight != 0 || whole);
+}
+
+void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
+                     rw_fields *fields)
+{
+    const double s = rw_patch_half_width(patch);
+    double near_x[RW_BLOCK], near_y[RW_BLOCK];
+    bool all_near = true;
+    for (int i = 0; i < n; i++) {
+        const bool is_near = rw_patch_matters(s, fmax(fabs(x[i]), y[i]));
+        near_x[i] = is_near ? x[i] : patch.right;
+        near_y[i] = is_near ? y[i] : 0;
+        all_near = all_near && is_near;
     }
-    return count;
+    rw_eccentric potential;
+    rw_eccentric_init(&potential, a, patch);
+    rw_eccentric_fields(&potential, n, near_x, near_y, fields);
+    for (int i = 0; i < n && !all_near; i++)
+        if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
+            fields->G_re[i] = fields->G_im[i] = fields->H_re[i] = fields->H_im[i] = 0;
+}
+
+void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
+                  rw_contact_fields *fields)
+{
+    for (int i = 0; i < n; i++) {
+        const rw_field field = rw_field_in(of_patch, i);
+        add(&fields->tangential[i], weight, field);
+        if (whole)
+            fields->normal[i] = field;
+    }
 }
 
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
@@ -85,24 +106,33 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     for (size_t i = 0; i < n; i++)
         fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
     for (size_t j = 1; j < memory->count; j++) {
-        const rw_patch where = memory->corners[j].patch;
-        const double s = rw_patch_half_width(where), weight = rw_patch_weight(memory, j);
+        const double weight = rw_patch_weight(memory, j);
         const bool whole = j + 1 == memory->count;
-        if (!rw_patch_matters(s, contact->geometry.a) || (weight == 0 && !whole))
+        const rw_patch patch = memory->corners[j].patch;
+        if (!rw_patch_adds(contact, patch, weight, whole))
             continue;
-        size_t which[RW_BLOCK];
-        double near_x[RW_BLOCK], near_y[RW_BLOCK];
-        const int count = points_in_reach(s, n, x, y, which, near_x, near_y);
-        rw_eccentric patch;
         rw_fields of_patch;
-        rw_eccentric_init(&patch, contact->geometry.a, where);
-        rw_eccentric_fields(&patch, count, near_x, near_y, &of_patch);
-        for (int k = 0; k < count; k++) {
-            const rw_field field = rw_field_in(&of_patch, k);
-            add(&fields->tangential[which[k]], weight, field);
-            if (whole)
-                fields->normal[which[k]] = field;
-        }
+        rw_patch_fields(contact->geometry.a, patch, (int)n, x, y, &of_patch);
+        rw_add_patch(&of_patch, weight, whole, (int)n, fields);
+    }
+}
+
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
+{
+    return isfinite(x) && rw_is_nonnegative(y) && !is_apex(contact, x, y);
+}
+
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
+                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+                              double txy[])
+{
+    const double unit = contact->geometry.theta / contact->geometry.A;
+    for (int i = 0; i < n; i++) {
+        const rw_field shear = rw_field_multiple(contact->f, fields->tangential[i]);
+        const rw_stress_state s = rw_superpose(fields->normal[i], shear);
+        sxx[i] = unit * (s.mean - s.difference) + sigma;
+        syy[i] = unit * (s.mean + s.difference);
+        txy[i] = unit * s.shear;
     }
 }
 
@@ -114,20 +144,14 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
     if (!contact || (n > 0 && (!x || !y || !sxx || !syy || !txy)))
         return RWEDGE_ENULL;
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || !rw_is_nonnegative(y[i]) || is_apex(contact, x[i], y[i]))
+        if (!rw_contact_has_stress(contact, x[i], y[i]))
             return RWEDGE_EDOMAIN;
-    const double unit = contact->geometry.theta / contact->geometry.A;
     for (size_t start = 0; start < n; start += RW_BLOCK) {
         const size_t block = n - start < RW_BLOCK ? n - start : RW_BLOCK;
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
-        for (size_t i = 0; i < block; i++) {
-            const rw_field shear = rw_field_multiple(contact->f, fields.tangential[i]);
-            const rw_stress_state s = rw_superpose(fields.normal[i], shear);
-            sxx[start + i] = unit * (s.mean - s.difference) + contact->loads.sigma;
-            syy[start + i] = unit * (s.mean + s.difference);
-            txy[start + i] = unit * s.shear;
-        }
+        rw_contact_stresses_from(contact, contact->loads.sigma, &fields, (int)block, sxx + start,
+                                 syy + start, txy + start);
     }
     return RWEDGE_OK;
 }

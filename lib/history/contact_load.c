@@ -177,9 +177,13 @@ static double share_off_centre(const rwedge_contact *contact, const rw_memory *b
            rw_annuli_work(before, after, g->a);
 }
 
-static void go(rwedge_contact *contact, const rw_step *step, const rw_departure *departure)
+static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
+               const rw_departure *departure)
 {
     rw_memory *memory = &contact->memory;
+    if (memory->count == 1)
+        contact->touched_at = contact->loads.sigma;
+    contact->loads = *to;
     if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
     if (contact->f == 0)
@@ -210,10 +214,9 @@ static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *s
         !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
                                  shear))
         return RWEDGE_ENOMEM;
-    go(contact, step, departure);
+    go(contact, &to, step, departure);
     contact->energy_carry = is_known ? share - (energy - contact->energy) : 0;
     contact->energy = energy;
-    contact->loads = to;
     if (load == 0) {
         contact->was_off_centre = false;
         contact->is_origin_known = true;
@@ -258,7 +261,7 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
         rw_memory_destroy(&before);
         return RWEDGE_ENOMEM;
     }
-    go(contact, step, departure);
+    go(contact, &to, step, departure);
     const bool slides = contact->memory.count == 2 && slip != 0;
     contact->was_off_centre = true;
     contact->is_origin_known = is_known && !slides;
@@ -267,7 +270,6 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     const double energy = contact->energy + share; /* NaN if one of them is */
     contact->energy_carry = isnan(energy) ? 0 : share - (energy - contact->energy);
     contact->energy = energy;
-    contact->loads = to;
     rw_memory_destroy(&before);
     return RWEDGE_OK;
 }

@@ -100,7 +100,7 @@ static double primitive(const outside *o, double w)
 }
 
 /* Where the closed form neither cancels next to the edge nor far away. */
-static const double NEAR = 0.4, FAR = 2;
+static const double NEAR = 0.06, FAR = 2;
 
 /* Panels as long as w is far from the singularities, at distances of the angles between the ends and
  * the edge. */
@@ -222,9 +222,9 @@ static double work_at(double x, const void *context)
  * substitution of tanh and sinh takes away. */
 static double panel_integral(const annulus *w, double left, double right)
 {
-    const double half = (right - left) / 2, middle = left + half, step = 0.1;
+    const double half = (right - left) / 2, middle = left + half, step = 0.16;
     double sum = 0;
-    for (int i = -32; i <= 32; i++) {
+    for (int i = -20; i <= 20; i++) {
         const double t = i * step, u = tanh(RW_HALF_PI * sinh(t));
         const double x = middle + half * u, weight = RW_HALF_PI * cosh(t) * (1 - u * u);
         if (x > left && x < right)

@@ -63,8 +63,7 @@ static double tilt_tolerance(const rw_memory *memory, rw_loading to)
     return 64 * DBL_EPSILON * (1 + fmax(fabs(to.stretch), fabs(rw_memory_end(memory)->stretch)));
 }
 
-/* False for NaN. */
-static bool is_nested(rw_patch inner, rw_patch outer)
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer)
 {
     const double tolerance = SLACK * (outer.right - outer.left);
     return isgreaterequal(inner.left, outer.left - tolerance) &&
@@ -118,8 +117,8 @@ static bool front_is_nested(const rw_step *s, rw_loading to, rw_patch patch, rw_
     d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
     const bool is_cut = d->kept == memory->count || memory->corners[d->kept].load > to.load;
     const rw_patch outer = is_cut ? patch : memory->corners[d->kept].patch;
-    return (d->kept == 1 || is_nested(before->patch, d->corner.patch)) &&
-           is_nested(d->corner.patch, outer);
+    return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch)) &&
+           rw_patch_is_nested(d->corner.patch, outer);
 }
 
 /* Whether the contact, receded, ends between the same two patches at both edges. */
@@ -130,8 +129,8 @@ static bool cut_is_nested(const rw_step *s, double load, rw_patch patch)
     while (memory->corners[i].load > load)
         i--;
     const bool is_last = i + 1 == memory->count;
-    return (i == 0 || is_nested(memory->corners[i].patch, patch)) &&
-           (is_last || is_nested(patch, memory->corners[i + 1].patch));
+    return (i == 0 || rw_patch_is_nested(memory->corners[i].patch, patch)) &&
+           (is_last || rw_patch_is_nested(patch, memory->corners[i + 1].patch));
 }
 
 /* ---- Steps ---- */
@@ -203,10 +202,11 @@ static rw_obstacle moving_step(const rw_step *s, rw_departure *d)
                 return RW_SLIPS_BOTH_WAYS;
             continue;
         }
-        if (!front_is_nested(s, at, patch, &on_way))
+        const bool is_nested = front_is_nested(s, at, patch, &on_way);
+        if (i == STATIONS && !is_nested)
             return RW_FRONTS_PART;
         const bool slides = on_way.corner.load == 0;
-        if (!slides && !is_nested(on_way.corner.patch, front))
+        if (!slides && !rw_patch_is_nested(on_way.corner.patch, front))
             return RW_SLIPS_BOTH_WAYS;
         front = slides ? (rw_patch){0, 0} : on_way.corner.patch;
         if (i == STATIONS)

@@ -5,6 +5,7 @@
 #include "field/field.h"
 #include "figure/figure.h"
 #include "text/invocation.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "field/profile.h"
 #include "system/signals.h"
@@ -47,11 +48,8 @@ static void list_commands(FILE *stream)
 static int unknown_command(const char *name)
 {
     char allowed[200] = "";
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        const size_t used = strlen(allowed);
-        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "",
-                 commands[i]->name);
-    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        list_add(allowed, sizeof allowed, ", ", "%s", commands[i]->name);
     if (name == NULL)
         return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
     return usage_error("%s: unknown command; allowed: %s", name, allowed);

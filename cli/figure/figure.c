@@ -6,6 +6,7 @@
 #include "figures_strength.h"
 #include "figures_traction.h"
 #include "picture/gnuplot.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
@@ -91,17 +92,11 @@ static void describe_figures(FILE *stream)
           stream);
 }
 
-static void append(char *text, size_t size, const char *before, const char *word)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s%s", used > 0 ? ", " : "", before, word);
-}
-
 static int choose_figure(const arguments *given, const figure **which)
 {
     char allowed[120] = "";
     for (int i = 0; i < FIGURE_COUNT; i++)
-        append(allowed, sizeof allowed, "", figures[i]->name);
+        list_add(allowed, sizeof allowed, ", ", "%s", figures[i]->name);
     if (given->operand == NULL || given->operand[0] == NULL)
         return usage_error("which figure must follow; allowed: %s", allowed);
     for (int i = 0; i < FIGURE_COUNT; i++)
@@ -119,7 +114,7 @@ static int refuse_variable(const figure *which, int variable, const char *text)
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (which->use[i].usual != NULL)
-            append(allowed, sizeof allowed, "--", variable_of(i)->option);
+            list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
     return usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
                        variable_of(variable)->option, text, which->name,
                        allowed[0] != '\0' ? allowed : "none of the variables");

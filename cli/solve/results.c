@@ -3,6 +3,8 @@
 
 #include "warnings.h"
 
+#include "text/list.h"
+
 #include <math.h>
 
 #include <rwedge.h>
@@ -153,5 +155,5 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
 
 void results_warn(results *found, const char *warning)
 {
-    warnings_add(warning, found->warnings, sizeof found->warnings);
+    list_add(found->warnings, sizeof found->warnings, "; ", "%s", warning);
 }

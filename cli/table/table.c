@@ -3,6 +3,7 @@
 
 #include "system/ahead.h"
 #include "layout.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
@@ -73,17 +74,11 @@ static void describe_tables(FILE *stream)
           stream);
 }
 
-static void append(char *text, size_t size, const char *word)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s", used > 0 ? ", " : "", word);
-}
-
 static int choose_table(const arguments *given, plan *what)
 {
     char allowed[160] = "";
     for (int i = 0; i < TABLE_COUNT; i++)
-        append(allowed, sizeof allowed, tables[i].name);
+        list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (given->operand == NULL || given->operand[0] == NULL)
         return usage_error("the name of a table must follow; allowed: %s", allowed);
     what->table = table_named(given->operand[0]);
@@ -97,10 +92,8 @@ static int choose_table(const arguments *given, plan *what)
 static int refuse_variable(const table *which, int variable, const char *text)
 {
     char allowed[160] = "";
-    for (int i = which->axis_count - 1; i >= 0; i--) {
-        append(allowed, sizeof allowed, "--");
-        strcat(allowed, variables[which->axis[i]].option);
-    }
+    for (int i = which->axis_count - 1; i >= 0; i--)
+        list_add(allowed, sizeof allowed, ", ", "--%s", variables[which->axis[i]].option);
     return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option,
                        text, which->name, allowed);
 }
@@ -186,7 +179,7 @@ static int read_quantity(const arguments *given, plan *what)
             "--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
     char allowed[160] = "";
     for (int i = what->table->quantity; i < what->table->column_count; i++) {
-        append(allowed, sizeof allowed, what->table->column[i]);
+        list_add(allowed, sizeof allowed, ", ", "%s", what->table->column[i]);
         what->quantity = i;
         if (strcmp(text, what->table->column[i]) == 0)
             return STATUS_DONE;

@@ -5,7 +5,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,45 +27,35 @@ static bool read_triple(const char *text, double number[3])
     return true;
 }
 
-/* The decimals that were meant: 0.1 + 2 * 0.1 is not 0.3 in doubles. A sum of numbers of at most
- * 15 digits errs by less than half a unit of the last of them, so that printing rounds it away. */
+/* The decimals that were meant: 0.1 + 2 * 0.1 is not 0.3 in doubles, but 3/10 is. A sum of numbers
+ * below this many units of the last decimal place errs by less than half a unit. */
 static const double UNITS_MAX = 1e15;
-enum { PLACES_MAX = 22, DECIMAL_SIZE = 64 };
 
-static double with_places(double value, int places)
+/* The largest power of ten that is a double. */
+static const double POWER_MAX = 1e22;
+
+static double in_units(double value, double power)
 {
-    char text[DECIMAL_SIZE];
-    snprintf(text, sizeof text, "%.*f", places, value);
-    return strtod(text, NULL) + 0; /* not -0 */
+    return floor(value * power + 0.5) / power;
 }
 
-/* The fewest decimal places that say the number; more than PLACES_MAX where that does not do. */
-static int places_of(double value)
+/* The power of ten that makes all three whole numbers; 0 where they have too many digits. */
+static double common_power(const double number[3])
 {
-    int places = 0;
-    while (places <= PLACES_MAX &&
-           !(fabs(value) < UNITS_MAX && with_places(value, places) == value))
-        places++;
-    return places;
-}
-
-/* The decimal places of a range's values; -1 where START, STOP or STEP has too many digits. */
-static int common_places(const double number[3])
-{
-    int places = 0;
-    double largest = 0;
-    for (int i = 0; i < 3; i++) {
-        const int own = places_of(number[i]);
-        places = own > places ? own : places;
-        largest = fmax(largest, fabs(number[i]));
-    }
-    return places <= PLACES_MAX && largest * pow(10, places) < UNITS_MAX ? places : -1;
+    double power = 1;
+    for (int i = 0; i < 3; i++)
+        while (power <= POWER_MAX && in_units(number[i], power) != number[i])
+            power *= 10;
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(number[i]) * power < UNITS_MAX))
+            return 0;
+    return power <= POWER_MAX ? power : 0;
 }
 
 static double after_steps(const range *values, double steps)
 {
     const double value = values->first + steps * values->step;
-    return values->places < 0 ? value : with_places(value, values->places);
+    return values->power > 0 ? in_units(value, values->power) : value;
 }
 
 /* Numbers with too many digits hit STOP where they differ from it by no more than rounding. */
@@ -82,9 +71,9 @@ static const char *read_steps(const char *text, range *values)
         return wrong_sign;
     values->first = start;
     values->step = step;
-    values->places = common_places(number);
+    values->power = common_power(number);
     const double steps = (stop - start) / step, nearest = floor(steps + 0.5);
-    const double rounding = values->places < 0 ? 4 * DBL_EPSILON * (fabs(start) + fabs(stop)) : 0;
+    const double rounding = values->power > 0 ? 0 : 4 * DBL_EPSILON * (fabs(start) + fabs(stop));
     const bool hit = fabs(after_steps(values, nearest) - stop) <= rounding;
     const double last = hit ? nearest : floor(steps);
     if (!(last < (double)RANGE_VALUES_MAX))

@@ -14,7 +14,8 @@ typedef struct {
     int64_t count;
     double *items; /* of a list; NULL for START:STOP:STEP */
     double first, last, step;
-    int places; /* decimal places of the values; -1 where they have too many digits for that */
+    double
+        power; /* of ten: the values are whole numbers over it; 0 where they have too many digits */
     int64_t parts; /* of range_between; otherwise 0 */
 } range;
 

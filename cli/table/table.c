@@ -7,8 +7,11 @@
 #include "text/message.h"
 #include "rows/output_options.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <rwedge.h>
 
 enum {
     OPTION_VARIABLE = OPTION_OWN,
@@ -113,23 +116,32 @@ static int read_variables(const arguments *given, plan *what)
     return STATUS_DONE;
 }
 
-/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A
- * range ascends or descends: its smallest value above 0 is one of the two at either end. */
-static int check_tips(const arguments *given, plan *what)
+/* The smallest value above 0; HUGE_VAL where there is none. A range ascends or descends: it is one
+ * of the two at either end. */
+static double smallest_tip(const range *tips)
 {
-    const range *tips = &what->axis[A_OVER_B];
-    if (!table_depends_on(what->table, NU))
-        return STATUS_DONE;
+    double smallest = HUGE_VAL;
     for (int64_t i = 0; i < tips->count; i++) {
         if (tips->items == NULL && i == 2 && tips->count > 4)
             i = tips->count - 2;
         const double tip = range_value(tips, i);
-        if (tip > 0 && tip < 1e-14)
-            return usage_error(
-                "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-                given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+        if (tip > 0 && tip < smallest)
+            smallest = tip;
     }
-    return STATUS_DONE;
+    return smallest;
+}
+
+/* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
+static int check_tips(const arguments *given, plan *what)
+{
+    if (!table_depends_on(what->table, NU))
+        return STATUS_DONE;
+    const double tip = smallest_tip(&what->axis[A_OVER_B]);
+    if (tip >= 1 || !isnan(rwedge_elastic_limit(tip, 0, 0)))
+        return STATUS_DONE;
+    return usage_error(
+        "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+        given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
 }
 
 /* The variable with the most values is the one to name. */

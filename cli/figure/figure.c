@@ -212,7 +212,6 @@ static bool compute(work *what)
 static bool draw(const work *what, output *out)
 {
     drawing *on = calloc(1, sizeof *on);
-    bytes picture = {0};
     bool drawn = false;
     if (on == NULL)
         failure("out of memory");
@@ -223,12 +222,9 @@ static bool draw(const work *what, output *out)
         if (on->outlines.failed)
             failure("out of memory");
         else
-            drawn = gnuplot_draw(on, what->format, &picture);
+            drawn = gnuplot_draw(on, what->format, out);
     }
-    if (drawn)
-        output_write(out, picture.data, picture.length);
     drawing_free(on);
-    bytes_free(&picture);
     return drawn;
 }
 

@@ -9,14 +9,13 @@
 #include "text/message.h"
 #include "field/profile.h"
 #include "system/signals.h"
+#include "system/streams.h"
 #include "solve/solve.h"
 #include "table/table.h"
 #include "workbook/workbook.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <rwedge.h>
 
@@ -81,22 +80,11 @@ static int without_command(int argc, const char **argv)
     return status;
 }
 
-/* A file must not get the number of a standard stream that was closed: messages would be written
- * into it. The stand-in for standard output refuses to be written to, as the closed one would. */
-static bool fill_standard_streams(void)
-{
-    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
-        if (fcntl(stream, F_GETFD) < 0 &&
-            open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
-            return false;
-    return true;
-}
-
 int main(int argc, char **argv)
 {
     const char *no_arguments[] = {"rwedge", NULL};
     const char **words = argc > 0 ? (const char **)argv : no_arguments;
-    if (!fill_standard_streams())
+    if (!streams_fill_closed())
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);

@@ -6,10 +6,10 @@
 #include "spreadsheet.h"
 #include "text/message.h"
 #include "system/progress.h"
+#include "system/streams.h"
 #include "sheet/xlsx.h"
 
 #include <string.h>
-#include <unistd.h>
 
 struct poptOption output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json|xlsx")};
 
@@ -28,7 +28,7 @@ static int check_spreadsheet(const output_options *how)
 {
     if (!xlsx_available())
         return usage_error("--format xlsx: " XLSX_MISSING);
-    if ((how->path == NULL || strcmp(how->path, "-") == 0) && isatty(STDOUT_FILENO))
+    if ((how->path == NULL || strcmp(how->path, "-") == 0) && stream_is_terminal(stdout))
         return usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
     return STATUS_DONE;
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
+#include "system/streams.h"
 #include "text/message.h"
 #include "about.h"
 #include "calculator.h"
 #include "table_sheets.h"
 
 #include <stdlib.h>
-#include <unistd.h>
 
 /* The sheets, in their order. */
 enum {
@@ -100,7 +100,7 @@ static int write_given(const arguments *given)
     if (path == NULL || path[0] == '\0')
         return usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
-    if (path[0] == '-' && path[1] == '\0' && isatty(STDOUT_FILENO))
+    if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
         return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
                            "file, or a redirected -");
     if (!xlsx_available())

@@ -109,7 +109,8 @@ int output_options_write(const output_options *how, rows_writer *write_rows, voi
     records rows = records_for(how, &out);
     const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
     if (!write_rows(context, &rows, show_progress)) {
-        xlsx_discard(rows.book);
+        if (rows.format != NULL)
+            rows.format->discard(&rows);
         output_discard(&out);
         return STATUS_FAILED;
     }

@@ -25,7 +25,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
 static const struct poptOption options[] = {
-    OPTION_HELP_ENTRY,
+    {HELP_OPTION},
     {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION,
      "Print the completion of a shell, and end", "bash|zsh|fish"},
     {"version", 'V', POPT_ARG_NONE, NULL, OPTION_VERSION, "Show the version, and end", NULL},

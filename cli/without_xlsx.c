@@ -4,9 +4,10 @@
 #include "sheet/xlsx.h"
 #include "workbook/book.h"
 
-bool xlsx_available(void)
+const char *xlsx_missing(void)
 {
-    return false;
+    return "this build cannot write XLSX: it was made without libxlsxwriter "
+           "(on Debian and Ubuntu the package libxlsxwriter-dev)";
 }
 
 /* Nobody gets as far as these. */

@@ -55,7 +55,7 @@ static const struct poptOption options[] = {
      "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all (default: standard output)", "FILE"},
-    OPTION_HELP_ENTRY,
+    {HELP_OPTION},
     POPT_TABLEEND,
 };
 

@@ -14,13 +14,11 @@ const picture_format picture_formats[PICTURE_FORMATS] = {
      480, 480, "<?xml", "</svg>", 5, 6, true},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
-     "3.5 dashlength 1.6 "
-     "background '#ffffff' butt",
+     "3.5 dashlength 1.6 background '#ffffff' butt",
      1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
-     "pointscale 0.9 background '#ffffff' "
-     "butt",
+     "pointscale 0.9 background '#ffffff' butt",
      8.5, 8.5, "%PDF-", "%%EOF", 5, 5, false},
 };
 

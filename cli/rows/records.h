@@ -56,8 +56,7 @@ struct records {
 bool records_go_on(const records *rows);
 
 /* False, with the reason said, where a format could not write a text; what an output could not,
- * output_finish() says.
- * */
+ * output_finish() says. */
 bool records_are_sound(const records *rows);
 
 #endif

@@ -27,9 +27,9 @@ struct xlsx {
     lxw_error error;
 };
 
-bool xlsx_available(void)
+const char *xlsx_missing(void)
 {
-    return true;
+    return NULL;
 }
 
 /* Where memory is short, or the folder of its temporary files full, the library leaves things

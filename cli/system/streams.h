@@ -13,7 +13,8 @@ bool streams_fill_closed(void);
 
 bool stream_is_terminal(FILE *stream);
 
-/* A temporary file that a library can open by this name too; closed, it is gone. NULL with errno. */
+/* A temporary file that a library can open by this name too. Closed, it is gone. NULL with
+ * errno. */
 enum { STREAM_NAME_SIZE = 40 };
 FILE *stream_with_name(char name[STREAM_NAME_SIZE]);
 

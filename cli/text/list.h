@@ -3,13 +3,13 @@
 #ifndef CLI_LIST_H
 #define CLI_LIST_H
 
+#include "printf_like.h"
+
 #include <stddef.h>
 
 /* Adds a part, made as by printf, to the text; the separator goes in front of all but the first.
  * What has no room is cut. */
-#ifdef __GNUC__
-__attribute__((format(printf, 4, 5)))
-#endif
-void list_add(char *text, size_t size, const char *separator, const char *format, ...);
+void list_add(char *text, size_t size, const char *separator, const char *format, ...)
+    PRINTF_LIKE(4, 5);
 
 #endif

@@ -9,7 +9,7 @@
 static const struct poptOption options[] = {
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all; - is standard output", "FILE"},
-    OPTION_HELP_ENTRY,
+    {HELP_OPTION},
     POPT_TABLEEND,
 };
 
@@ -45,8 +45,8 @@ static int write_given(const arguments *given)
     if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
         return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
                            "file, or a redirected -");
-    if (!xlsx_available())
-        return failure("%s: " XLSX_MISSING, path);
+    if (xlsx_missing() != NULL)
+        return failure("%s: %s", path, xlsx_missing());
     return write_file(path);
 }
 

@@ -14,6 +14,31 @@
 #define RW_PI 3.14159265358979323846
 #define RW_HALF_PI 1.57079632679489661923
 
+/* What a contact can have: the domain of every length, load, modulus and stress, and of their
+ * ratios a/b, x/b, c/b. The header says so once, for all functions. The squares and fourth powers
+ * of such numbers, and their products with each other, stay in the range of a double. */
+#define RW_SMALLEST 1e-60
+#define RW_LARGEST 1e60
+
+/* The comparisons raise no exception for NaN. */
+static inline bool rw_is_positive(double v)
+{
+    return isgreaterequal(v, RW_SMALLEST) && islessequal(v, RW_LARGEST);
+}
+
+/* A number of that domain, or 0: a ratio a/b, a depth, a load. */
+static inline bool rw_is_magnitude(double v)
+{
+    return v == 0 || rw_is_positive(v);
+}
+
+/* The same with any sign: a place along the surface, a tangential force. */
+static inline bool rw_is_signed(double v)
+{
+    return rw_is_magnitude(fabs(v));
+}
+
+/* The domain of version 1.0.0, until every room asks for the above. */
 /* A ratio a/b, a depth. */
 static inline bool rw_is_nonnegative(double v)
 {
@@ -43,7 +68,13 @@ static inline double rw_friction(double f)
     return f < 1e-100 ? 0 : f;
 }
 
-/* A half-width of the stick zone c/b, a load ratio Q/(fP). */
+/* A half-width of the stick zone c/b. */
+static inline bool rw_is_stick(double c)
+{
+    return rw_is_magnitude(c) && c <= 1;
+}
+
+/* A load ratio Q/(fP). */
 static inline bool rw_is_fraction(double v)
 {
     return isfinite(v) && v >= 0 && v <= 1;

@@ -2,6 +2,7 @@
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
 #include "history/contact.h"
+#include "stress/batch.h"
 #include "stress/stress.h"
 
 /* Whether the point is in the domain, in units of the half-width too, and has a finite stress:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the targets with libFuzzer and the address and undefined-behaviour sanitizers, library and tool included.
 #
-#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET go
+#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET and the folders seeds/TARGET go
 #
 # Ends with 77 where no clang has libFuzzer.
 set -eu
@@ -16,7 +16,8 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
 done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev)"; exit 77; }
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
-flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli -I$source/tests/host -I$source/tests/random"
+flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli"
+flags="$flags -I$source/tests/host -I$source/tests/random"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -45,8 +46,18 @@ tool=$objects
 objects=
 compile "$source/tests/host/calls.c"
 calls=$objects
+# seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
+seeds()
+{
+    rm -rf "seeds/$1"
+    mkdir -p "seeds/$1"
+    sed '/^#/d' "$source/tests/random/targets/$1.seeds" | while read -r name bytes; do
+        printf %b "$bytes" >"seeds/$1/$name"
+    done
+}
 targets='formulas contact series number range csv batch'
 for target in $targets; do
+    seeds "$target"
     echo "$clang $flags -c $source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands
 done
 xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands

@@ -39,13 +39,6 @@ static inline bool rw_is_signed(double v)
     return rw_is_magnitude(fabs(v));
 }
 
-/* The domain of version 1.0.0, until every room asks for the above. */
-/* A ratio a/b, a depth. */
-static inline bool rw_is_nonnegative(double v)
-{
-    return isfinite(v) && v >= 0;
-}
-
 /* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction
  * J2 is then flat to rounding between the depths a and sqrt(a b), and its maximum there cannot
  * be found. */

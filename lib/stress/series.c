@@ -138,7 +138,7 @@ static int32_t fit(size_t samples, const double x[], const double p[], double *w
 static bool are_samples(size_t samples, const double x[], const double p[])
 {
     for (size_t i = 0; i < samples; i++)
-        if (!isfinite(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
+        if (!rw_is_signed(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
             return false;
     return true;
 }
@@ -207,7 +207,7 @@ static sums sum_powers(const rwedge_series *series, double R_re, double R_im)
 
 double rwedge_series_pressure(const rwedge_series *series, double x)
 {
-    if (!series || !isfinite(x))
+    if (!series || !rw_is_signed(x))
         return NAN;
     if (fabs(x) >= 1)
         return 0;

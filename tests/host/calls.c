@@ -56,6 +56,8 @@ static bool is_of_kind(char kind, double v)
         return is_positive(v) || v == INFINITY;
     case 'i': /* the number of a coefficient */
         return v >= 0;
+    case 's': /* the factor of a sample */
+        return isfinite(v);
     case 'z': /* a status */
     case 'r': /* a tangential force over f P: it may be refused */
         return true;
@@ -491,7 +493,7 @@ const public_call public_calls[] = {
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT),
               NULL),
     BY_STATUS(series_create, "aifxy", 9, BIT(RWEDGE_ERANGE), NULL),
-    BY_STATUS(series_fit, "axfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
+    BY_STATUS(series_fit, "asfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
 };
 const size_t public_call_count = COUNT(public_calls);
 

@@ -4,7 +4,8 @@
  * exp(i zeta), X = sqrt(z^2-1) = i cos(zeta),
  *
  *     G  =  (2/pi) [ B - ((z-alpha)/alpha) A + (phi0/alpha) R ],     S+- = sin(zeta +- phi0),
- *     G' = -(2/pi) [ A/alpha + (phi0/alpha) R/X ],                   A = (i/2) ln( e^(-2i phi0) S-/S+ ),
+ *     G' = -(2/pi) [ A/alpha + (phi0/alpha) R/X ],
+ *     A  = (i/2) ln( e^(-2i phi0) S-/S+ ),
  *     B  = i ln( -i e^(i phi0) S+/(cos(zeta) + c0) )
  *
  * for x >= 0; the other half follows by symmetry. Nothing in it is large that cancels: near z =
@@ -370,8 +371,8 @@ static complex_number y_over(double y, complex_number a)
 }
 
 /* G''  =  (2/pi) [ c0/(X q) + (phi0/alpha)/X^3 ],   q = (z-alpha)(z+alpha),
- * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],   made of ratios of y, which neither under- nor
- * overflow. For Hertz c0 = 0. */
+ * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],
+ * made of ratios of y, which neither under- nor overflow. For Hertz c0 = 0. */
 static rw_curvature curvature_at(const rw_potential *p, place at, rw_elliptic e)
 {
     const complex_number per_X =

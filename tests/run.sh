@@ -3,7 +3,7 @@
 # Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
 #
 #     ./tests/run.sh              the everyday run, three minutes or so
-#     ./tests/run.sh --compilers  also: no warning from gcc and clang
+#     ./tests/run.sh --compilers  also: each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
 #     ./tests/run.sh --all        all of these, as the CI does
@@ -13,6 +13,7 @@ set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 . tests/support/install.sh
+. tests/support/compilers.sh
 
 compilers=no sanitize=no campaign=no
 for option; do
@@ -98,18 +99,36 @@ step()
     fi
 }
 
+# What has no language but C, and does not build again.
+of_another_compiler='^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$'
+
 without_warnings()
 {
-    CC=$1 cmake -S . -B "build/$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
+    cmake -S . -B "build/$1" -DCMAKE_C_COMPILER="$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
         -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON >/dev/null &&
         cmake --build "build/$1" --parallel "$(processors)" >/dev/null
+}
+
+the_same_tables()
+{
+    rm -rf "build/$1/tables"
+    mkdir -p "build/$1/tables"
+    ./tables/generate.sh "build/$1/tables" "build/$1/cli/rwedge" >/dev/null || return 1
+    for table in tables/*.csv; do
+        cmp "$table" "build/$1/$table" || return 1
+    done
 }
 
 none='^$'
 build_and_test build "$none" -DCMAKE_BUILD_TYPE=Release
 if [ $compilers = yes ]; then
-    step "no warning from gcc" without_warnings gcc
-    step "no warning from clang" without_warnings clang
+    for compiler in $(compilers_here); do
+        step "no warning from $compiler" without_warnings "$compiler"
+        step "the tests as $compiler builds them" ctest --test-dir "build/$compiler" --exclude-regex "$of_another_compiler" \
+            --output-on-failure --parallel "$(processors)"
+        step "the tables from what $compiler built" the_same_tables "$compiler"
+    done
+    step "no exception but inexact and underflow" sh tests/host/exceptions.sh .
 fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"

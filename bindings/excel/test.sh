@@ -24,20 +24,19 @@ sh "$top/bindings/private.sh" "$folder"
 cd "$work"
 dll=windows/bin/rwedge.dll
 
-# The module is what the generator writes, and fits the header and the DLL.
-python3 -B "$here/generate.py" "$top/include/rwedge.h" "$here/template.bas" >rwedge.bas
-cmp rwedge.bas "$here/rwedge.bas" || fail "write it again: generate.py include/rwedge.h template.bas > rwedge.bas"
+# The module fits the header and the DLL. (That it is what the generator writes is the test interface.)
+cp "$here/rwedge.bas" rwedge.bas
 echo '#include <rwedge.h>' >header.c
 x86_64-w64-mingw32-gcc -Iwindows/include -aux-info prototypes -c header.c -o header.o
 x86_64-w64-mingw32-objdump -p $dll >tables
-python3 -B "$here/check.py" rwedge.bas prototypes tables
+python3 -B "$here/check.py" rwedge.bas "$top/include/rwedge.h" prototypes tables
 # ... and the check sees what it is for.
 faults=0
 while read -r fault; do
     case $fault in '#'*) continue ;; esac
     sed "$fault" rwedge.bas >faulty.bas
     ! cmp -s rwedge.bas faulty.bas || fail "no fault in: $fault"
-    ! python3 -B "$here/check.py" faulty.bas prototypes tables >/dev/null || fail "not noticed: $fault"
+    ! python3 -B "$here/check.py" faulty.bas "$top/include/rwedge.h" prototypes tables >/dev/null || fail "not noticed: $fault"
     faults=$((faults + 1))
 done <"$here/test/faults"
 echo "all of $faults planted faults are noticed"

@@ -2,6 +2,7 @@
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
 #include "history/contact.h"
+#include "stress/batch.h"
 #include "stress/stress.h"
 
 #include <float.h>

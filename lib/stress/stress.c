@@ -6,6 +6,7 @@
  * belongs to the same profile pressed to the half-width c of the stick zone. */
 #include "stress/stress.h"
 
+#include "stress/batch.h"
 #include "base/domain.h"
 #include "base/inline.h"
 #include "rwedge.h"

@@ -8,6 +8,7 @@ source=$(realpath "$1") build=$(realpath "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$source"
+. tests/support/compilers.sh
 
 # The committed tables, written again on a processor without fused multiply-add. (tests/shipped compares what this one writes.)
 mkdir "$work/plain"
@@ -58,7 +59,7 @@ print_bits_of()
 {
     name=$1
     shift
-    "$@" -std=c99 -ffp-contract=off -Iinclude -Ilib -Itests/support lib/*/*.c tests/support/every_function.c tests/package/print_bits.c -o "$work/$name-program" \
+    "$@" $library_options -Iinclude -Ilib -Itests/support lib/*/*.c tests/support/every_function.c tests/package/print_bits.c -o "$work/$name-program" \
         -lgsl -lgslcblas -llapack -lm && "$work/$name-program" >"$work/$name-now" && mv "$work/$name-now" "$work/$name"
 }
 compare_bits()
@@ -78,16 +79,15 @@ for compiler in gcc clang; do
     command -v $compiler >/dev/null && here="$here $compiler" || echo "SKIPPED: no $compiler here"
 done
 case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc here"; exit 77 ;; esac
-vectors='-fno-math-errno -fno-trapping-math' # as lib/CMakeLists.txt has them
 for compiler in $here; do # one after the other, so that two processors are enough
     print_bits_of $compiler-O0 $compiler -O0 &
     print_bits_of $compiler-O1 $compiler -O1
     wait
-    print_bits_of $compiler-O2 $compiler -O2 $vectors &
-    print_bits_of $compiler-O3 $compiler -O3 $vectors
+    print_bits_of $compiler-O2 $compiler -O2 &
+    print_bits_of $compiler-O3 $compiler -O3
     wait
-    print_bits_of $compiler-baseline $compiler -O3 $vectors -DRW_BASELINE &
-    print_bits_of $compiler-native $compiler -O3 $vectors -march=native
+    print_bits_of $compiler-baseline $compiler -O3 -DRW_BASELINE &
+    print_bits_of $compiler-native $compiler -O3 -march=native
     wait
     for level in -O0 -O1 -O2 -O3; do
         compare_bits $compiler$level $compiler $level
@@ -98,7 +98,7 @@ done
 
 # With another math library pressures and stresses keep every bit, as they call nothing but sqrt(); something else differs, or
 # it would be the same library.
-print_bits_of foreign gcc -O2 $vectors -include tests/package/other_libm.h
+print_bits_of foreign gcc -O2 -include tests/package/other_libm.h
 grep -E '^(pressure|stress|stresses) ' "$work/gcc-O0" >"$work/without-library"
 grep -E '^(pressure|stress|stresses) ' "$work/foreign" >"$work/without-library-foreign"
 cmp "$work/without-library" "$work/without-library-foreign" ||

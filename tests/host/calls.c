@@ -155,15 +155,15 @@ static int32_t value(double got, double out[])
     return RWEDGE_OK;
 }
 
-#define FORMULA(name, ...)                                                                         \
+#define CALL(name, ...)                                                                         \
     static int32_t name(const double v[], double out[])                                            \
     {                                                                                              \
         return value(rwedge_##name(__VA_ARGS__), out);                                             \
     }
-#define FORMULA_1(name) FORMULA(name, v[0])
-#define FORMULA_2(name) FORMULA(name, v[0], v[1])
-#define FORMULA_3(name) FORMULA(name, v[0], v[1], v[2])
-#define FORMULA_4(name) FORMULA(name, v[0], v[1], v[2], v[3])
+#define FORMULA_1(name) CALL(name, v[0])
+#define FORMULA_2(name) CALL(name, v[0], v[1])
+#define FORMULA_3(name) CALL(name, v[0], v[1], v[2])
+#define FORMULA_4(name) CALL(name, v[0], v[1], v[2], v[3])
 
 FORMULA_4(compliance)
 FORMULA_4(dundurs_beta)

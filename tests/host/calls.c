@@ -155,7 +155,7 @@ static int32_t value(double got, double out[])
     return RWEDGE_OK;
 }
 
-#define CALL(name, ...)                                                                         \
+#define CALL(name, ...)                                                                            \
     static int32_t name(const double v[], double out[])                                            \
     {                                                                                              \
         return value(rwedge_##name(__VA_ARGS__), out);                                             \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked
- * with --wrap for malloc and realloc. */
+ * with --wrap for malloc, calloc and realloc: a compiler may make a calloc() of a malloc(). */
 #include "histories.h"
 
 #include <float.h>
@@ -13,8 +13,10 @@
 static int allocations_left = -1;
 
 void *__real_malloc(size_t size);
+void *__real_calloc(size_t number, size_t size);
 void *__real_realloc(void *block, size_t size);
 void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t number, size_t size);
 void *__wrap_realloc(void *block, size_t size);
 
 static bool is_granted(void)
@@ -27,6 +29,11 @@ static bool is_granted(void)
 void *__wrap_malloc(size_t size)
 {
     return is_granted() ? __real_malloc(size) : NULL;
+}
+
+void *__wrap_calloc(size_t number, size_t size)
+{
+    return is_granted() ? __real_calloc(number, size) : NULL;
 }
 
 void *__wrap_realloc(void *block, size_t size)

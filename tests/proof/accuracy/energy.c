@@ -7,6 +7,8 @@
  * u^k d ln(eta) are elementary on either side of the load at the end of the rounding. */
 #include "energy.h"
 
+#include <math.h>
+
 typedef struct {
     arb_struct s0, s1, p0, p1;
 } layer;

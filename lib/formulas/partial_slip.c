@@ -2,7 +2,8 @@
 /* Partial slip under a tangential force that grows: the stick zone and the shear traction. The
  * corrective traction of the stick zone is f times the pressure of the same profile pressed to
  * the half-width c, Eq. (22) to (27), so that
- *     1 - Q/(fP) = F(c)/F(1),   F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
+ *     1 - Q/(fP) = F(c)/F(1),
+ *     F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
  * F(t) = (pi/2) t^2/alpha for t <= alpha. */
 #include "rwedge.h"
 

@@ -9,7 +9,8 @@
  * While the point is in contact every slip changes the path, and w with it, and nothing else
  * does: a rising load adds to the path beyond u, a falling one cuts it off there. The slip is
  * therefore w of the present path less w of the path that was there when the point came into
- * contact (slip_origin.h). What both paths have in common is left out of both sums: it would cancel. */
+ * contact (slip_origin.h). What both paths have in common is left out of both sums: it would
+ * cancel. */
 #include "history/contact.h"
 
 #include "base/always.h"

@@ -8,7 +8,8 @@
  * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement
  * ln(eta'/eta). Written as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged,
  * a layer s1 < s < s0 of constant w, passed while the edge moves from P0 to P1, dissipates
- *     (A f^2 w/pi) int B(u) du/(u m(u)),   B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
+ *     (A f^2 w/pi) int B(u) du/(u m(u)),
+ *     B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
  * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp
  * wedge. */
 #include "history/dissipation.h"

@@ -175,16 +175,15 @@ static int32_t value(double got, double out[])
     return RWEDGE_OK;
 }
 
-/* clang-format off */
-#define FORMULA_1(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0]), out); }
-#define FORMULA_2(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1]), out); }
-#define FORMULA_3(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1], v[2]), out); }
-#define FORMULA_4(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1], v[2], v[3]), out); }
-/* clang-format on */
+#define CALL(name, ...)                                                                            \
+    static int32_t name(const double v[], double out[])                                            \
+    {                                                                                              \
+        return value(rwedge_##name(__VA_ARGS__), out);                                             \
+    }
+#define FORMULA_1(name) CALL(name, v[0])
+#define FORMULA_2(name) CALL(name, v[0], v[1])
+#define FORMULA_3(name) CALL(name, v[0], v[1], v[2])
+#define FORMULA_4(name) CALL(name, v[0], v[1], v[2], v[3])
 
 FORMULA_4(compliance)
 FORMULA_4(dundurs_beta)

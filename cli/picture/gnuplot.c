@@ -14,7 +14,7 @@ enum { SCRIPT, PICTURE, COMPLAINTS, STREAMS }; /* numbered as gnuplot's standard
 static const char *const words[] = {"gnuplot", "--default-settings", "-", NULL};
 
 /* What would change the picture: the locale, and the date in a PDF. Cairo 1.18 compresses the date
- * too, where remove_date() cannot see it, unless CAIRO_DEBUG_PDF tells it to compress nothing. */
+ * too, where remove_date() cannot see it. CAIRO_DEBUG_PDF tells it to compress nothing. */
 static const char *const variables[] = {"LC_ALL=C", "GNUTERM=dumb",      "SOURCE_DATE_EPOCH=0",
                                         "TZ=UTC0",  "CAIRO_DEBUG_PDF=1", NULL};
 

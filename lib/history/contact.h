@@ -23,6 +23,7 @@ struct rwedge_contact {
     rw_memory memory; /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see contact_slip.c */
+    rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
     rw_slip_origins origins;
 };
 
@@ -45,15 +46,15 @@ typedef struct {
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
 
-/* A patch's own fields at n <= RW_BLOCK points; whether they add anything; and their part of the
- * contact's, of which the last patch is the whole. */
+/* A patch's own fields at n <= RW_BLOCK points, and their part of the contact's, of which the last
+ * patch is the whole. */
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields);
-bool rw_patch_adds(const rwedge_contact *contact, rw_patch patch, double weight, bool whole);
 void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
                   rw_contact_fields *fields);
 
-/* Whether there is a stress: not at the apex of a sharp wedge. */
+/* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the apex
+ * of a loaded sharp wedge has none. */
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
 
 /* The stresses of the fields and a bulk tension. */

@@ -113,7 +113,7 @@ int32_t rwedge_permanent_stick(double theta, double a, double A, double f, doubl
     if (!left || !right)
         return RWEDGE_ENULL;
     const rw_loads from = {P1, M1, Q1, sigma1}, to = {P2, M2, Q2, sigma2};
-    if (!isfinite(Q1) || !isfinite(Q2) || !isfinite(sigma1) || !isfinite(sigma2))
+    if (!rw_is_signed(Q1) || !rw_is_signed(Q2) || !rw_is_signed(sigma1) || !rw_is_signed(sigma2))
         return RWEDGE_EDOMAIN;
     rwedge_contact *one = NULL, *two = NULL;
     int32_t status = load_once(theta, a, A, f, from, &one);

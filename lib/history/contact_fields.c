@@ -5,25 +5,25 @@
 #include "stress/batch.h"
 #include "stress/stress.h"
 
-#include <float.h>
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
+{
+    if (!rw_is_signed(x) || !rw_is_magnitude(y))
+        return false;
+    const double b = rwedge_contact_half_width(contact);
+    if (b == 0)
+        return true;
+    return rw_is_signed(x / b) && rw_is_magnitude(y / b) &&
+           !(contact->geometry.a == 0 && x == 0 && y == 0);
+}
 
 /* ---- Tractions ---- */
 
-/* Or so near to it that it is not to be told from it in units of the half-width. */
-static bool is_apex(const rwedge_contact *contact, double x, double y)
+static double patch_pressure(rw_patch patch, double a, double x)
 {
-    return contact->geometry.a == 0 && contact->memory.count > 1 &&
-           fmax(fabs(x), y) <= DBL_MIN * rwedge_contact_half_width(contact);
-}
-
-static double patch_pressure(const rw_corner *corner, double a, double x)
-{
-    const rw_patch patch = corner->patch;
-    const double s = rw_patch_half_width(patch);
-    if (x <= patch.left || x >= patch.right || !rw_patch_matters(s, a))
-        return 0;
     if (rw_patch_middle(patch) == 0)
-        return rw_patch_pressure(a, s, x);
+        return rw_patch_pressure(a, patch.right, x);
+    if (x <= patch.left || x >= patch.right)
+        return 0;
     rw_eccentric potential;
     rw_eccentric_init(&potential, a, patch);
     return rw_eccentric_at(&potential, x, 0).G_im;
@@ -35,7 +35,7 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
     if (!contact || (n > 0 && (!x || !p || !q)))
         return RWEDGE_ENULL;
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || is_apex(contact, x[i], 0))
+        if (!rw_contact_has_stress(contact, x[i], 0))
             return RWEDGE_EDOMAIN;
     const rw_geometry *g = &contact->geometry;
     const rw_memory *memory = &contact->memory;
@@ -43,7 +43,7 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
         const double at = x[i];
         double shear = 0, pressure = 0;
         for (size_t j = 1; j < memory->count; j++) {
-            pressure = g->theta / g->A * patch_pressure(&memory->corners[j], g->a, at);
+            pressure = rw_unit_stress(g) * patch_pressure(memory->corners[j].patch, g->a, at);
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */
@@ -62,30 +62,12 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
-bool rw_patch_adds(const rwedge_contact *contact, rw_patch patch, double weight, bool whole)
-{
-    return rw_patch_matters(rw_patch_half_width(patch), contact->geometry.a) &&
-           (weight != 0 || whole);
-}
-
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields)
 {
-    const double s = rw_patch_half_width(patch);
-    double near_x[RW_BLOCK], near_y[RW_BLOCK];
-    bool all_near = true;
-    for (int i = 0; i < n; i++) {
-        const bool is_near = rw_patch_matters(s, fmax(fabs(x[i]), y[i]));
-        near_x[i] = is_near ? x[i] : patch.right;
-        near_y[i] = is_near ? y[i] : 0;
-        all_near = all_near && is_near;
-    }
     rw_eccentric potential;
     rw_eccentric_init(&potential, a, patch);
-    rw_eccentric_fields(&potential, n, near_x, near_y, fields);
-    for (int i = 0; i < n && !all_near; i++)
-        if (!rw_patch_matters(s, fmax(fabs(x[i]), y[i])))
-            fields->G_re[i] = fields->G_im[i] = fields->H_re[i] = fields->H_im[i] = 0;
+    rw_eccentric_fields(&potential, n, x, y, fields);
 }
 
 void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
@@ -109,7 +91,7 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
         const double weight = rw_patch_weight(memory, j);
         const bool whole = j + 1 == memory->count;
         const rw_patch patch = memory->corners[j].patch;
-        if (!rw_patch_adds(contact, patch, weight, whole))
+        if (weight == 0 && !whole)
             continue;
         rw_fields of_patch;
         rw_patch_fields(contact->geometry.a, patch, (int)n, x, y, &of_patch);
@@ -117,16 +99,11 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     }
 }
 
-bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
-{
-    return isfinite(x) && rw_is_nonnegative(y) && !is_apex(contact, x, y);
-}
-
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
                               const rw_contact_fields *fields, int n, double sxx[], double syy[],
                               double txy[])
 {
-    const double unit = contact->geometry.theta / contact->geometry.A;
+    const double unit = rw_unit_stress(&contact->geometry);
     for (int i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(contact->f, fields->tangential[i]);
         const rw_stress_state s = rw_superpose(fields->normal[i], shear);

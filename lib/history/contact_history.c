@@ -90,14 +90,14 @@ static const rw_fields *fields_of(reel *kept, rw_patch patch, size_t load, int n
     return &unused->fields;
 }
 
-static void sum_up(const rwedge_contact *contact, const record *r, size_t load, reel *kept, int n,
+static void sum_up(const record *r, size_t load, reel *kept, int n,
                    const double x[], const double y[], rw_contact_fields *fields)
 {
     for (int i = 0; i < n; i++)
         fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
     for (size_t j = r->first[load]; j < r->first[load + 1]; j++) {
         const bool whole = j + 1 == r->first[load + 1];
-        if (rw_patch_adds(contact, r->pieces[j].patch, r->pieces[j].weight, whole))
+        if (r->pieces[j].weight != 0 || whole)
             rw_add_patch(fields_of(kept, r->pieces[j].patch, load + 1, n, x, y),
                          r->pieces[j].weight, whole, n, fields);
     }
@@ -113,7 +113,7 @@ static void roll(const rwedge_contact *contact, const record *r, reel *kept, siz
         for (size_t load = 0; load < r->loads; load++) {
             rw_contact_fields fields;
             const size_t to = load * n + start;
-            sum_up(contact, r, load, kept, block, x + start, y + start, &fields);
+            sum_up(r, load, kept, block, x + start, y + start, &fields);
             rw_contact_stresses_from(contact, r->sigma[load], &fields, block, sxx + to, syy + to,
                                      txy + to);
         }

@@ -14,15 +14,6 @@ static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
  * is, 2e-7 of it here. */
 static const double STEEPEST_FALL = 1e-8;
 
-/* Loads that an arithmetic of squares and ratios can hold, a width that a search of the
- * half-plane can multiply, and a stress of which tensors can be summed. */
-static const double SMALLEST_LOAD = 1e-148, LARGEST_LOAD = 1e148, LARGEST_WIDTH = 1e300,
-                    LARGEST_STRESS = 1e300;
-
-/* Peak pressure of the sharp wedge in theta/A, as near to its apex as is_apex() allows: (2/pi)
- * arcosh(1/DBL_MIN). */
-static const double SHARP_PEAK = 452;
-
 /* Of the tilt over theta: closer to 1 the edges are not to be told from rounding. */
 static const double LARGEST_TILT = 1 - 1e-9;
 
@@ -41,59 +32,23 @@ static int32_t shear_of(const rwedge_contact *contact, double P, double Q, doubl
     return RWEDGE_OK;
 }
 
-/* Whether the peak pressure is a normal number, and friction's traction under it not too large. */
-static bool is_pressure_in_range(const rwedge_contact *contact, double b)
+/* Whether lengths and pressures stay in the domain. */
+static bool is_in_range(const rw_geometry *g, double P)
 {
-    const rw_geometry *g = &contact->geometry;
-    const double peak = g->a > 0 ? rwedge_peak_pressure(g->a / b) : SHARP_PEAK;
-    const rw_scaled pressure = rw_scaled_times(rw_unit_stress(g), rw_scaled_from(peak));
-    const double traction =
-        rw_scaled_value(rw_scaled_times(pressure, rw_scaled_from(fmax(1, contact->f))));
-    /* it may be NaN */
-    return rw_scaled_is_normal(pressure) && islessequal(traction, LARGEST_STRESS);
-}
-
-/* Whether lengths and stresses under the load stay far from the ends of the range of a double;
- * next to an a/b that underflows to 0 the apex of the sharp wedge would appear. */
-static bool is_in_range(const rwedge_contact *contact, double P)
-{
-    const rw_geometry *g = &contact->geometry;
     const double b = rw_half_width(g, P);
-    return P >= SMALLEST_LOAD && P <= LARGEST_LOAD && isnormal(b) && b <= LARGEST_WIDTH &&
-           rw_patch_matters(b, g->a) && (g->a == 0 || rw_quotient_is_normal(g->a, b)) &&
-           is_pressure_in_range(contact, b);
+    if (!rw_is_contact_size(g, b))
+        return false;
+    return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
 }
 
-/* The load (pi/2) a theta/A under which the rounding is just filled, over 2^doublings. */
-static double corner_load_of(const rw_geometry *g, int doublings)
-{
-    if (g->a == 0)
-        return 0;
-    const rw_scaled width = rw_scaled_times(rw_scaled_from(RW_HALF_PI), rw_scaled_from(g->a));
-    rw_scaled load = rw_scaled_times(width, rw_unit_stress(g));
-    load.exponent -= doublings;
-    /* where all is Hertz, whatever it is */
-    return load.exponent > 1000 ? 1e300 : rw_scaled_value(load);
-}
-
-/* NaN where it is too large for a double. */
+/* The energy of the step to the load, never negative. */
 static double energy_of(const rwedge_contact *contact, double P, double shear)
 {
-    const double largest = fmax(P, rw_memory_end(&contact->memory)->load);
-    if (contact->f == 0 || largest == 0)
-        return 0;
-    const int doublings = ilogb(largest);
-    const double in_units = rw_dissipation(&contact->memory, P, shear, rw_power_of_two(doublings),
-                                           corner_load_of(&contact->geometry, doublings));
-    if (!(in_units > 0))
-        return 0;
-    const rw_scaled f = rw_scaled_from(contact->f),
-                    f_over_pi = rw_scaled_over(f, rw_scaled_from(RW_PI));
-    const rw_scaled factor = rw_scaled_times(f, rw_scaled_from(contact->geometry.A));
-    rw_scaled energy =
-        rw_scaled_times(factor, rw_scaled_times(f_over_pi, rw_scaled_from(in_units)));
-    energy.exponent += 2 * doublings;
-    return rw_scaled_value(energy);
+    const rw_geometry *g = &contact->geometry;
+    const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
+    const double f_over_pi = contact->f / RW_PI;
+    const double integral = rw_dissipation(&contact->memory, P, shear, corner_load);
+    return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
 static void measure_new_corners(rwedge_contact *contact)
@@ -128,10 +83,7 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
-    /* 0 first: A sigma/(4 theta f) of no friction is none */
     step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
-    if (!isfinite(step->to.stretch))
-        return RWEDGE_ERANGE;
     step->patch = rw_patch_under_moment(g, to.P, to.M);
     step->to.tilt = to.M != 0 ? rw_patch_pressing(g->a, step->patch).tilt : 0;
     if (is_same_pressing(contact, to) && !rw_path_is_plain(&contact->memory, step->to)) {
@@ -146,11 +98,11 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
 
 static int32_t check(const rwedge_contact *contact, rw_loads to)
 {
-    if (!rw_is_nonnegative(to.P) || !isfinite(to.M) || !isfinite(to.Q) || !isfinite(to.sigma) ||
-        (to.P == 0 && to.M != 0))
+    if (!rw_is_magnitude(to.P) || !rw_is_signed(to.M) || !rw_is_signed(to.Q) ||
+        !rw_is_signed(to.sigma) || (to.P == 0 && to.M != 0))
         return RWEDGE_EDOMAIN;
-    if (to.P > 0 &&
-        (!is_in_range(contact, to.P) || to.P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
+    if (to.P > 0 && (!is_in_range(&contact->geometry, to.P) ||
+                     to.P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
         return RWEDGE_ERANGE;
     return RWEDGE_OK;
 }
@@ -158,7 +110,7 @@ static int32_t check(const rwedge_contact *contact, rw_loads to)
 /* A flank that lies on the surface, to rounding, has no edge to tell. */
 static bool is_tilt_possible(const rw_step *step)
 {
-    return step->to.load == 0 || (isfinite(step->patch.left) && fabs(step->to.tilt) < LARGEST_TILT);
+    return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
 /* The energy of a step off the centre, which has led from `before` to the present memory: NaN where
@@ -205,7 +157,7 @@ static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *s
     const double load = step->to.load, shear = step->to.shear;
     const double share = energy_of(contact, load, shear) + contact->energy_carry;
     const bool is_known = !isnan(contact->energy);
-    if (!isfinite(share) || (is_known && contact->energy / 2 + share / 2 > DBL_MAX / 2))
+    if (isgreater(contact->energy + share, RW_LARGEST))
         return RWEDGE_ERANGE;
     /* the carry may be negative */
     const double energy =
@@ -231,18 +183,27 @@ static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
            !(contact->memory.count == 1 && step->to.tilt == 0);
 }
 
-/* One origin serves for all points where they were in contact before the first slip, and none came
- * after it. */
+/* One origin serves for all points that slipped, where they had touched before the first slip: no
+ * point slips that came later. */
 static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int slip)
 {
     const rw_slip_origins *origins = &contact->origins;
-    const double last = rw_memory_end(&contact->memory)->load;
+    const rw_patch from = rw_memory_end(&contact->memory)->patch;
     if (!contact->is_origin_known || origins->count > 1)
         return false;
-    if (origins->count == 1 && origins->all[0].to_load > origins->all[0].from_load)
-        return false;
-    const bool grew = fmax(last, step->to.load) > (origins->count == 1 ? origins->fresh : last);
-    return slip == 0 || !grew;
+    if (slip == 0)
+        return true;
+    if (origins->count == 0)
+        return rw_patch_is_nested(step->patch, from);
+    return origins->all[0].to_load <= origins->all[0].from_load &&
+           rw_patch_is_nested(from, contact->settled) &&
+           rw_patch_is_nested(step->patch, contact->settled);
+}
+
+/* The part of a patch inside of another. */
+static rw_patch common_part(rw_patch one, rw_patch other)
+{
+    return (rw_patch){fmax(one.left, other.left), fmin(one.right, other.right)};
 }
 
 static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step *step,
@@ -253,6 +214,9 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     if (!rw_memory_copy(&contact->memory, &before))
         return RWEDGE_ENOMEM;
     const bool is_known = keeps_origin(contact, step, slip);
+    const rw_patch settled =
+        contact->was_off_centre && contact->origins.count > 0 ? contact->settled
+                                                              : rw_memory_end(&before)->patch;
     const bool is_plain = rw_path_is_plain(&before, step->to);
     const double plain_share = is_plain ? energy_of(contact, step->to.load, step->to.shear) : 0;
     if (!rw_memory_reserve(&contact->memory, 2) ||
@@ -264,6 +228,7 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     go(contact, &to, step, departure);
     const bool slides = contact->memory.count == 2 && slip != 0;
     contact->was_off_centre = true;
+    contact->settled = common_part(settled, step->patch);
     contact->is_origin_known = is_known && !slides;
     const double share = contact->energy_carry +
                          (is_plain ? plain_share : share_off_centre(contact, &before, step, slip));

@@ -16,12 +16,9 @@
 #include "history/gap.h"
 #include "history/off_centre.h"
 
-/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the
- * profile. */
+/* rw_gap() of a patch of half-width s. */
 static double gap(double a, double s, double x)
 {
-    if (!rw_patch_matters(s, fmax(a, x)))
-        return rw_profile(a, x);
     rw_potential patch;
     rw_potential_init(&patch, a / s);
     return s * rw_gap(&patch, x / s);
@@ -94,7 +91,8 @@ static double slip_at(const rwedge_contact *contact, double x)
 /* Off the centre: over the one origin there is. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
-    if (contact->origins.count == 0)
+    const rw_patch settled = contact->settled;
+    if (contact->origins.count == 0 || x < settled.left || x > settled.right)
         return 0;
     const double w = rw_path_displacement(&contact->memory, &contact->origins.all[0].base,
                                           contact->geometry.a, x);
@@ -109,7 +107,7 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
         return RWEDGE_ENULL;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || x[i] < patch.left || x[i] > patch.right)
+        if (!rw_is_signed(x[i]) || x[i] < patch.left || x[i] > patch.right)
             return RWEDGE_EDOMAIN;
     if (contact->was_off_centre && !contact->is_origin_known)
         return RWEDGE_EPATH;

@@ -8,7 +8,7 @@
  * <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to the surface between marks
  * they continue across it. In polar coordinates around each mark, with ln r, no maximum is
  * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle,
- * reaches from 3 b (beyond it J2 falls like r^-2, to that of the bulk tension) to 1e-9 of the distance to the next mark,
+ * reaches from 3 b (beyond it J2 falls like r^-2) to 1e-9 of the distance to the next mark,
  * however near that is, and has the marks themselves and the surface on it. Every maximum of the
  * grid that is not far below the highest is then followed to its top. */
 #include "history/contact.h"
@@ -35,21 +35,15 @@ static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, ENOUG
 /* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
 static const double ROUGHLY = 0.05;
 
-/* The highest J2 so far, in (theta/A)^2 over the square of a power of two, and where. */
+/* The highest J2 so far, in (theta/A)^2, and where. */
 typedef struct {
     const rwedge_contact *contact;
-    double kappa, magnify;
+    double kappa;
     double tension; /* half the bulk tension */
     double J2, x, y;
     /* of the highest that was climbed; its distance from the mark, infinite before */
     double top_x, top_y, top_radius;
 } search;
-
-/* The stresses of Hertz' contact are of the order b/a, whose square might underflow. */
-static int magnification(const rwedge_contact *contact)
-{
-    return ilogb(fmax(1, contact->geometry.a / rwedge_contact_half_width(contact)));
-}
 
 static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[])
 {
@@ -58,10 +52,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     for (size_t i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        const double difference = s->magnify * (state.difference - s->tension),
-                     mean = s->magnify * (state.mean + s->tension);
-        const double in_shear = s->magnify * state.shear;
-        J2[i] = difference * difference + in_shear * in_shear + s->kappa * mean * mean;
+        const double difference = state.difference - s->tension, mean = state.mean + s->tension;
+        J2[i] = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
         if (J2[i] > s->J2) {
             s->J2 = J2[i];
             s->x = x[i];
@@ -72,17 +64,24 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 
 /* ---- The marks ---- */
 
-/* Mark 0 is the centre, then in pairs the left and right ones: the edges of the contact, the ends of
- * the rounding, and the patches' edges from outside inwards. */
+/* The parts of the surface whose edges are marks: the contact, the rounding as far as it is in
+ * contact, and the patches inside from the widest to the narrowest. */
+static rw_patch marked(const rwedge_contact *contact, size_t i)
+{
+    const rw_corner *corners = contact->memory.corners;
+    const size_t last = contact->memory.count - 1;
+    const rw_patch patch = corners[i <= 1 ? last : last + 1 - i].patch;
+    const double a = contact->geometry.a;
+    return i == 1 ? (rw_patch){fmax(-a, patch.left), fmin(a, patch.right)} : patch;
+}
+
+/* First the centre, then the edges of each part. */
 static double mark(const rwedge_contact *contact, size_t i)
 {
     if (i == 0)
         return 0;
-    const size_t pair = (i + 1) / 2, corners = contact->memory.count;
-    const rw_patch patch =
-        contact->memory.corners[pair <= 2 ? corners - 1 : corners + 1 - pair].patch;
-    const double a = pair == 2 ? contact->geometry.a : HUGE_VAL;
-    return i % 2 ? fmin(a, patch.right) : fmax(-a, patch.left);
+    const rw_patch part = marked(contact, (i - 1) / 2);
+    return i % 2 ? part.right : part.left;
 }
 
 /* How far the contact reaches from the centre. */
@@ -119,7 +118,7 @@ static double innermost_radius(const rwedge_contact *contact, size_t i)
             nearest = fmin(nearest, distance);
     }
     const double f = fmax(1, 1e-3 * contact->f);
-    return fmax(fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i))), DBL_MIN);
+    return fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i)));
 }
 
 /* ---- Climbing ---- */
@@ -311,15 +310,13 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
 {
     if (!contact || !factor)
         return RWEDGE_ENULL;
-    if (!rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
+    if (!rw_is_poisson(nu) || !rw_is_positive(k))
         return RWEDGE_EDOMAIN;
     if (contact->memory.count < 2)
         return RWEDGE_EABSENT;
-    const int doublings = magnification(contact);
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
-                .magnify = rw_power_of_two(doublings),
-                .tension = contact->loads.sigma / 2 * (contact->geometry.A / contact->geometry.theta),
+                .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
@@ -327,12 +324,9 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
             search_around(&s, i);
         if (NEVER(!(s.J2 > 0))) /* the grid has points with stress */
             return RWEDGE_ERANGE;
-        rw_scaled highest =
-            rw_scaled_times(rw_unit_stress(&contact->geometry), rw_scaled_from(sqrt(s.J2)));
-        highest.exponent -= doublings;
-        found = rw_scaled_value(rw_scaled_over(rw_scaled_from(k), highest));
+        found = k / (rw_unit_stress(&contact->geometry) * sqrt(s.J2));
     }
-    if (!isfinite(found))
+    if (!rw_is_magnitude(found))
         return RWEDGE_ERANGE;
     *factor = found;
     if (x)

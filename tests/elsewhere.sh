@@ -23,8 +23,7 @@ unshare --mount --pid --fork true 2>/dev/null || skip "this machine does not let
 work=$(mktemp -d)
 trap 'rm -rf --one-file-system "$work"' EXIT
 system=$work/system
-mirror=http://deb.debian.org/debian
-debootstrap --variant=minbase --include=git,ca-certificates "$suite" "$system" "$mirror" >"$work/log" 2>&1 ||
+debootstrap --variant=minbase --include=git,ca-certificates "$suite" "$system" >"$work/log" 2>&1 ||
     skip "debootstrap ends with: $(tail -n 1 "$work/log")"
 if [ "$suite" = stable ] && [ "$(grep VERSION_CODENAME "$system/etc/os-release")" = "$(grep VERSION_CODENAME /etc/os-release)" ]; then
     echo "This machine is the stable release itself."
@@ -40,12 +39,12 @@ chroot "$system" update-ca-certificates >"$work/log" 2>&1
 there()
 {
     # shellcheck disable=SC2016
-    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 http_proxy="${http_proxy-}" https_proxy="${https_proxy-}" \
+    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 http_proxy="${http_proxy-}" https_proxy="${https_proxy-}" \
         unshare --mount --pid --fork --kill-child sh -c '
             mount --make-rprivate / && mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
-                exec chroot "$0" sh -c "cd /root/rwedge && exec \"\$@\"" sh "$@"' "$system" "$@"
+                exec chroot "$0" sh -c "cd /srv/rwedge && exec \"\$@\"" sh "$@"' "$system" "$@"
 }
-git clone --quiet --no-hardlinks "$top" "$system/root/rwedge"
+git clone --quiet --no-hardlinks "$top" "$system/srv/rwedge"
 echo "$(. "$system/etc/os-release" && echo "$PRETTY_NAME"), $(git -C "$top" log -1 --format='%h %s')"
 
 there ./tables/generate.sh || fail "generate.sh ends with status $?"

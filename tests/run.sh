@@ -42,7 +42,7 @@ wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octav
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
 # libFuzzer, Debian's gcc has none
-wish command:clang=clang
+wish command:clang=clang command:clang-format=clang-format
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \

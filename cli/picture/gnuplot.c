@@ -50,7 +50,7 @@ static bool open_pipes(child *gnuplot)
 }
 
 /* What would change the picture: the locale, and the date in a PDF. Cairo 1.18 compresses the date
- * too, where remove_date() cannot see it, unless it is told to compress nothing: CAIRO_DEBUG_PDF. */
+ * too, where remove_date() cannot see it. CAIRO_DEBUG_PDF tells it to compress nothing. */
 static char *const our_environment[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0",
                                         "TZ=UTC0", "CAIRO_DEBUG_PDF=1"};
 enum { OUR_ENVIRONMENT = sizeof our_environment / sizeof our_environment[0] };

@@ -4,7 +4,8 @@
 #include "stress/closed_form.h"
 #include "stress/far_series.h"
 
-/* Brings a point at the apex nearer to RW_TINY, if need be repeatedly; |z|^2 stays negligible beside 1. */
+/* Brings a point at the apex nearer to RW_TINY, if need be repeatedly; |z|^2 stays negligible
+ * beside 1. */
 static const double ZOOM = 0x1p150;
 static const double LN_ZOOM = 150 * RW_LN2;
 

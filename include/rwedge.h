@@ -303,47 +303,54 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 
 /* The next point of the history with a moment and a bulk tension, reached in a straight line of all
  * four.                                                                                         new
- *   P      as above
+ *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
  *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
  *          where P is 0
- *   Q      as above
- *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface
- *          by A sigma/4 under a wedge that does not stretch, and so makes it slip. Without contact, P
- *          = 0, it only adds: apply it first to have it without slip
- * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact for loads
- * with M = 0 and one sigma, whatever P and Q do; and, lib/README.md "Moment and bulk tension",
- *   - under constant P and M, where |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact,
- *     so that both edges slip one way;
- *   - where P and M grow or fall so that both edges move outwards or both inwards, and the edges slip
- *     one way or stick.
- * Other loads have no closed form: RWEDGE_EPATH, as where a front of slip or an edge ends between two
- * patches of the memory at one side and not at the other. Without friction, f = 0, there are none.
- * RWEDGE_EDOMAIN also where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but
- * lies on the surface. Otherwise as rwedge_contact_load(). */
+ *   Q      |Q| <= f P, as for rwedge_contact_load()
+ *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
+ *          surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
+ *          adds: apply it before P to have it without slip
+ * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact without
+ * moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
+ * one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
+ * of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
+ * closed form, nor those that end with the front of slip between two patches of the memory at one
+ * edge and between two others at the other: lib/README.md, "Moment and bulk tension". Without
+ * friction, f = 0, all are exact.
+ * RWEDGE_EPATH where there is no closed form: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+ * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
+ * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
-/* What is in the way where rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and how
- * to go round it, in English; empty where nothing is, and where the loads are refused for another
- * reason. The contact stays as it is.                                                           new
- *   largest  receives the largest |d sigma| that slips one way with this change of Q, stress: 0 where P
- *            or M change, HUGE_VAL without friction; may be NULL
+/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+ * English; empty where it would not.                                                            new
+ *   arguments as for rwedge_contact_apply(); the contact stays as it is
  * Static text, never NULL. */
 RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
-                                               double Q, double sigma, double *largest);
+                                               double Q, double sigma);
 
-/* The present loads: each receives one number.
+/* The largest |d sigma| with which the present Q may change to another under constant P and M,
+ * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+ *   Q  finite
+ * NaN outside the domain and for NULL; 0 when separated. */
+RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
+
+/* The present loads.                                                                            new
+ *   P, M, Q, sigma  each receives one number
  * RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M,
                                         double *Q, double *sigma);
 
-/* The edges of the contact, left < x < right, length.                                           new
- * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width over 1 - |tilt|/theta. */
+/* The edges of the contact, left < x < right.                                                   new
+ *   left, right  length
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 - |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left,
                                         double *right);
 
-/* The edges of the stick zone, length: between them and those of the contact friction is exhausted,
- * |q| = f |p|. Those of the contact where there is no such zone.                                new
+/* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+ * |p|. Those of the contact where there is no such zone.                                        new
+ *   left, right  length
  * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
@@ -365,9 +372,12 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
                                                   double *shear_left, double *shear_right);
 
 /* The zone that never slips while loads go to and fro between two points in a straight line, once
- * the first cycles are over, whatever was before.           Andresen and Hills, see lib/README.md; new
- *   P1, M1, Q1, sigma1  as for rwedge_contact_apply(); 2 likewise
- *   left, right         its edges, length
+ * the first cycles are over, whatever was before.                                               new
+ *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+ *   M1, M2          finite
+ *   Q1, Q2          |Q| <= f P
+ *   sigma1, sigma2  finite
+ *   left, right     its edges, length
  * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite directions,
  * or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE,
  * RWEDGE_ENULL, RWEDGE_ENOMEM. */
@@ -411,9 +421,11 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
 /* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
  * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as it
  * was is not computed again.                                                                     new
- *   P, M, Q, sigma  loads numbers each
- *   x, y            n numbers each
- *   sxx, syy, txy   each receives loads n numbers, the n of the first load first; not one of the inputs
+ *   P              0, or at least 1e-8 of the last P
+ *   M, Q, sigma    finite: loads numbers each, as P
+ *   x, y           length, finite, y >= 0: n numbers each
+ *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+ *                  inputs
  * The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and nothing is
  * written. As both functions; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
@@ -422,16 +434,19 @@ RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t
                                                  const double x[], const double y[], double sxx[],
                                                  double syy[], double txy[]);
 
-/* The contact as numbers, for restarts and for other processes: what is made of them again gives the
- * same bits for ever after. The numbers are of no other use. Their form has a version: this library
+/* How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.           new */
+RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
+
+/* The contact as numbers, for restarts and for other processes: what is made of them again gives
+ * the same bits for ever after. They are of no other use. Their form has a version: this library
  * reads what it and the older ones have written.                                                new
- *   n      rwedge_contact_state_size(), 0 for NULL; a number of its own for each contact and load
+ *   n      rwedge_contact_state_size()
  *   state  receives n numbers
  * RWEDGE_ENULL; RWEDGE_ERANGE for another n. */
-RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
 RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double state[]);
 
 /* The contact of such numbers.                                                                  new
+ *   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
  *   contact  receives the handle
  * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with
  * rwedge_contact_destroy(). */

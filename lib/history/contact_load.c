@@ -290,18 +290,23 @@ static const char *text_of(rw_obstacle obstacle)
 }
 
 const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M, double Q,
-                                    double sigma, double *largest)
+                                    double sigma)
 {
     const rw_loads to = {P, M, Q, sigma};
     rw_step step;
     rw_departure departure;
-    if (!contact || check(contact, to) != RWEDGE_OK ||
+    if (!contact || contact->f == 0 || check(contact, to) != RWEDGE_OK ||
         make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
         return "";
-    const double stretch_of_tension = contact->geometry.A / contact->geometry.theta / 4;
-    if (largest)
-        *largest = contact->f > 0
-                       ? rw_path_largest_stretch(&step) * contact->f / stretch_of_tension
-                       : HUGE_VAL;
-    return contact->f > 0 ? text_of(rw_path_departure(&step, &departure)) : "";
+    return text_of(rw_path_departure(&step, &departure));
+}
+
+double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q)
+{
+    if (!contact || !rw_is_signed(Q))
+        return NAN;
+    const double s = rwedge_contact_half_width(contact);
+    if (contact->f == 0)
+        return HUGE_VAL;
+    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) : 0;
 }

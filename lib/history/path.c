@@ -88,20 +88,13 @@ static bool is_constant(const rw_step *s)
     return s->to_P == s->from_P && s->to_M == s->from_M;
 }
 
-double rw_path_largest_stretch(const rw_step *s)
-{
-    const rw_corner *end = rw_memory_end(s->memory);
-    return is_constant(s) && end->load > 0
-               ? length_of(s->geometry, fabs(s->to.shear - end->shear)) /
-                     (RW_PI * half_width(end->patch))
-               : 0;
-}
-
 static bool slips_one_way(const rw_step *s)
 {
-    const double stretch = fabs(s->to.stretch - rw_memory_end(s->memory)->stretch);
-    return stretch <=
-           (1 + SLACK) * rw_path_largest_stretch(s) + tilt_tolerance(s->memory, s->to);
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double stretch = fabs(s->to.stretch - end->stretch);
+    const double shear = length_of(s->geometry, fabs(s->to.shear - end->shear));
+    return stretch <= (1 + SLACK) * shear / (RW_PI * half_width(end->patch)) +
+                          tilt_tolerance(s->memory, s->to);
 }
 
 /* Whether the front that slips from the edges ends between the same two patches at both. Slip that

@@ -38,8 +38,4 @@ rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
 /* Whether all of it has one stretch and no tilt: the history of P and Q alone. */
 bool rw_path_is_plain(const rw_memory *memory, rw_loading to);
 
-/* The largest change of the stretch with which that of the shear slips one way, under a constant
- * load. */
-double rw_path_largest_stretch(const rw_step *step);
-
 #endif

@@ -8,19 +8,11 @@
 
 #include <float.h>
 
-/* ln(p/q), q of the order of 1; p may be so small that it is not a normal number. */
-static double log_of_quotient(double p, double q, double difference)
-{
-    if (p < 0x1p-900)
-        return rw_log_of_quotient(p * 0x1p600, q) - 600 * RW_LN2;
-    return rw_log_of_quotient_over(p, q, difference, 1, 1);
-}
-
 /* Eq. (14): -arcosh(1/t), t = x/c, of which 1 - t is given. */
 static double sharp_wedge(double t, double from_edge)
 {
     const double s = sqrt(from_edge * (1 + t));
-    return 2 / RW_PI * log_of_quotient(t, 1 + s, -(from_edge + s));
+    return 2 / RW_PI * rw_log_of_quotient_over(t, 1 + s, -(from_edge + s), 1, 1);
 }
 
 /* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) =
@@ -43,8 +35,8 @@ static double rounded_wedge(double a, double c, double x)
     const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)),
                  alpha = a / c;
     const double A = c0 * x, B = a * s;
-    const double first =
-        log_of_quotient((A + B) / c, c0 + s, -(c0 * ((c - x) / c) + s * ((c - a) / c)));
+    const double first = rw_log_of_quotient_over((A + B) / c, c0 + s,
+                                                 -(c0 * ((c - x) / c) + s * ((c - a) / c)), 1, 1);
     const double edge = rw_angle(c0, alpha) / alpha * s;
     const double corner = x == a ? 0 : (x - a) / a * log_of_ratio(a, x, A, B);
     return (2 * (first - edge) + corner) / RW_PI;
@@ -57,15 +49,14 @@ double rw_patch_pressure(double a, double c, double x)
         return 0;
     if (a >= c)
         return -sqrt((c - x) / c * ((c + x) / c)) / (a / c);
-    if (a == 0 ||
-        a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/a might overflow */
+    if (a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit */
         return sharp_wedge(x / c, (c - x) / c);
     return rounded_wedge(a, c, x);
 }
 
 double rwedge_pressure(double alpha, double x)
 {
-    if (!rw_is_nonnegative(alpha) || !isfinite(x))
+    if (!rw_is_magnitude(alpha) || !rw_is_signed(x))
         return NAN;
     if (alpha == 0 && x == 0)
         return NAN;
@@ -74,7 +65,7 @@ double rwedge_pressure(double alpha, double x)
 
 double rwedge_peak_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_positive(alpha))
         return NAN;
     if (alpha >= 1)
         return 1 / alpha;
@@ -84,7 +75,7 @@ double rwedge_peak_pressure(double alpha)
 
 double rwedge_transition_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_positive(alpha))
         return NAN;
     if (alpha >= 1)
         return 0;

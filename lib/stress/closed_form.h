@@ -120,18 +120,4 @@ RW_INLINE rw_field rw_mirrored(const rw_potential *p, double x, double y, rw_fie
                       rw_if_negative(left, -right.H_im, right.H_im)};
 }
 
-/* Below this the fourth powers of alpha and |z| would underflow. */
-#define RW_TINY 0x1p-200
-
-RW_INLINE bool rw_is_at_apex(const rw_potential *p, rw_place at)
-{
-    return p->alpha < RW_TINY && at.x < RW_TINY && at.y < RW_TINY;
-}
-
-/* Remote, or at the apex of a tip so small that its squares underflow. */
-RW_INLINE bool rw_is_extreme(const rw_potential *p, rw_place at)
-{
-    return rw_is_remote(at.x, at.y) || rw_is_at_apex(p, at);
-}
-
 #endif

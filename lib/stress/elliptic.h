@@ -37,13 +37,6 @@ RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
                          .cos2 = cos2};
 }
 
-/* The same; false where the point cannot be told from the edge. */
-static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)
-{
-    *e = rw_elliptic_at(x, y, beyond);
-    return e->cos2 > 0x1p-511;
-}
-
 /* Beyond 1e8 R = 1/(2z) to the last bit. */
 static inline bool rw_is_remote(double x, double y)
 {

@@ -12,7 +12,7 @@ typedef struct {
     double half_width, a;   /* of the patch, and the rounding, in the unit of the points */
     double per_half_width;  /* 1/half_width */
     double alpha;           /* a over half_width */
-    double per_alpha;       /* its reciprocal, 0 where the wedge is sharp to the last bit */
+    double per_alpha;       /* its reciprocal, 0 for the sharp wedge */
     double c0;              /* cos(phi0), phi0 = asin(alpha) */
     double phi0_over_alpha; /* 1 for the sharp wedge */
 } rw_potential;

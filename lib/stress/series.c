@@ -4,19 +4,14 @@
  * series, which is what is fitted and summed. */
 #include "rwedge.h"
 
-#include "base/always.h"
 #include "base/domain.h"
 #include "stress/elliptic.h"
 #include "base/least_squares.h"
-#include "base/scaled.h"
 #include "stress/stress.h"
 
 #include <stdlib.h>
 
 enum { MAX_TERMS = 1 << 24, MAX_ENTRIES = 1 << 27 };
-
-/* As a power of two, of the weighted coefficients: times f = 1e6 they are still finite. */
-enum { LARGEST_SUM = 1000 };
 
 struct rwedge_series {
     double residual;
@@ -42,8 +37,6 @@ static double analytic_tail(double alpha, double N)
         return 0;
     if (alpha == 0)
         return HUGE_VAL;
-    if (alpha < 1e-300) /* whose reciprocal may overflow: M is 1/(2 alpha) */
-        return 2 / RW_PI * ((1 + 0.5 / (N * (N + 1))) * (-log(alpha) - log(2 * N)) + 1);
     const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
     return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) +
            (slope + 1 / (2 * M + 1)) / (RW_PI * M);
@@ -53,7 +46,7 @@ int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series
 {
     if (!series)
         return RWEDGE_ENULL;
-    if (!rw_is_nonnegative(alpha))
+    if (!rw_is_magnitude(alpha))
         return RWEDGE_EDOMAIN;
     if (terms < 1 || terms > MAX_TERMS)
         return RWEDGE_ERANGE;
@@ -77,42 +70,15 @@ static void fill_columns(int32_t samples, int32_t terms, const double x[], doubl
     }
 }
 
-/* Of the samples times `scale`. */
 static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples,
-                                         const double x[], const double p[], double scale)
+                                         const double x[], const double p[])
 {
     double sum = 0;
     for (size_t i = 0; i < samples; i++) {
-        const double misfit = rwedge_series_pressure(series, x[i]) - scale * p[i];
+        const double misfit = rwedge_series_pressure(series, x[i]) - p[i];
         sum += misfit * misfit;
     }
     return sqrt(sum / (double)samples);
-}
-
-/* The power of two that is next to the largest sample: over it, no sum or square overflows or
- * underflows. */
-static int magnitude(size_t samples, const double p[])
-{
-    double largest = 0;
-    for (size_t i = 0; i < samples; i++)
-        largest = fmax(largest, fabs(p[i]));
-    return largest > 0 ? (int)fmax(-1000, fmin(1000, ilogb(largest))) : 0;
-}
-
-/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow
- * then. */
-static bool enlarge(rwedge_series *made, int doublings)
-{
-    double sum = made->residual;
-    for (int32_t k = 0; k < made->terms; k++)
-        sum += (k + 1) * fabs(made->a[k]);
-    /* never: the samples are of the order 1, and the rank is checked */
-    if (NEVER(!isfinite(sum)) || (sum > 0 && ilogb(sum) + doublings > LARGEST_SUM))
-        return false;
-    for (int32_t k = 0; k < made->terms; k++)
-        made->a[k] *= rw_power_of_two(doublings);
-    made->residual *= rw_power_of_two(doublings);
-    return true;
 }
 
 /* Solves for made->a. work holds the matrix and the right-hand side. */
@@ -120,25 +86,23 @@ static int32_t fit(size_t samples, const double x[], const double p[], double *w
                    rwedge_series *made)
 {
     const size_t entries = samples * (size_t)made->terms;
-    const int doublings = magnitude(samples, p);
-    const double scale = rw_power_of_two(-doublings);
     double *v = work + entries;
     fill_columns((int32_t)samples, made->terms, x, work);
     for (size_t i = 0; i < samples; i++)
-        v[i] = scale * p[i];
+        v[i] = p[i];
     const int32_t status = rw_least_squares((int32_t)samples, made->terms, work, v);
     if (status != RWEDGE_OK)
         return status;
     for (int32_t k = 0; k < made->terms; k++)
         made->a[k] = v[k];
-    made->residual = root_mean_square_of_misfit(made, samples, x, p, scale);
-    return enlarge(made, doublings) ? RWEDGE_OK : RWEDGE_ENOCONV;
+    made->residual = root_mean_square_of_misfit(made, samples, x, p);
+    return RWEDGE_OK;
 }
 
 static bool are_samples(size_t samples, const double x[], const double p[])
 {
     for (size_t i = 0; i < samples; i++)
-        if (!isfinite(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
+        if (!rw_is_signed(x[i]) || !rw_is_signed(p[i]) || fabs(x[i]) >= 1)
             return false;
     return true;
 }
@@ -207,7 +171,7 @@ static sums sum_powers(const rwedge_series *series, double R_re, double R_im)
 
 double rwedge_series_pressure(const rwedge_series *series, double x)
 {
-    if (!series || !isfinite(x))
+    if (!series || !rw_is_signed(x))
         return NAN;
     if (fabs(x) >= 1)
         return 0;
@@ -221,7 +185,6 @@ static rw_field field_at(const rwedge_series *series, double x, double y)
 {
     const double right = fabs(x), sign = x < 0 ? -1 : 1;
     double R_re, R_im, y_per_X_re, y_per_X_im;
-    rw_elliptic e;
     if (rw_is_remote(right, y)) { /* X = z */
         const rw_ray ray = rw_ray_to(right, y);
         R_re = ray.R_re;
@@ -229,9 +192,9 @@ static rw_field field_at(const rwedge_series *series, double x, double y)
         y_per_X_re = ray.sine * ray.cosine;
         y_per_X_im = -ray.sine * ray.sine;
     } else {
-        const bool apart = rw_elliptic_coordinates(right, y, right - 1, &e);
+        const rw_elliptic e = rw_elliptic_at(right, y, right - 1);
         const double shrink = rw_elliptic_shrink(&e);
-        const double scale = apart ? y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w) : 0;
+        const double scale = y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w);
         R_re = shrink * e.sin_v;
         R_im = -shrink * e.cos_v;
         y_per_X_re = scale * e.sin_v * e.sinh_w;
@@ -247,7 +210,7 @@ static int32_t check(const rwedge_series *series, double f, double x, double y)
 {
     if (!series)
         return RWEDGE_ENULL;
-    return rw_is_friction(f) && isfinite(x) && rw_is_nonnegative(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
+    return rw_is_friction(f) && rw_is_signed(x) && rw_is_magnitude(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
 }
 
 int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y,

@@ -15,9 +15,9 @@ static double sharp_wedge(double t, double from_edge)
     return 2 / RW_PI * rw_log_of_quotient_over(t, 1 + s, -(from_edge + s), 1, 1);
 }
 
-/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) =
- * (x+a)(x-a) gives the difference from two that are exact, and where one of A, B is small beside
- * the other the quotient is 1 plus a product of it. */
+/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. The difference A - B
+ * would cancel: (A+B)(A-B) = (x+a)(x-a) gives it from factors that do not. Where one of A, B is
+ * small beside the other, the quotient is near 1, and its distance from 1 is a product. */
 static double log_of_ratio(double a, double x, double A, double B)
 {
     const double sum = A + B, small = fmin(A, B), past = fabs(x - a), both = x + a;
@@ -27,9 +27,9 @@ static double log_of_ratio(double a, double x, double A, double B)
 
 /* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x
  * +- a s, over c,
- *     pi p = 2 ln((c0 x + a s)/(c0 + s)) + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a:
- * the paper's two logarithms share their singularity at x = a; here it is gone from the first,
- * and the second is multiplied by its zero. */
+ *     pi p = 2 ln((c0 x + a s)/(c0 + s)) + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a.
+ * Both of the paper's logarithms are infinite at x = a. Here the first is not, and the second is
+ * multiplied by x - a. */
 static double rounded_wedge(double a, double c, double x)
 {
     const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)),

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's route to the stresses: p = -sqrt(1-x^2) sum a_k U_k(x), whose potential is G = sum
- * a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) = sin((k+1) t): a sine
- * series, which is what is fitted and summed. */
+/* The paper's route to the stresses. The pressure p = -sqrt(1-x^2) sum a_k U_k(x) has the
+ * potential G = sum a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) is
+ * sin((k+1) t): what is fitted and summed is a sine series. */
 #include "rwedge.h"
 
 #include "base/domain.h"
@@ -27,10 +27,10 @@ static rwedge_series *allocate(int32_t terms)
     return series;
 }
 
-/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|,
- * which is - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <=
- * ln((n+1)/n)/2; - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which
- * telescopes. */
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, m = 2n+1, from two bounds of
+ * |m sin(m phi0) cot(phi0) - cos(m phi0)|. It is below m^2 + 1: this serves up to M =
+ * c0/(2 alpha), with 1/m <= ln((n+1)/n)/2. It is below m c0/alpha + 1: this serves beyond, with
+ * 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
 static double analytic_tail(double alpha, double N)
 {
     if (alpha >= 1)

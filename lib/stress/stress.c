@@ -11,7 +11,7 @@
 #include "base/inline.h"
 #include "rwedge.h"
 
-/* The tractions of one contact: all of its patches share the centre 0. */
+/* The two patches of one contact, both centred at 0; the stick zone's where c > 0. */
 typedef struct {
     double f, c;
     rw_potential contact, stick;
@@ -31,7 +31,7 @@ RW_INLINE rw_field difference(rw_field a, rw_field b)
     return (rw_field){a.G_re - b.G_re, a.G_im - b.G_im, a.H_re - b.H_re, a.H_im - b.H_im};
 }
 
-/* stick: the field of the stick zone's patch. */
+/* normal: the field of the whole contact; stick: that of the stick zone's patch, or 0. */
 RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy,
                        double *txy)
 {

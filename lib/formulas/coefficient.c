@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The coefficients of the paper's series. With m = 2n+1,
- *     b_0 = (2/pi)(phi0 + alpha c0)/alpha,   b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
+ *     b_0 = (2/pi)(phi0 + alpha c0)/alpha,
+ *     b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
  * and 4 (-1)^n/(pi m) for the sharp wedge, where the paper prints (-1)^(2n) (E1).
  *
  * The bracket cancels near the zeros of b_n as a function of alpha, and like (1-alpha)^(3/2) near

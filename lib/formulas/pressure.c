@@ -27,7 +27,8 @@ static double log_of_ratio(double a, double x, double A, double B)
 
 /* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x
  * +- a s, over c,
- *     pi p = 2 ln((c0 x + a s)/(c0 + s)) + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a.
+ *     pi p = 2 ln((c0 x + a s)/(c0 + s))
+ *            + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a.
  * Both of the paper's logarithms are infinite at x = a. Here the first is not, and the second is
  * multiplied by x - a. */
 static double rounded_wedge(double a, double c, double x)

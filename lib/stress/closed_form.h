@@ -4,7 +4,8 @@
  * exp(i zeta), X = sqrt(z^2-1) = i cos(zeta),
  *
  *     G  =  (2/pi) [ B - ((z-alpha)/alpha) A + (phi0/alpha) R ],     S+- = sin(zeta +- phi0),
- *     G' = -(2/pi) [ A/alpha + (phi0/alpha) R/X ],                   A = (i/2) ln( e^(-2i phi0) S-/S+ ),
+ *     G' = -(2/pi) [ A/alpha + (phi0/alpha) R/X ],
+ *     A  = (i/2) ln( e^(-2i phi0) S-/S+ ),
  *     B  = i ln( -i e^(i phi0) S+/(cos(zeta) + c0) )
  *
  * for x >= 0; the other half follows by symmetry. No large terms cancel. A is infinite at z =

@@ -5,8 +5,6 @@
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
-#include <stdbool.h>
-
 /* What depends on the contact alone, computed once for any number of points. */
 typedef struct {
     double half_width, a;   /* of the patch, and the rounding, in the unit of the points */
@@ -35,13 +33,6 @@ void rw_potential_init(rw_potential *potential, double alpha);
  * points; a/c finite. It takes a and c, not their quotient: where two of a, c and a point are
  * nearly equal, their difference counts, and a quotient would lose its digits. */
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
-
-/* A patch so narrow that a length over its half-width would overflow carries no load that a
- * double could show. */
-static inline bool rw_patch_matters(double half_width, double length)
-{
-    return half_width > 1e-290 && length * 1e-280 <= half_width;
-}
 
 /* y >= 0. x and y over the half-width are 0 or at least 1e-60 in magnitude, and not both 0 for
  * the sharp wedge. The result is finite. The error of each part is below

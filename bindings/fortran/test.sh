@@ -26,10 +26,6 @@ fortran()
 }
 objects=''
 
-sh "$here/check_interfaces.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90"
-sh "$here/document.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90" >documented.f90
-diff "$here/rwedge.f90" documented.f90 || fail "the comments are not the header's: see document.sh"
-
 fortran door -O2
 cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 sh "$top/tests/doors/calls.sh" >calls.csv

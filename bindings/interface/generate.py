@@ -12,6 +12,7 @@ from pathlib import Path
 
 import write_c
 import write_excel
+import write_fortran
 import write_matlab
 from header import Interface, Refused, read
 
@@ -24,6 +25,7 @@ def files(interface: Interface) -> dict[str, str]:
     matlab = {family: (bindings / f"matlab/rwedge_{family}.m.in").read_text(encoding="ascii") for family in ("contact", "series")}
     return {
         "bindings/interface/entries.h": write_c.entries_h(interface),
+        "bindings/fortran/rwedge.f90": write_fortran.module(interface, (bindings / "fortran/template.f90").read_text(encoding="ascii")),
         **{f"bindings/matlab/functions/{n}": text for n, text in write_matlab.files(interface, matlab).items()},
         "bindings/excel/rwedge.bas": write_excel.module(interface, (bindings / "excel/template.bas").read_text(encoding="ascii")),
     }

@@ -26,6 +26,7 @@ def files(interface: Interface) -> dict[str, str]:
     return {
         "bindings/interface/entries.h": write_c.entries_h(interface),
         "bindings/fortran/rwedge.f90": write_fortran.module(interface, (bindings / "fortran/template.f90").read_text(encoding="ascii")),
+        "bindings/fortran/door.f90": write_fortran.door(interface, (bindings / "fortran/door_template.f90").read_text(encoding="ascii")),
         **{f"bindings/matlab/functions/{n}": text for n, text in write_matlab.files(interface, matlab).items()},
         "bindings/excel/rwedge.bas": write_excel.module(interface, (bindings / "excel/template.bas").read_text(encoding="ascii")),
     }

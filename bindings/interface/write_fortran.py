@@ -293,3 +293,43 @@ def module(interface: Interface, template: str) -> str:
     for mark, text in replaced.items():
         template = template.replace(mark, text)
     return template
+
+
+# ---- The door: a case for each call of tests/doors/ ----
+
+
+def in_door(f: Function, p: Parameter) -> str:
+    if p in f.outputs:
+        k = f.outputs.index(p) + 1
+        return {0: f"s(1, 1, {k})", 1: f"s(:, 1, {k})", 2: f"s(:, :, {k})"}[len(p.size)]
+    value = f"v({f.inputs.index(p) + 1})%x"
+    value += "" if p.size else "(1)"
+    return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
+
+
+def door_case(f: Function) -> str:
+    given = [in_door(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
+    name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
+    lines = [f"case ('{f.name}')"]
+    if f.result == "value":
+        value = f"{name}({', '.join(given)})"
+        return "\n".join([folded(lines[0], 8), folded(f"r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]", 12)])
+    shape = {}
+    for p in f.inputs:
+        if p.size:
+            shape.setdefault(p.size[0], f"size(v({f.inputs.index(p) + 1})%x)")
+    shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
+    if f.outputs:
+        of = next((p.size for p in f.outputs if p.size), ())
+        lines.append(f"allocate (s({', '.join([shape[n] for n in reversed(of)] + ['1'] * (2 - len(of)))}, {len(f.outputs)}))")
+    if f.of("created") and f.of("handle"):
+        lines += [f"call other%{f.method}({f.family}, stat)", f"{f.family} = other"]
+    else:
+        lines.append(f"call {name}({', '.join(given + ['stat'])})")
+    lines.append("r = [s]" if f.outputs else "r = [real(c_double) ::]")
+    return "\n".join([folded(lines[0], 8), *(folded(x, 12) for x in lines[1:])])
+
+
+def door(interface: Interface, template: str) -> str:
+    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND]
+    return template.replace("{cases}", "\n".join(cases))

@@ -77,8 +77,7 @@ static void add(message *m, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    const int more =
-        vsnprintf(m->text + m->length, sizeof m->text - m->length, format, arguments);
+    const int more = vsnprintf(m->text + m->length, sizeof m->text - m->length, format, arguments);
     va_end(arguments);
     m->length += (size_t)more;
     if (m->length >= sizeof m->text)
@@ -87,15 +86,15 @@ static void add(message *m, const char *format, ...)
 
 /* The arguments v[j][at[j]], and what is allowed: of the one that is to blame, the only one if
  * need be, or of all where it is none alone. Sizes are told where n is given. */
-static void add_arguments(message *m, const entry *call, const double *const v[],
-                          const size_t at[], const size_t n[])
+static void add_arguments(message *m, const entry *call, const double *const v[], const size_t at[],
+                          const size_t n[])
 {
     char number[32];
     const int sizes = n ? call->sizes : 0;
     for (int j = 0; j < call->arguments; j++)
         if (call->arguments + sizes == 1 || !is_in_domain(&call->argument[j], v[j][at[j]])) {
-            add(m, ": %s = %s; allowed is %s", call->argument[j].name,
-                text_of(v[j][at[j]], number), call->argument[j].allowed);
+            add(m, ": %s = %s; allowed is %s", call->argument[j].name, text_of(v[j][at[j]], number),
+                call->argument[j].allowed);
             return;
         }
     const char *between = ": ";
@@ -113,8 +112,8 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
 
 /* The library's text, the arguments v[j][at[j]] where they are to blame, and which element of
  * several it is, counted from 0; -1 for none. */
-static void fail_with(int32_t status, const entry *call, const double *const v[],
-                      const size_t at[], const size_t n[], long element)
+static void fail_with(int32_t status, const entry *call, const double *const v[], const size_t at[],
+                      const size_t n[], long element)
 {
     message m = {"", 0};
     add(&m, "rwedge_%s: %s", call->name, rwedge_strerror(status));
@@ -290,8 +289,8 @@ static bool suits_array(const entry *call, const mxArray *const arguments[], siz
 }
 
 /* No call where a number is not whole that must be: outside the domain. */
-static int32_t status_of(const entry *call, void *object, const size_t n[],
-                         const double *const v[], double *const r[], void **made)
+static int32_t status_of(const entry *call, void *object, const size_t n[], const double *const v[],
+                         double *const r[], void **made)
 {
     for (int j = 0; j < call->arguments; j++)
         if (call->argument[j].whole && !is_int32(*v[j]))
@@ -471,8 +470,10 @@ static const struct {
     int arguments;
     mxArray *(*run)(const mxArray *argument);
 } commands[] = {
-    {"contact_destroy", 1, destroy_contact}, {"series_destroy", 1, destroy_series},
-    {"version", 0, version},                 {"strerror", 1, error_text},
+    {"contact_destroy", 1, destroy_contact},
+    {"series_destroy", 1, destroy_series},
+    {"version", 0, version},
+    {"strerror", 1, error_text},
     {"alive", 0, objects_alive},
 };
 

@@ -240,8 +240,8 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top,
     rwedge_contact *contact = NULL;
     double factor = 0;
     int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
-    if (status ==
-        RWEDGE_OK) /* Q grows under constant P: the straight line from 0 to both would give other tractions */
+    /* Q grows under constant P: the straight line from 0 to both would give other tractions */
+    if (status == RWEDGE_OK)
         status = rwedge_contact_load(contact, load, 0);
     if (status == RWEDGE_OK)
         status = rwedge_contact_load(contact, load, Q);

@@ -49,9 +49,10 @@ static bool open_pipes(child *gnuplot)
     return true;
 }
 
-/* What would change the picture: the locale, and the date in a PDF. */
+/* What would change the picture: the locale, and the date in a PDF. Cairo 1.18 compresses the date
+ * too, where remove_date() cannot see it. CAIRO_DEBUG_PDF tells it to compress nothing. */
 static char *const our_environment[] = {"LC_ALL=C", "GNUTERM=dumb", "SOURCE_DATE_EPOCH=0",
-                                        "TZ=UTC0"};
+                                        "TZ=UTC0", "CAIRO_DEBUG_PDF=1"};
 enum { OUR_ENVIRONMENT = sizeof our_environment / sizeof our_environment[0] };
 
 static bool is_ours(const char *variable)

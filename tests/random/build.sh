@@ -14,7 +14,7 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
     "$clang" -fsanitize=fuzzer,address trial.c -o trial 2>/dev/null && break
     clang=
 done
-[ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev)"; exit 77; }
+[ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli"
 flags="$flags -I$source/tests/host -I$source/tests/random"

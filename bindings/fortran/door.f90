@@ -8,7 +8,7 @@ program door
     use, intrinsic :: iso_fortran_env, only: error_unit, int64
     implicit none
     type :: numbers
-        real(c_double), allocatable :: x(:)
+        real(c_double), allocatable :: x(:), xx(:, :) ! of two sizes: the points of a load in a column
     end type
     type(rwedge_contact) :: contact, other
     type(rwedge_series) :: series
@@ -174,19 +174,31 @@ contains
             if (from > len(line)) exit
             to = from + index(line(from:) // ',', ',') - 1
             v(i)%x = numbers_of(line(from:to - 1))
+            v(i)%xx = reshape(v(i)%x, [size(v(i)%x) / rows(line(from:to - 1)), rows(line(from:to - 1))])
         end do
+    end function
+
+    function rows(text)
+        character(*), intent(in) :: text
+        integer :: i, rows
+        rows = 1 + count([(text(i:i) == ';', i = 1, len(text))])
     end function
 
     function numbers_of(text) result(x)
         character(*), intent(in) :: text
         real(c_double), allocatable :: x(:)
+        character(len(text)) :: spaced
         integer :: i
         if (text == '@') then
             x = before
             return
         end if
-        allocate (x(1 + count([(text(i:i) == ' ', i = 1, len(text))])))
-        read (text, *) x
+        allocate (x(1 + count([(scan(text(i:i), ' ;') == 1, i = 1, len(text))])))
+        spaced = text
+        do i = 1, len(text)
+            if (text(i:i) == ';') spaced(i:i) = ' '
+        end do
+        read (spaced, *) x
     end function
 
     function bits(value) result(text)

@@ -123,7 +123,7 @@ def check_shape(f: Function) -> None:
     """Ends with what to do about a function that no cell can have."""
     outputs = f.outputs
     if (f.returns not in ("double", "int32_t") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs)):
+            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs)):
         sys.exit(f"write_excel.py: rwedge_{f.name}() fits no cell: name it in NOT_DECLARED or NOT_IN_CELLS")
 
 

@@ -150,28 +150,32 @@ def conclude(f: Function, status: str, names: list[str], values: list[str], more
     return [folded(head, indent).rstrip() + " &", margin + f" // &\n{margin}".join(f"'{p}'" for p in pieces) + end]
 
 
-def first_of_size(f: Function, size: str) -> Parameter:
-    return next(p for p in f.inputs + f.outputs if p.size == (size,))
+def extent(f: Function, size: str, kind: str = "") -> tuple[Parameter, str]:
+    """The first array that has a size, and how Fortran asks for it; loads are the second dimension, C's first."""
+    arrays = [p for p in f.inputs + f.outputs if size in p.size]
+    first = next((p for p in arrays if len(p.size) == 1), arrays[0])
+    dimension = f", {2 - first.size.index(size)}" if len(first.size) == 2 else ""
+    return first, f"size({name_of(first)}{dimension}{kind})"
 
 
 def sizes_of(f: Function) -> dict[str, str]:
-    return {p.name: f"size({name_of(first_of_size(f, p.name))}, kind=c_size_t)" for p in f.of("size")}
+    return {p.name: extent(f, p.name, ", kind=c_size_t")[1] for p in f.of("size")}
 
 
 def agreement(f: Function) -> list[str]:
     """The conditions that arrays fit each other."""
     conditions = []
     for size in f.of("size"):
-        first = first_of_size(f, size.name)
+        first, of_first = extent(f, size.name)
         others = [p for p in f.inputs + f.outputs if p.size == (size.name,) and p is not first]
         if len(others) == 1:
-            conditions.append(f"size({name_of(others[0])}) == size({name_of(first)})")
+            conditions.append(f"size({name_of(others[0])}) == {of_first}")
         elif others:
-            conditions.append(f"all([{', '.join(f'size({name_of(p)})' for p in others)}] == size({name_of(first)}))")
-    for p in f.outputs:
-        if len(p.size) == 2:
-            rows, columns = (name_of(first_of_size(f, n)) for n in reversed(p.size))
-            conditions.append(f"all(shape({name_of(p)}) == [size({rows}), size({columns})])")
+            conditions.append(f"all([{', '.join(f'size({name_of(p)})' for p in others)}] == {of_first})")
+    for p in f.inputs + f.outputs:
+        if len(p.size) == 2 and p is not extent(f, p.size[0])[0]:
+            rows, columns = (extent(f, n)[1] for n in reversed(p.size))
+            conditions.append(f"all(shape({name_of(p)}) == [{rows}, {columns}])")
     return conditions
 
 
@@ -191,7 +195,7 @@ def search(f: Function) -> list[str]:
                 folded(f"if ({one} == rwedge_ok) cycle", 16), *conclude(f, "status", *given(f.inputs, "i"), at="i", indent=16),
                 "                return", "            end do", "        end if"]
     lines = []
-    for p in arrays:
+    for p in (p for p in arrays if len(p.size) == 1):
         together = [q for q in arrays if q.size == p.size]
         lines += [folded(f"i = first_outside({name_of(p)}, {bounds(p)})", 8), "        if (status == rwedge_edomain .and. i > 0) then",
                   *conclude(f, "status", *given(together, "i"), at="i", indent=12), "            return", "        end if"]
@@ -220,13 +224,14 @@ def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
     for k, p in enumerate(optional, 1):
         lines.append(f"        if (status == rwedge_ok .and. present({name_of(p)})) {name_of(p)} = place({k})")
     if f.of("in array"):
-        local.append(("integer", "i"))
+        if any(len(p.size) == 1 for p in f.of("in array")):
+            local.append(("integer", "i"))
         if f.pointwise:
             local.insert(0, ("real(c_double)", f"s({len(f.outputs)})"))
         lines += search(f)
     names, numbers = given([] if f.pointwise else [p for p in f.inputs if not p.size])
     if f.of("in array") and not f.pointwise:
-        counted = [f"size({name_of(first_of_size(f, p.name))})" for p in f.of("size")]
+        counted = [extent(f, p.name)[1] for p in f.of("size")]
         names, numbers = counted + names, [f"real({c}, c_double)" for c in counted] + numbers
     return local, [*lines, *conclude(f, "status", names, numbers, "; arrays of one size" if fits else "")]
 
@@ -303,7 +308,7 @@ def in_door(f: Function, p: Parameter) -> str:
         k = f.outputs.index(p) + 1
         return {0: f"s(1, 1, {k})", 1: f"s(:, 1, {k})", 2: f"s(:, :, {k})"}[len(p.size)]
     value = f"v({f.inputs.index(p) + 1})%x"
-    value += "" if p.size else "(1)"
+    value += {0: "(1)", 1: "", 2: "x"}[len(p.size)]
     return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
 
 
@@ -315,9 +320,11 @@ def door_case(f: Function) -> str:
         value = f"{name}({', '.join(given)})"
         return "\n".join([folded(lines[0], 8), folded(f"r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]", 12)])
     shape = {}
-    for p in f.inputs:
-        if p.size:
-            shape.setdefault(p.size[0], f"size(v({f.inputs.index(p) + 1})%x)")
+    for k, p in enumerate(f.inputs, 1):
+        if len(p.size) == 1:
+            shape.setdefault(p.size[0], f"size(v({k})%x)")
+        elif p.size:
+            shape.update({p.size[0]: f"size(v({k})%xx, 2)", p.size[1]: f"size(v({k})%xx, 1)"})
     shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
     if f.outputs:
         of = next((p.size for p in f.outputs if p.size), ())

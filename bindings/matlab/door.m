@@ -14,7 +14,8 @@ function numbers = argument(text, before)
     if strcmp(text, '@')
         numbers = before;
     else
-        numbers = str2double(strsplit(text, ' '));
+        rows = strsplit(text, ';'); % the points of a load; here they stand in a column
+        numbers = cell2mat(cellfun(@(row) str2double(strsplit(row, ' ')), rows', 'UniformOutput', false)).';
     end
 end
 

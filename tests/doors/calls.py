@@ -3,7 +3,7 @@
 """Prints the calls that every door answers: calls.py [--own] > CALLS
 
 A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
-in all, and its arguments, the numbers of an array with spaces between them. @ is the array of the numbers that the line before
+in all, and its arguments, the numbers of an array with spaces between them, and ; between the loads of one of two sizes. @ is the array of the numbers that the line before
 gave. A function that makes an object makes the one that the following lines are about.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
@@ -22,6 +22,7 @@ from header import read  # noqa: E402
 
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
+LOADS = 2  # the loads of an array of two sizes
 EVERY = 7  # rows of a reference table
 
 # Values of each argument, by its name; those outside the domain of a function are left out.
@@ -104,13 +105,20 @@ def call(function, given):
     for p, value in zip(function.inputs, given):
         if p.size and value != "@":
             counts[p.size[0]] = len(value)
+            if len(p.size) == 2:
+                counts[p.size[1]] = len(value[0])
     numbers = 0
     for p in function.outputs:
         known = [counts.get(size, 0) for size in p.size]
         numbers += math.prod(known)
     results = len(function.outputs) or int(function.result == "value")
-    texts = [" ".join(map(repr, v)) if isinstance(v, list) else v if v == "@" else repr(v) for v in given]
-    print(",".join([f"{function.name}:{results}:{numbers or results}", *texts]))
+    print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, given)]))
+
+
+def text_of(given):
+    if isinstance(given, list):
+        return (";" if isinstance(given[0], list) else " ").join(map(text_of, given))
+    return given if given == "@" else repr(given)
 
 
 def sampled(function, variant):
@@ -120,6 +128,8 @@ def sampled(function, variant):
         of, step = values(function, p), 1 + j % 3
         if of == "@":
             given.append(of)
+        elif len(p.size) == 2:
+            given.append([[of[(step * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.size:
             given.append([of[(step * variant + i) % len(of)] for i in range(SAMPLES.get(function.name, POINTS))])
         else:

@@ -18,7 +18,7 @@ static rwedge_series *series;
 
 typedef struct {
     double v[MOST];
-    size_t n;
+    size_t n, rows;
 } numbers;
 
 static numbers before; /* what the line before gave */
@@ -52,9 +52,12 @@ static numbers numbers_of(const char *text)
 {
     if (*text == '@')
         return before;
-    numbers a = {{0}, 0};
-    for (char *end; a.n < MOST && *text && *text != ','; text = end)
+    numbers a = {{0}, 0, 1};
+    for (char *end; a.n < MOST && *text && *text != ','; text = end) {
         a.v[a.n++] = strtod(text, &end);
+        a.rows += *end == ';';
+        end += *end == ';';
+    }
     return a;
 }
 
@@ -66,8 +69,11 @@ static int read_arguments(const entry *call, const char *text, numbers given[], 
         if (!text)
             return 0;
         given[j] = numbers_of(++text);
-        if (call->argument[j].size >= 0)
-            n[(int)call->argument[j].size] = given[j].n;
+        const signed char *sizes = call->argument[j].sizes;
+        if (sizes[0] >= 0)
+            n[(int)sizes[0]] = sizes[1] < 0 ? given[j].n : given[j].rows;
+        if (sizes[1] >= 0)
+            n[(int)sizes[1]] = given[j].n / given[j].rows;
     }
     for (int j = 0; j < call->sizes; j++)
         if (call->size[j].teller) {

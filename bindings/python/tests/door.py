@@ -47,7 +47,9 @@ def call(name, arguments):
 def argument(text, kind, before):
     if text == "@":
         return before
-    values = [float(word) for word in text.split(" ")]
+    values = [float(word) for word in text.replace(";", " ").split(" ")]
+    if ";" in text:
+        return np.array(values).reshape(text.count(";") + 1, -1)
     return np.array(values) if kind == "const double *" else int(values[0]) if kind == "int32_t" else values[0]
 
 

@@ -131,7 +131,7 @@ bool case_read(const input_texts *given, bool needs_load, contact_case *what,
     fill(value, what);
     if (!isnormal(what->A) || !isnormal(what->theta / what->A) || !isfinite(what->a)) {
         snprintf(complaint, COMPLAINT_SIZE,
-                 "the moduli and the rounding are so large or small that numbers overflow");
+                 "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
         return false;
     }
     return has_equilibrium(given, what, complaint);

@@ -139,7 +139,7 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
         found->value[i] = cell_empty();
     const double b = rwedge_half_width(what->theta, what->a, what->A, what->P);
     if (!isnormal(b) || !isfinite(what->a / b))
-        return not_computed("b", "so large or small that numbers overflow", complaint);
+        return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
     geometry(what, b, found->value);
     if (!friction(what, b, found->value, complaint) || !strength(what, b, found->value, complaint))
         return false;

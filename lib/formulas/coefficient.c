@@ -54,7 +54,7 @@ double rwedge_coefficient(double alpha, int32_t n)
 {
     /* for m alpha below it, the bracket is m^2 - 1 to its square */
     static const double SHARP = 1e-9;
-    if (!rw_is_nonnegative(alpha) || n < 0)
+    if (!rw_is_magnitude(alpha) || n < 0)
         return NAN;
     if (alpha >= 1)
         return n == 0 ? 1 / alpha : 0;

@@ -66,7 +66,7 @@ double rw_patch_pressure(double a, double c, double x)
 
 double rwedge_pressure(double alpha, double x)
 {
-    if (!rw_is_nonnegative(alpha) || !isfinite(x))
+    if (!rw_is_magnitude(alpha) || !rw_is_signed(x))
         return NAN;
     if (alpha == 0 && x == 0)
         return NAN;
@@ -75,7 +75,7 @@ double rwedge_pressure(double alpha, double x)
 
 double rwedge_peak_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_magnitude(alpha) || alpha == 0)
         return NAN;
     if (alpha >= 1)
         return 1 / alpha;
@@ -85,7 +85,7 @@ double rwedge_peak_pressure(double alpha)
 
 double rwedge_transition_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_magnitude(alpha) || alpha == 0)
         return NAN;
     if (alpha >= 1)
         return 0;

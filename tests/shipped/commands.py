@@ -48,17 +48,14 @@ def blocks(path):
 
 
 def sections(readme, found):
-    """The commands of a README, as (line, script, what must be printed or None)."""
+    """The commands of a README, as (line, script, the lines that it must print or none)."""
     for number, info, lines in found:
         if info == "sh":
-            yield number, "\n".join(lines), None
+            yield number, "\n".join(lines), []
         elif info == "console":
-            for line in lines:
-                if line.startswith("$ "):
-                    command, shown = line[2:], []
-                    yield number, command, shown
-                else:
-                    shown.append(line)
+            for example in "\n".join(lines)[2:].split("\n$ "):
+                command, *shown = example.split("\n")
+                yield number, command, shown
 
 
 def look(source):
@@ -110,9 +107,8 @@ class Clone:
 
     def run(self, script, shown):
         """Whether the script ends well, and prints what is shown."""
-        given = None if shown is None else subprocess.STDOUT
         ended = subprocess.run(["sh", "-e", "-c", script], cwd=self.top, env=self.environment, text=True,
-                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=given or subprocess.STDOUT)
+                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if shown and ended.stdout.splitlines() == shown:
             return True  # a shown message may be an error's
         if shown or ended.returncode != 0:

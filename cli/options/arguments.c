@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "arguments.h"
 
+#include "text/list.h"
 #include "text/message.h"
 
 #include <errno.h>
@@ -27,9 +28,8 @@ void options_list(const struct poptOption *options, char *text, size_t size)
     text[0] = '\0';
     for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
         const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
-        const size_t used = strlen(text);
         if (option != NULL)
-            snprintf(text + used, size - used, "%s--%s", used > 0 ? ", " : "", option->longName);
+            list_add(text, size, ", ", "--%s", option->longName);
     }
 }
 
@@ -40,7 +40,7 @@ static int unknown_option(const syntax *grammar, const char *option)
     return usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
-/* popt goes on without what it could not store: an option would be missed by nobody. */
+/* popt goes on without an option that it has no memory for; nobody would notice. */
 static bool is_out_of_memory(void)
 {
     return errno == ENOMEM;

@@ -1109,13 +1109,12 @@ contains
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
     !>    Sec. 4 of the paper
     !>   samples  number of samples, >= terms, samples * terms <= 2^27
-    !>   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
-    !>            equally spaced) fit best
+    !>   x, p     where and what, |x| < 1, 0 or 1e-60 to 1e60 in magnitude; samples near Chebyshev's
+    !>            points (x = cos t, t equally spaced) fit best
     !>   terms    >= 1
-    !> RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where
-    !> the samples do not determine the coefficients to half the digits of a double (repeated or
-    !> clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
-    !> RWEDGE_ENOMEM.
+    !> RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
+    !> (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+    !> RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV.
     subroutine series_fit(this, x, p, terms, stat, errmsg)
         class(rwedge_series), intent(inout) :: this
         real(c_double), intent(in) :: x(:), p(:)
@@ -1132,18 +1131,20 @@ contains
         i = first_outside(x, -1.0_c_double, 1.0_c_double, .true., .true., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1;' // &
+                ' samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
-        i = first_outside(p, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(p, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1;' // &
+                ' samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
-            '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27; arrays of ' // &
-            'one size', stat, errmsg)
+            '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
+            'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
     end subroutine
 
     !> How many coefficients it holds; 0 for NULL.

@@ -363,8 +363,8 @@ static const entry_argument series_create_arguments[] = {
 ENTRY(series_fit, return rwedge_series_fit(n[0], v[0], v[1], (int32_t)v[2][0], (rwedge_series
       **)made))
 static const entry_argument series_fit_arguments[] = {
-    {"x", "|x| < 1, finite", -1.0, 1.0, 1, 1, 0, 1, 0, {0, -1}},
-    {"p", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"x", "|x| < 1, 0 or 1e-60 to 1e60 in magnitude", -1.0, 1.0, 1, 1, 0, 1, 0, {0, -1}},
+    {"p", "0 or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
     {"terms", "whole, >= 1", 1.0, INFINITY, 0, 0, 0, 1, 1, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
     {"samples", NULL, ">= terms, samples * terms <= 2^27"}};

@@ -160,11 +160,12 @@ def clauses(text: str) -> list[str]:
 
 
 def bound(domain: Domain, sign: str, value: float | None) -> None:
+    """Narrows the domain."""
     if value is None:
         return
-    if sign[0] == ">":
+    if sign[0] == ">" and value >= domain.low:
         domain.low, domain.low_open = value, sign == ">"
-    else:
+    if sign[0] == "<" and value <= domain.high:
         domain.high, domain.high_open = value, sign == "<"
 
 
@@ -180,15 +181,16 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
             bound(domain, match[2].replace("<", ">"), number(match[1]))
             bound(domain, match[4], number(match[5]))
         elif match := TO.fullmatch(clause):
-            domain.or_zero |= bool(match[1])
-            bound(domain, ">=", number(match[2]))
+            magnitude = clause.endswith("in magnitude")
+            domain.or_zero |= bool(match[1]) and not magnitude
+            bound(domain, ">=", -number(match[3]) if magnitude else number(match[2]))
             bound(domain, "<=", number(match[3]))
         elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
             bound(domain, ">=", number(match[2]))
         elif match := AT_MOST.fullmatch(clause):
             bound(domain, "<=", number(match[1]))
-            domain.low = -domain.high
+            bound(domain, ">=", -number(match[1]))
         elif match := BEYOND.fullmatch(clause):
             if match[1].strip("|") in others:
                 continue

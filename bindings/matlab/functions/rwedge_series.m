@@ -60,7 +60,7 @@ classdef rwedge_series < handle
 
         function value = pressure(series, x)
         %PRESSURE  value = series.pressure(x)
-        %   The pressure at x; 0 for |x| >= 1; NaN for x not finite.   Eq. (29)
+        %   The pressure at x; 0 for |x| >= 1; NaN outside the domain.   Eq. (29)
         %     x  place along the surface, in b, finite
             if nargin < 2
                 error('rwedge:arguments', 'too few arguments: value = series.pressure(x)');
@@ -102,7 +102,7 @@ classdef rwedge_series < handle
         %   Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
         %      Sec. 4 of the paper
         %     samples  number of samples, >= terms, samples * terms <= 2^27
-        %     x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
+        %     x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
         %              equally spaced) fit best
         %     terms    >= 1
         %   rwedge:noconv where the sums of the series could overflow (about 1e301). rwedge:rank where

@@ -37,7 +37,7 @@ library=$objects
 objects=
 for file in "$source"/cli/*.c "$source"/cli/*/*.c; do
     case $file in
-    */main.c | */message.c | */xlsx.c) ;; # the messages are our own; spreadsheets are none of the inputs
+    */main.c | */message.c | */sheet/* | */spreadsheet.c | */workbook/*) ;; # the messages are our own; spreadsheets are none of the inputs
     *) compile "$file" ;;
     esac
 done

@@ -384,10 +384,9 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
  *   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
  *            equally spaced) fit best
  *   terms    >= 1
- * RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where
- * the samples do not determine the coefficients to half the digits of a double (repeated or
- * clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
- * RWEDGE_ENOMEM. */
+ * RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
+ * (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+ * RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV. */
 RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[],
                                      int32_t terms, rwedge_series **series);
 

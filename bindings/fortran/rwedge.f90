@@ -858,7 +858,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
-            'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P, |Q| <= f P', stat, errmsg)
+            'P 0, or 1e-148 to 1e148 and at least 1e-8 of the last P, |Q| <= f P', stat, errmsg)
     end subroutine
 
     !> Half-width b of the contact, length; 0 when separated; NaN for NULL.
@@ -1037,10 +1037,9 @@ contains
     !>   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
     !>            equally spaced) fit best
     !>   terms    >= 1
-    !> RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where
-    !> the samples do not determine the coefficients to half the digits of a double (repeated or
-    !> clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
-    !> RWEDGE_ENOMEM.
+    !> RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
+    !> (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+    !> RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV.
     subroutine series_fit(this, x, p, terms, stat, errmsg)
         class(rwedge_series), intent(inout) :: this
         real(c_double), intent(in) :: x(:), p(:)

@@ -44,7 +44,7 @@ typedef struct {
     int64_t points; /* from edge to edge, where not 0 */
 } plan;
 
-/* Equal steps of the angle whose sine x/b is: the ends and the middle are hit exactly. */
+/* x/b is the sine of an angle that grows in equal steps. The ends and the middle are exact. */
 static double x_of(const plan *what, int64_t i)
 {
     if (what->points == 0)
@@ -155,6 +155,8 @@ static int profile(const arguments *given)
     int status = arguments_no_operand(given);
     if (status == STATUS_DONE)
         status = output_options_read(given, &how);
+    if (status == STATUS_DONE)
+        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
     if (status == STATUS_DONE)
         status = read_points(given, &what);
     if (status == STATUS_DONE)

@@ -105,10 +105,9 @@ classdef rwedge_series < handle
         %     x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
         %              equally spaced) fit best
         %     terms    >= 1
-        %   rwedge:noconv where the sums of the series could overflow (about 1e301). rwedge:rank where
-        %   the samples do not determine the coefficients to half the digits of a double (repeated or
-        %   clustered points, or fewer than terms); rwedge:domain, rwedge:range,
-        %   rwedge:memory.
+        %   rwedge:rank where the samples do not determine the coefficients to half the digits of a double
+        %   (repeated or clustered points, or fewer than terms); rwedge:domain, rwedge:range,
+        %   rwedge:memory, rwedge:noconv.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: series = rwedge_series.fit(x, p, terms)');
             end

@@ -565,14 +565,14 @@ contains
     !> Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.   Eq. (2)
     !>   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
     !>   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
-    !> NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
+    !> NaN outside the domain, or where A leaves it. Relative error below 4 epsilon.
     elemental function rwedge_compliance(E1, nu1, E2, nu2) result(value)
         real(c_double), intent(in) :: E1, nu1, E2, nu2
         real(c_double) :: value
         value = c_compliance(E1, nu1, E2, nu2)
     end function
 
-    !> Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The
+    !> Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
     !> theory with friction is exact where it is 0 (elastically similar bodies).
     !>    Dundurs (1969), see lib/README.md
     !>   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
@@ -598,7 +598,7 @@ contains
     !> The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
     !> (a/b >= 1) included.   Eq. (7), (11), inverse
     !>   AP_over_theta_a  > 0, finite
-    !> NaN outside the domain. Relative error below 1e-14.
+    !> NaN outside the domain, or where a/b leaves it. Relative error below 1e-14.
     elemental function rwedge_a_over_b(AP_over_theta_a) result(value)
         real(c_double), intent(in) :: AP_over_theta_a
         real(c_double) :: value
@@ -647,7 +647,7 @@ contains
 
     ! ---- Partial slip -------------------------------------------------------------------------------------------------
 
-    !> Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under
+    !> Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under
     !> constant P.   Eq. (25)
     !>   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
     !> NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
@@ -732,8 +732,8 @@ contains
 
     !> Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
     !> under a normal load (f = 0).   Figs. 3 to 5
-    !> It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu
-    !> = 0.5 and f = 0 (or below 1e-100, which counts as 0): pi.
+    !> It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose
+    !> stresses are infinite; but pi for nu = 0.5 and f = 0.
     !>   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
     !> NaN outside the domain. Relative error below 1e-12.
     elemental function rwedge_elastic_limit(alpha, f, nu) result(value)
@@ -768,9 +768,9 @@ contains
 
     !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
     !>   alpha  0, or at least 1e-14
-    !> For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the
-    !> contact is equally stressed. RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12
-    !> where the maximum is not flat.
+    !> The sharp wedge yields at its apex. For nu = 0.5 and alpha >= 1 the whole surface of the
+    !> contact is equally stressed.
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
     impure elemental subroutine rwedge_yield_point(alpha, f, nu, limit, x, y, stat, errmsg)
         real(c_double), intent(in) :: alpha, f, nu
         real(c_double), intent(inout) :: limit, x, y
@@ -780,12 +780,12 @@ contains
             'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
-    !> Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4
-    !> are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated.
-    !>    Fig. 4; new
+    !> The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
+    !> and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that
+    !> each can be interpolated.   Fig. 4; new
     !>
-    !> Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in
-    !> f, and for small alpha: RWEDGE_EABSENT beyond.
+    !> Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
+    !> alpha have none: RWEDGE_EABSENT.
     !>   alpha  0, or at least 1e-14
     !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
     impure elemental subroutine rwedge_subsurface_yield(alpha, f, nu, limit, x, y, stat, errmsg)
@@ -797,8 +797,8 @@ contains
             'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
-    !> At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for
-    !> nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface.
+    !> At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
+    !> for nu = 0.5 and f = 0, where J2 is 0 on the surface.
     !>   alpha  0, or at least 1e-14
     !> RWEDGE_EDOMAIN, RWEDGE_ENULL.   Fig. 4; new
     impure elemental subroutine rwedge_surface_yield(alpha, f, nu, limit, x, stat, errmsg)
@@ -810,9 +810,9 @@ contains
             'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
-    !> Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the
-    !> surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for
-    !> an interval of f: lib/README.md).   Fig. 4; new
+    !> Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
+    !> at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
+    !> the surface again for an interval of f: lib/README.md.)   Fig. 4; new
     !>   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
     !> NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
     !> like a square root.
@@ -858,13 +858,13 @@ contains
     end function
 
     !> The load P at which a given contact first yields in full sliding, or under a normal load (f =
-    !> 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a
-    !> root.   Figs. 3 to 5
+    !> 0), force/length. The contact grows with P, and the elastic limit depends on a/b: P is the root
+    !> of an equation.   Figs. 3 to 5
     !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-    !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14
-    !> a wide: for f = 0 (or below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the
-    !> deviator stays bounded however large the load. Relative error below 1e-11, and 1e-15
-    !> dlnP/dlnk, which is large for f = 0 and nu near 0.5.
+    !> It is 0 for the sharp wedge. It is HUGE_VAL where the contact does not yield before it is 1e14
+    !> a wide. For f = 0 and nu = 0.5 it never yields if k > (2/pi) theta/A: the deviator stays
+    !> bounded however large the load. Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large
+    !> for f = 0 and nu near 0.5.
     elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
         real(c_double), intent(in) :: theta, a, compliance, f, nu, k
         real(c_double) :: value
@@ -905,25 +905,22 @@ contains
 
     !> The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
     !>    Sec. 3.2; new
-    !>   P  0, or 1e-148 to 1e148 and at least 1e-8 of the last P; 0 separates the bodies (Q must
-    !>      then be 0 too), and all but the dissipated energy is forgotten
-    !>   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full
-    !>      sliding
-    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to
-    !> 1e148, the half-width b above 1e300, b, a/b or the peak pressure not a normal number, the peak
-    !> pressure times max(1, f) above 1e300 (of the sharp wedge: 452 theta/A max(1, f)), or the
-    !> energy overflows (below the smallest double it is 0), and where P is not 0 but below 1e-8 of
-    !> the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
-    !> RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It keeps at most two points of the
-    !> history per load, and of them only those that no later load has wiped out: a load cycle that
-    !> is repeated costs the memory of one.
+    !>   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
+    !>      the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+    !>   Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
+    !>      P
+    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
+    !> peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
+    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
+    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
+    !> two points of the history per load, and of them only those that no later load has wiped out.
     subroutine contact_load(this, P, Q, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, Q
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
-            'P 0, or 1e-148 to 1e148 and at least 1e-8 of the last P; |Q| <= f P', stat, errmsg)
+            'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; |Q| <= f P', stat, errmsg)
     end subroutine
 
     !> Half-width b of the contact, length; 0 when separated; NaN for NULL.
@@ -934,9 +931,9 @@ contains
         value = c_contact_half_width(this%handle)
     end function
 
-    !> Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is
-    !> exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when
-    !> separated; NaN for NULL.   Eq. (25); new
+    !> Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
+    !> |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+    !>    Eq. (25); new
     pure function contact_stick_half_width(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
@@ -944,7 +941,7 @@ contains
     end function
 
     !> How many points of its history the contact remembers; 0 when separated, and for NULL. The time
-    !> that its functions need per point of the half-plane grows like this.
+    !> of its functions grows in proportion, for each point of the half-plane.
     pure function contact_memory(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
@@ -982,8 +979,7 @@ contains
     end subroutine
 
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
-    !>   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor
-    !>                  nearer to it than 2.2e-308 b
+    !>   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
     !>   sxx, syy, txy  each receives n numbers
     !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
     !> Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
@@ -1003,23 +999,21 @@ contains
             do i = 1, size(x)
                 if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], &
-                    'x finite, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than ' // &
-                    '2.2e-308 b; y finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge, nor ' // &
-                    'nearer to it than 2.2e-308 b', stat, errmsg, i)
+                    'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the ' // &
+                    'apex (0, 0) of a loaded sharp wedge', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], &
-            'x finite, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b; y ' // &
-            'finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 ' // &
-            'b; arrays of one size', stat, errmsg)
+            'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the apex (0, 0)' // &
+            ' of a loaded sharp wedge; arrays of one size', stat, errmsg)
     end subroutine
 
-    !> Slip at n points of the surface, length: the tangential displacement of the half-plane's
-    !> surface relative to the wedge's since the point last came into contact. It has the sign of q
-    !> while it grows, so that q d(slip) is the heat. 0 where a point has stuck ever since. In full
-    !> sliding the rigid displacement is not determined by the loads; the slip is then the least that
-    !> the loads need, with which the centre of the contact is on the verge of slip.
+    !> Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
+    !> relative to the wedge's, since the point last came into contact. It has the sign of q while it
+    !> grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
+    !> sliding the loads do not determine the rigid displacement. The slip is then the least that the
+    !> loads need: the centre of the contact is on the verge of slip.
     !>    Eq. (17) to (21); new
     !>   x     length, |x| <= b: points outside have no partner
     !>   slip  receives n numbers
@@ -1049,7 +1043,7 @@ contains
 
     !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the
     !> time integral of the traction times the rate of slip over the contact, without the rigid
-    !> displacement in full sliding. Never falls. In a cycle under constant P it is the area of the
+    !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
     !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
     !> change of Q/f where that slip reaches an older layer.
@@ -1060,17 +1054,16 @@ contains
     end function
 
     !> How far the present state is from first yield (von Mises, plane strain): k over the maximum of
-    !> sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact
-    !> grows: see rwedge_yield_load().
+    !> sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact
+    !> grows with them: see rwedge_yield_load().
     !>   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
     !>   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
     !>           apex of the sharp wedge
     !>   x, y    where the maximum is, length; each may be NULL
-    !> It is the global maximum that is searched for, from each edge of slip that is remembered, at
-    !> every scale; a millisecond for a first load, and its time grows with the square of
+    !> The search is for the global maximum, around each remembered edge of slip, at every scale. It
+    !> takes a millisecond for a first load, and its time grows with the square of
     !> rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
-    !> RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a finite number. Relative error below
-    !> 1e-12.
+    !> RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12.
     subroutine contact_yield_factor(this, nu, k, factor, x, y, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: nu, k
@@ -1109,8 +1102,8 @@ contains
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
     !>    Sec. 4 of the paper
     !>   samples  number of samples, >= terms, samples * terms <= 2^27
-    !>   x, p     where and what, |x| < 1, 0 or 1e-60 to 1e60 in magnitude; samples near Chebyshev's
-    !>            points (x = cos t, t equally spaced) fit best
+    !>   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
+    !>            equally spaced) fit best
     !>   terms    >= 1
     !> RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
     !> (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
@@ -1131,20 +1124,18 @@ contains
         i = first_outside(x, -1.0_c_double, 1.0_c_double, .true., .true., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1;' // &
-                ' samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
-        i = first_outside(p, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(p, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1;' // &
-                ' samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
-            '|x| < 1, 0 or 1e-60 to 1e60 in magnitude; p 0 or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
-            'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
+            '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27; arrays of ' // &
+            'one size', stat, errmsg)
     end subroutine
 
     !> How many coefficients it holds; 0 for NULL.
@@ -1173,7 +1164,7 @@ contains
         value = c_series_residual(this%handle)
     end function
 
-    !> The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.   Eq. (29)
+    !> The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL.   Eq. (29)
     elemental function series_pressure(this, x) result(value)
         class(rwedge_series), intent(in) :: this
         real(c_double), intent(in) :: x

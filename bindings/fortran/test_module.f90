@@ -100,7 +100,7 @@ contains
         call claim('sliding', stat == rwedge_esliding .and. &
             index(errmsg, 'exceeds friction') > 0 .and. index(errmsg, '601') > 0 .and. index(errmsg, 'allowed') == 0)
         call contact%load(1e308_c_double, 0.0_c_double, stat, errmsg)
-        call claim('P too large: ' // errmsg, stat == rwedge_edomain .and. index(errmsg, 'allowed is P 0, or 1e-') > 0)
+        call claim('domain: ' // errmsg, stat == rwedge_edomain .and. index(errmsg, 'allowed is P 0, or 1e-60 to 1e60') > 0)
         p = 5
         call contact%tractions([0.0_c_double, nan], p, q, stat, errmsg)
         call claim('tractions: domain', stat == rwedge_edomain .and. all(p == 5))

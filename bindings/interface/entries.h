@@ -292,7 +292,7 @@ ENTRY(contact_copy, return rwedge_contact_copy((const rwedge_contact *)object, (
 
 ENTRY(contact_load, return rwedge_contact_load((rwedge_contact *)object, v[0][0], v[1][0]))
 static const entry_argument contact_load_arguments[] = {
-    {"P", "0, or 1e-148 to 1e148 and at least 1e-8 of the last P", 1e-148, 1e+148, 0, 0, 1, 1, 0, {-1, -1}},
+    {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}},
     {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 
 ENTRY(contact_half_width, r[0][0] = rwedge_contact_half_width((const rwedge_contact *)object);
@@ -323,8 +323,8 @@ static const entry_size contact_tractions_sizes[] = {
 ENTRY(contact_stresses, return rwedge_contact_stresses((const rwedge_contact *)object, n[0], v[0],
       v[1], r[0], r[1], r[2]))
 static const entry_argument contact_stresses_arguments[] = {
-    {"x", "finite, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
-    {"y", "finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b", 0.0, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
+    {"x", "finite, not the apex (0, 0) of a loaded sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"y", "finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
 static const entry_result contact_stresses_results[] = {
     {"sxx", {0, -1}},
     {"syy", {0, -1}},
@@ -363,8 +363,8 @@ static const entry_argument series_create_arguments[] = {
 ENTRY(series_fit, return rwedge_series_fit(n[0], v[0], v[1], (int32_t)v[2][0], (rwedge_series
       **)made))
 static const entry_argument series_fit_arguments[] = {
-    {"x", "|x| < 1, 0 or 1e-60 to 1e60 in magnitude", -1.0, 1.0, 1, 1, 0, 1, 0, {0, -1}},
-    {"p", "0 or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"x", "|x| < 1, finite", -1.0, 1.0, 1, 1, 0, 1, 0, {0, -1}},
+    {"p", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
     {"terms", "whole, >= 1", 1.0, INFINITY, 0, 0, 0, 1, 1, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
     {"samples", NULL, ">= terms, samples * terms <= 2^27"}};

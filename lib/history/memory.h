@@ -1,21 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram of a contact. The tractions after any history of loads (P, Q) are those of
- * a load that grew along one path from the origin, never steeper than friction: with load s = P
- * on the path and shear T = Q/f,
+/* The memory diagram of a contact: all that it remembers of its history. The tractions after any
+ * history of loads (P, Q) are those of a load that grew along one path from the origin, never
+ * steeper than friction. With the load s = P on the path and the shear T = Q/f,
  *     q(x) = f int D(s) dp(x; s),   D = dT/ds in [-1, 1],   0 <= s <= P,
- * p(x; s) being the pressure under the load s. The path is a polygon; this file keeps its
+ * where p(x; s) is the pressure under the load s. The path is a polygon. This file keeps its
  * corners and knows no geometry.
  *
- * With moment and bulk tension, load and shear are pairs: beside the load stands the tilt, beside
- * the shear the stretch, and D is the one number that makes a difference of the second pair from
- * one of the first. Which corner a line meets is decided by load and shear; the tilt and the
- * stretch follow. Whether patches of such tilts are nested, so that all this is true, is decided in
- * path.h.
+ * With moment and bulk tension, load and shear are pairs: the tilt stands beside the load, the
+ * stretch beside the shear. D is the one number that makes a difference of the second pair from
+ * one of the first. Load and shear decide which corner a line meets; tilt and stretch follow.
+ * path.h decides whether patches of such tilts are nested, on which all this rests.
  *
- * A new load (P', T') extends the path where the step is not steeper than 1; otherwise the edge
- * slips, D = +-1 there: from (P', T') a line of that slope is drawn back to where it meets the
- * path, and what lay beyond is forgotten. The path meets the two lines |T - T'| = P' - s once,
- * since it is never steeper than they are. */
+ * A new load (P', T') extends the path where the step is not steeper than 1. Otherwise the edge
+ * slips, D = +-1: a line of that slope is drawn from (P', T') back to where it meets the path.
+ * What lay beyond is forgotten. The path meets each of the two lines |T - T'| = P' - s once,
+ * because it is never steeper than they are. */
 #ifndef RW_MEMORY_H
 #define RW_MEMORY_H
 
@@ -31,9 +30,10 @@ typedef struct {
     double tilt, stretch;
 } rw_loading;
 
-/* A corner, with the slope D of the path from the corner before it. The patch is the caller's:
- * where the contact is under that load and tilt, NaN when the corner is new. least and most bound
- * the slope so that no corner that was left out is farther from the path than its rounding error. */
+/* A corner, with the slope D of the path from the corner before it. The caller sets the patch, that
+ * of the contact under this load and tilt; it is NaN when the corner is new. least and most bound
+ * the slope: within them, no corner that was left out is farther from the path than its rounding
+ * error. */
 typedef struct {
     double load, shear, tilt, stretch;
     double ratio, least, most;

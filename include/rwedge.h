@@ -345,8 +345,7 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
 /* The edges of the contact, left < x < right.                                                   new
  *   left, right  length
  * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 - |tilt|/theta. */
-RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left,
-                                        double *right);
+RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
  * |p|. Those of the contact where there is no such zone.                                        new
@@ -449,8 +448,7 @@ RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n,
  *   contact  receives the handle
  * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with
  * rwedge_contact_destroy(). */
-RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[],
-                                          rwedge_contact **contact);
+RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact);
 
 /* Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
  * relative to the wedge's, since the point last came into contact. It has the sign of q while it

@@ -298,15 +298,15 @@ static const entry_argument contact_load_arguments[] = {
 ENTRY(contact_apply, return rwedge_contact_apply((rwedge_contact *)object, v[0][0], v[1][0],
       v[2][0], v[3][0]))
 static const entry_argument contact_apply_arguments[] = {
-    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 
 ENTRY(contact_largest_tension_step, r[0][0] = rwedge_contact_largest_tension_step((const
       rwedge_contact *)object, v[0][0]); return RWEDGE_OK)
 static const entry_argument contact_largest_tension_step_arguments[] = {
-    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result contact_largest_tension_step_results[] = {
     {"value", {-1, -1}}};
 
@@ -344,18 +344,18 @@ static const entry_result contact_edge_asymptotes_results[] = {
 ENTRY(permanent_stick, return rwedge_permanent_stick(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
       v[5][0], v[6][0], v[7][0], v[8][0], v[9][0], v[10][0], v[11][0], r[0], r[1]))
 static const entry_argument permanent_stick_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"P1", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"M1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"Q1", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"sigma1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"P2", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"M2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"Q2", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"sigma2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"P1", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"M1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q1", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"P2", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"M2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q2", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result permanent_stick_results[] = {
     {"left", {-1, -1}},
     {"right", {-1, -1}}};
@@ -400,12 +400,12 @@ static const entry_size contact_stresses_sizes[] = {
 ENTRY(contact_stress_history, return rwedge_contact_stress_history((rwedge_contact *)object, n[0],
       v[0], v[1], v[2], v[3], n[1], v[4], v[5], r[0], r[1], r[2]))
 static const entry_argument contact_stress_history_arguments[] = {
-    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, 0},
-    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 1},
-    {"y", "finite, y >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, 1}};
+    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, {0, -1}},
+    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {1, -1}},
+    {"y", "finite, y >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {1, -1}}};
 static const entry_result contact_stress_history_results[] = {
     {"sxx", {0, 1}},
     {"syy", {0, 1}},
@@ -427,7 +427,7 @@ static const entry_size contact_state_sizes[] = {
 
 ENTRY(contact_restore, return rwedge_contact_restore(n[0], v[0], (rwedge_contact **)made))
 static const entry_argument contact_restore_arguments[] = {
-    {"state", "not other than rwedge_contact_state() gave it", -INFINITY, INFINITY, 0, 0, 0, 0, 0, 0}};
+    {"state", "not other than rwedge_contact_state() gave it", -INFINITY, INFINITY, 0, 0, 0, 0, 0, {0, -1}}};
 static const entry_size contact_restore_sizes[] = {
     {"n", NULL, ""}};
 

@@ -47,11 +47,11 @@ rw_corners rw_corners_of(double a, rw_patch patch)
         k.cosine[i] = k.is_inside[i] ? sqrt(from_left * to_right) : 0;
     }
     const bool left_inside = k.is_inside[0], right_inside = k.is_inside[1];
-    const double between = right_inside ? left_inside ? 2 * alpha : (a - patch.left) / s
+    const double between = right_inside  ? left_inside ? 2 * alpha : (a - patch.left) / s
                            : left_inside ? (patch.right + a) / s
                                          : 2;
-    const double sum = right_inside  ? left_inside ? -2 * (rw_patch_middle(patch) / s)
-                                                   : (a - patch.right) / s
+    const double sum = right_inside
+                           ? left_inside ? -2 * (rw_patch_middle(patch) / s) : (a - patch.right) / s
                        : left_inside ? (-a - patch.left) / s
                                      : 0;
     const double over = right_inside && left_inside ? 2 : between * k.per_alpha;
@@ -77,13 +77,15 @@ rw_edge_rates rw_patch_edge_rates(const rw_corners *k)
 static double tilt_of(const rw_corners *k, double half)
 {
     if (k->is_inside[0] && k->is_inside[1]) {
-        const double bend = half > 0 ? sine_less_arc(half, k->sin_half, k->cos_half) / k->sin_half : 0;
+        const double bend =
+            half > 0 ? sine_less_arc(half, k->sin_half, k->cos_half) / k->sin_half : 0;
         const double middle = rw_angle(k->cos_middle, k->sin_middle);
         return -2 / RW_PI * (middle - k->sin_middle / k->cos_middle * bend);
     }
     const int in = k->is_inside[1], side = in ? 1 : -1;
     const double arc = rw_angle(-side * k->sine[in], k->cosine[in]);
-    return side * (1 - sine_less_arc(arc, k->cosine[in], -side * k->sine[in]) / RW_PI * k->per_alpha);
+    return side *
+           (1 - sine_less_arc(arc, k->cosine[in], -side * k->sine[in]) / RW_PI * k->per_alpha);
 }
 
 rw_pressing rw_patch_pressing(double a, rw_patch patch)
@@ -95,9 +97,8 @@ rw_pressing rw_patch_pressing(double a, rw_patch patch)
     }
     const rw_corners k = rw_corners_of(a, patch);
     const double half = k.half_over * k.alpha;
-    const double load =
-        s * (arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
-             2 * k.cos_middle * k.cos_middle * k.sin_half_over * k.cos_half);
+    const double load = s * (arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
+                             2 * k.cos_middle * k.cos_middle * k.sin_half_over * k.cos_half);
     const double c0 = k.cosine[0], c1 = k.cosine[1];
     /* (c0^3 - c1^3)/(6 alpha) */
     const double off = k.sin_middle * k.sin_half_over / 3 * (c0 * c0 + c0 * c1 + c1 * c1);

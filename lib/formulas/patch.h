@@ -31,11 +31,11 @@ static inline double rw_patch_half_width(rw_patch patch)
 /* The ends of the rounding as the patch sees them, at x = -+a; one that is outside counts as the
  * edge. half is half the angle phi between them, middle the angle midway. */
 typedef struct {
-    double alpha, per_alpha; /* a/s; its reciprocal, 0 where the wedge is sharp to the last bit */
-    double sine[2], cosine[2];         /* of phi */
-    double sin_half, cos_half;         /* half >= 0 */
-    double half_over, sin_half_over;   /* over alpha, finite for alpha = 0 too */
-    double sin_middle, cos_middle;     /* cos_middle >= sin_half */
+    double alpha, per_alpha;   /* a/s; its reciprocal, 0 where the wedge is sharp to the last bit */
+    double sine[2], cosine[2]; /* of phi */
+    double sin_half, cos_half; /* half >= 0 */
+    double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
+    double sin_middle, cos_middle;   /* cos_middle >= sin_half */
     bool is_inside[2];
 } rw_corners;
 

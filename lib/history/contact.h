@@ -20,7 +20,7 @@ struct rwedge_contact {
     double touched_at; /* the bulk tension at which the bodies touched */
     /* their sum; the carry is what rounding left out of a long history */
     double energy, energy_carry; /* NaN where it is not known */
-    rw_memory memory; /* loads are P, shears Q/f */
+    rw_memory memory;            /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see contact_slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */

@@ -90,8 +90,8 @@ static const rw_fields *fields_of(reel *kept, rw_patch patch, size_t load, int n
     return &unused->fields;
 }
 
-static void sum_up(const record *r, size_t load, reel *kept, int n,
-                   const double x[], const double y[], rw_contact_fields *fields)
+static void sum_up(const record *r, size_t load, reel *kept, int n, const double x[],
+                   const double y[], rw_contact_fields *fields)
 {
     for (int i = 0; i < n; i++)
         fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};

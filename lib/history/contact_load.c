@@ -55,8 +55,8 @@ static void measure_new_corners(rwedge_contact *contact)
 {
     rw_memory *memory = &contact->memory;
     for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);)
-        memory->corners[i].patch = rw_patch_under_tilt(
-            &contact->geometry, memory->corners[i].load, memory->corners[i].tilt);
+        memory->corners[i].patch = rw_patch_under_tilt(&contact->geometry, memory->corners[i].load,
+                                                       memory->corners[i].tilt);
 }
 
 /* Differences of rounding in P and M are none. */
@@ -214,9 +214,9 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     if (!rw_memory_copy(&contact->memory, &before))
         return RWEDGE_ENOMEM;
     const bool is_known = keeps_origin(contact, step, slip);
-    const rw_patch settled =
-        contact->was_off_centre && contact->origins.count > 0 ? contact->settled
-                                                              : rw_memory_end(&before)->patch;
+    const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
+                                 ? contact->settled
+                                 : rw_memory_end(&before)->patch;
     const bool is_plain = rw_path_is_plain(&before, step->to);
     const double plain_share = is_plain ? energy_of(contact, step->to.load, step->to.shear) : 0;
     if (!rw_memory_reserve(&contact->memory, 2) ||
@@ -276,10 +276,12 @@ static const char *text_of(rw_obstacle obstacle)
         return "one edge of the contact would advance while the other recedes: change P with M, so "
                "that dM/dP stays within a quarter of the contact's width from its middle";
     case RW_SLIPS_BOTH_WAYS:
-        return "the two edges would slip in opposite directions: change sigma by less, or Q by more, "
+        return "the two edges would slip in opposite directions: change sigma by less, or Q by "
+               "more, "
                "or in a load of its own at constant P and M";
     case RW_FRONTS_PART:
-        return "slip or the edges would end between different patches of the history at the left and "
+        return "slip or the edges would end between different patches of the history at the left "
+               "and "
                "at the right: go on until both have passed, or separate the bodies first";
     case RW_GROWS_UNEVENLY:
         return "the contact would grow with a shear that does not keep to its tilt: change P and M "

@@ -117,8 +117,8 @@ static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *numbers[] = {&c->geometry.theta, &c->geometry.a, &c->geometry.A,   &c->f,
                          &c->loads.P,        &c->loads.M,    &c->loads.Q,      &c->loads.sigma,
-                         &c->touched_at,     &c->energy,     &c->energy_carry,
-                         &c->settled.left,   &c->settled.right};
+                         &c->touched_at,     &c->energy,     &c->energy_carry, &c->settled.left,
+                         &c->settled.right};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         pass(t, numbers[i]);
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
@@ -167,9 +167,9 @@ static bool is_contact_sound(const rwedge_contact *c)
 {
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
            rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
-           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) && rw_is_signed(c->touched_at) &&
-           !isless(c->energy, 0) && isfinite(c->energy_carry) && isfinite(c->settled.left) &&
-           isfinite(c->settled.right) && isfinite(c->origins.fresh);
+           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && isfinite(c->energy_carry) &&
+           isfinite(c->settled.left) && isfinite(c->settled.right) && isfinite(c->origins.fresh);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)

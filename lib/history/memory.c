@@ -116,8 +116,7 @@ static double joint_ratio(const rw_memory *memory, double load, double shear, do
 static void push(rw_memory *memory, rw_loading to, double ratio)
 {
     const double load = to.load, shear = to.shear;
-    rw_corner corner = {load,  shear,     to.tilt,  to.stretch,
-                        ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
+    rw_corner corner = {load, shear, to.tilt, to.stretch, ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
     rw_corner *end = &memory->corners[memory->count - 1];
     if (load <= end->load) /* within rounding of the corner that is there */
         return;

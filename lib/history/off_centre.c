@@ -70,8 +70,9 @@ static double slope(double w, const void *context)
     else if (is_rounded(o))
         sum = k->half_over * X + (C - k->sine[1]) * omega_difference(o, w) / 2 + omega(o, 0, w);
     else
-        sum = k->half_over * X + ((C - k->sine[0]) * omega(o, 0, w) -
-                                  (C - k->sine[1]) * omega(o, 1, w)) * k->per_alpha / 2;
+        sum = k->half_over * X +
+              ((C - k->sine[0]) * omega(o, 0, w) - (C - k->sine[1]) * omega(o, 1, w)) *
+                  k->per_alpha / 2;
     return sum * X;
 }
 
@@ -94,8 +95,7 @@ static double primitive(const outside *o, double w)
         return segment + (primitive_of(o, 0, w) - primitive_of(o, 1, w)) * k->per_alpha / 2;
     const double from = C - k->sine[1], sum = 2 * C - k->sine[0] - k->sine[1];
     const double cos_twice = 1 - 2 * k->sin_middle * k->sin_middle;
-    const double rest =
-        k->sin_half_over / 2 * (k->sin_middle * X + cos_twice * k->cos_half * w);
+    const double rest = k->sin_half_over / 2 * (k->sin_middle * X + cos_twice * k->cos_half * w);
     return segment + from * from * omega_difference(o, w) / 4 + sum * omega(o, 0, w) / 2 - rest;
 }
 
@@ -121,8 +121,7 @@ static double integrate(rw_function f, const outside *o, double from, double to)
 static double plain_slope(double w, const void *context)
 {
     const outside *o = context;
-    return (1 - o->delta - rw_eccentric_at(&o->potential, o->m + o->s * cosh(w), 0).G_re) *
-           sinh(w);
+    return (1 - o->delta - rw_eccentric_at(&o->potential, o->m + o->s * cosh(w), 0).G_re) * sinh(w);
 }
 
 static double w_at(const outside *o, double right, double x)
@@ -145,7 +144,8 @@ static double right_gap(double a, rw_patch patch, double x)
     const double whole = w_at(&o, patch.right, x);
     const double rounding = o.flank ? whole : fmin(whole, w_at(&o, patch.right, a));
     const double closed = fmin(rounding, FAR);
-    double gap = 2 / RW_PI * (closed < NEAR ? integrate(slope, &o, 0, closed) : primitive(&o, closed));
+    double gap =
+        2 / RW_PI * (closed < NEAR ? integrate(slope, &o, 0, closed) : primitive(&o, closed));
     if (!o.flank && closed < rounding)
         gap += 2 / RW_PI * integrate(slope, &o, closed, rounding);
     const double from = o.flank ? closed : rounding;

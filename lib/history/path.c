@@ -105,8 +105,8 @@ static bool front_is_nested(const rw_step *s, rw_loading to, rw_patch patch, rw_
     const rw_corner *before = &memory->corners[d->kept - 1];
     const bool is_corner = d->corner.load == before->load;
     if (is_corner)
-        return d->kept == 1 || fabs(rw_memory_missing_tilt(before, d->slip, to)) <=
-                                   tilt_tolerance(memory, to);
+        return d->kept == 1 ||
+               fabs(rw_memory_missing_tilt(before, d->slip, to)) <= tilt_tolerance(memory, to);
     d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
     const bool is_cut = d->kept == memory->count || memory->corners[d->kept].load > to.load;
     const rw_patch outer = is_cut ? patch : memory->corners[d->kept].patch;
@@ -135,7 +135,8 @@ static rw_loading part_way(const rw_step *s, double t, rw_patch *patch)
         *patch = s->patch;
         return s->to;
     }
-    const double P = s->from_P + t * (s->to_P - s->from_P), M = s->from_M + t * (s->to_M - s->from_M);
+    const double P = s->from_P + t * (s->to_P - s->from_P),
+                 M = s->from_M + t * (s->to_M - s->from_M);
     *patch = rw_patch_under_moment(s->geometry, P, M);
     return (rw_loading){.load = P,
                         .shear = end->shear + t * (s->to.shear - end->shear),

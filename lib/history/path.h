@@ -26,10 +26,10 @@ typedef struct {
 
 typedef enum {
     RW_NO_OBSTACLE,
-    RW_EDGES_PART,     /* one edge of the contact advances while the other recedes */
+    RW_EDGES_PART,      /* one edge of the contact advances while the other recedes */
     RW_SLIPS_BOTH_WAYS, /* at the two edges */
-    RW_FRONTS_PART,    /* the fronts of slip end in different layers */
-    RW_GROWS_UNEVENLY  /* tilt or tension change while new rings come into contact with shear */
+    RW_FRONTS_PART,     /* the fronts of slip end in different layers */
+    RW_GROWS_UNEVENLY   /* tilt or tension change while new rings come into contact with shear */
 } rw_obstacle;
 
 /* What is in the way; the departure for the step's load, its patch known, where nothing is. */

@@ -24,7 +24,8 @@ static rw_half_view view_of(const rw_eccentric *p, double side)
         .slant = sin_middle / k->cos_middle,
         .above = up,
         .beside = fmax(-sin_middle, 0),
-        .clearance = sin_middle > 0 ? k->cosine[0] * k->cosine[1] / (k->cos_half + up) : k->cos_half,
+        .clearance =
+            sin_middle > 0 ? k->cosine[0] * k->cosine[1] / (k->cos_half + up) : k->cos_half,
     };
     v.end = -p->a;
     if (p->inside == 1) {
@@ -43,7 +44,7 @@ static rw_half_view view_of(const rw_eccentric *p, double side)
 static void make_series(rw_eccentric *p)
 {
     const rw_corners *k = &p->corners;
-    double part[RW_SERIES_TERMS + 2]; /* cos(n psi) sin(n half)/(n alpha) */
+    double part[RW_SERIES_TERMS + 2];                   /* cos(n psi) sin(n half)/(n alpha) */
     double cosine = 1, sine = 0, wave = 0, before = -1; /* wave: sin(n half)/sin(half) */
     part[0] = k->half_over;
     for (int n = 1; n < RW_SERIES_TERMS + 2; n++) {
@@ -109,8 +110,8 @@ static rw_field far_field(const rw_eccentric *p, double x, double y)
     if (rw_is_remote(at.x, at.y)) {
         const rw_ray ray = rw_ray_to(at.x, at.y);
         const rw_complex R = {sign * ray.R_re, ray.R_im};
-        field = series_field(
-            p, R, (rw_complex){sign * ray.sine * ray.cosine, -(ray.sine * ray.sine)});
+        field =
+            series_field(p, R, (rw_complex){sign * ray.sine * ray.cosine, -(ray.sine * ray.sine)});
     } else {
         const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
         const double shrink = rw_elliptic_shrink(&e);

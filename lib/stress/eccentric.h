@@ -11,12 +11,12 @@
 /* What a half of the plane, right or left of the patch's middle, sees of the profile; the left
  * half as its mirror image. */
 typedef struct {
-    double edge, end;               /* of the patch on this side; of the rounding: the one that is inside, or
+    double edge, end; /* of the patch on this side; of the rounding: the one that is inside, or
                                      * the left one */
-    double sine[2], cosine[2];      /* of the angles of the rounding's ends */
-    double sin_middle, slant;       /* slant: the tangent of the angle midway */
+    double sine[2], cosine[2];       /* of the angles of the rounding's ends */
+    double sin_middle, slant;        /* slant: the tangent of the angle midway */
     double above, beside, clearance; /* see turn_part() */
-    double side;                    /* of the end that is inside, if one is: +1 flank beyond it */
+    double side;                     /* of the end that is inside, if one is: +1 flank beyond it */
     double arc_over;
 } rw_half_view;
 
@@ -28,8 +28,8 @@ typedef struct {
     double middle, half_width, per_half_width, a;
     rw_corners corners;
     bool is_centred;
-    int inside; /* how many ends of the rounding are inside the patch */
-    rw_half_view view[2]; /* right, left */
+    int inside;                  /* how many ends of the rounding are inside the patch */
+    rw_half_view view[2];        /* right, left */
     double far[RW_SERIES_TERMS]; /* of the series in R, from R^1 */
 } rw_eccentric;
 

@@ -47,9 +47,8 @@ static void apply_baseline(const rw_eccentric *p, int count, const double x[], c
 }
 
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
-__attribute__((target("avx2"))) static void apply_avx2(const rw_eccentric *p, int count,
-                                                       const double x[], const double y[],
-                                                       rw_fields *fields)
+__attribute__((target("avx2"))) static void
+apply_avx2(const rw_eccentric *p, int count, const double x[], const double y[], rw_fields *fields)
 {
     apply_its_formula(p, count, x, y, fields);
 }

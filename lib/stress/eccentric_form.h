@@ -37,7 +37,7 @@ typedef struct {
 } rw_complex;
 
 RW_INLINE rw_complex end_logarithm(double sine, double cosine, double past, double cosh_less_1,
-                                       double shrink, const rw_elliptic *e)
+                                   double shrink, const rw_elliptic *e)
 {
     const double apart = e->sin_v - sine, size = past * past + e->y * e->y;
     const double b = e->cos_v * cosine +
@@ -45,8 +45,8 @@ RW_INLINE rw_complex end_logarithm(double sine, double cosine, double past, doub
     const double per_cosh = 1 / e->cosh_w;
     const double d = (sine * e->sinh_w * e->sinh_w - past) * per_cosh;
     return (rw_complex){
-        .re = 0.5 * rw_log_of_quotient_over(size + ZERO_SQUARED, b * b,
-                                            -2 * e->cos_v * cosine * b, 1, 1),
+        .re = 0.5 *
+              rw_log_of_quotient_over(size + ZERO_SQUARED, b * b, -2 * e->cos_v * cosine * b, 1, 1),
         .im = rw_angle(cosine * cosine * e->sinh_w + sine * d,
                        -cosine * (sine * e->sinh_w * shrink + past) * per_cosh),
     };
@@ -67,7 +67,7 @@ RW_INLINE rw_complex rw_over_X(const rw_elliptic *e, double y, double re, double
 /* A = (l_0 - l_1)/(2 alpha). With eta = (z - sin(phi_0)) ... the quotient of whose factors eta +- cos(zeta) sin(half)
  * l_0 - l_1 is the logarithm of, their product being (z - sin(phi_0))(z - sin(phi_1)). */
 RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
-                                         double cosh_less_1, const rw_elliptic *e)
+                                     double cosh_less_1, const rw_elliptic *e)
 {
     const double s = k->sin_half, c = k->cos_half, cos_whole = c * c - s * s;
     const double eta_re = c * at.apex - v->sin_middle * s * s, eta_im = c * at.y;
@@ -78,8 +78,8 @@ RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v,
     const double W = W_re * W_re + W_im * W_im, y2 = at.y * at.y;
     const double product = (at.past[0] * at.past[0] + y2) * (at.past[1] * at.past[1] + y2);
     const double log_over = rw_log_of_quotient_over(
-        W * W, product + ZERO_SQUARED,
-        4 * k->sin_half_over * e->cos_v * (sign * way) * W, k->alpha, k->per_alpha);
+        W * W, product + ZERO_SQUARED, 4 * k->sin_half_over * e->cos_v * (sign * way) * W, k->alpha,
+        k->per_alpha);
     const double turn =
         e->sinh_w * (c * cosh_less_1 + v->clearance +
                      v->above * (e->cos_v * e->cos_v / (1 + e->sin_v)) + v->beside * e->sin_v);
@@ -87,11 +87,13 @@ RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v,
     const double inner = eta2 - s * s * (e->cos_v * e->cos_v + e->sinh_w * e->sinh_w);
     const double x = inner * cos_whole + 4 * s * s * c * turn;
     const double y_over = 2 * k->sin_half_over * (c * inner - cos_whole * turn);
-    return (rw_complex){0.25 * sign * log_over, 0.5 * rw_angle_over(x, y_over, k->alpha, k->per_alpha)};
+    return (rw_complex){0.25 * sign * log_over,
+                        0.5 * rw_angle_over(x, y_over, k->alpha, k->per_alpha)};
 }
 
 /* Hertz: G = R/alpha. */
-RW_INLINE rw_field rw_side_hertz_field(const rw_eccentric *p, const rw_half_view *v, rw_side_place at)
+RW_INLINE rw_field rw_side_hertz_field(const rw_eccentric *p, const rw_half_view *v,
+                                       rw_side_place at)
 {
     (void)v;
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
@@ -101,7 +103,8 @@ RW_INLINE rw_field rw_side_hertz_field(const rw_eccentric *p, const rw_half_view
     return (rw_field){R_re, R_im, -steep.re, -steep.im};
 }
 
-RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_view *v, rw_side_place at)
+RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_view *v,
+                                         rw_side_place at)
 {
     const rw_corners *k = &p->corners;
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
@@ -112,16 +115,18 @@ RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_vi
     const double side = at.apex + 0.0, near = rw_if_negative(side, at.past[0], at.past[1]),
                  far = rw_if_negative(side, at.past[1], at.past[0]);
     const rw_complex l = end_logarithm(rw_if_negative(side, v->sine[1], v->sine[0]),
-                                           rw_if_negative(side, v->cosine[1], v->cosine[0]), far,
-                                           cosh_less_1, shrink, &e);
-    const double R_re = k->half_over * (shrink * e.sin_v), R_im = -k->half_over * (shrink * e.cos_v);
+                                       rw_if_negative(side, v->cosine[1], v->cosine[0]), far,
+                                       cosh_less_1, shrink, &e);
+    const double R_re = k->half_over * (shrink * e.sin_v),
+                 R_im = -k->half_over * (shrink * e.cos_v);
     const rw_complex edge = rw_over_X(&e, at.y, R_re + v->slant, R_im);
     return (rw_field){2 / RW_PI * (R_re - v->slant - (near * A.im + at.y * A.re) - l.im),
                       2 / RW_PI * (R_im + (near * A.re - at.y * A.im) + l.re),
                       2 / RW_PI * (-at.y * A.im - edge.re), 2 / RW_PI * (at.y * A.re - edge.im)};
 }
 
-RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_half_view *v, rw_side_place at)
+RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_half_view *v,
+                                              rw_side_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e),
@@ -137,14 +142,14 @@ RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_ha
                       1 / RW_PI * (-at.y * l_im - edge.re), 1 / RW_PI * (at.y * l_re - edge.im)};
 }
 
-RW_INLINE rw_field rw_side_sharp_field(const rw_eccentric *p, const rw_half_view *v, rw_side_place at)
+RW_INLINE rw_field rw_side_sharp_field(const rw_eccentric *p, const rw_half_view *v,
+                                       rw_side_place at)
 {
     (void)p;
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e),
                  cosh_less_1 = e.sinh_w * e.sinh_w / (1 + e.cosh_w);
-    const rw_complex l =
-        end_logarithm(v->sine[0], v->cosine[0], at.apex, cosh_less_1, shrink, &e);
+    const rw_complex l = end_logarithm(v->sine[0], v->cosine[0], at.apex, cosh_less_1, shrink, &e);
     const double scale = v->cosine[0] / (at.apex * at.apex + at.y * at.y);
     const rw_complex steep = rw_over_X(&e, at.y, scale * at.apex, -scale * at.y);
     return (rw_field){-2 / RW_PI * l.im, 2 / RW_PI * l.re, -2 / RW_PI * steep.re,
@@ -152,13 +157,13 @@ RW_INLINE rw_field rw_side_sharp_field(const rw_eccentric *p, const rw_half_view
 }
 
 /* The view from the side on which `from_middle` is. */
-RW_INLINE rw_half_view blended(const rw_half_view *r, const rw_half_view *l,
-                               double from_middle)
+RW_INLINE rw_half_view blended(const rw_half_view *r, const rw_half_view *l, double from_middle)
 {
     return (rw_half_view){
         .edge = rw_if_negative(from_middle, l->edge, r->edge),
         .end = rw_if_negative(from_middle, l->end, r->end),
-        .sine = {rw_if_negative(from_middle, l->sine[0], r->sine[0]), rw_if_negative(from_middle, l->sine[1], r->sine[1])},
+        .sine = {rw_if_negative(from_middle, l->sine[0], r->sine[0]),
+                 rw_if_negative(from_middle, l->sine[1], r->sine[1])},
         .cosine = {rw_if_negative(from_middle, l->cosine[0], r->cosine[0]),
                    rw_if_negative(from_middle, l->cosine[1], r->cosine[1])},
         .sin_middle = rw_if_negative(from_middle, l->sin_middle, r->sin_middle),
@@ -171,15 +176,15 @@ RW_INLINE rw_half_view blended(const rw_half_view *r, const rw_half_view *l,
     };
 }
 
-RW_INLINE rw_side_place rw_side_place_of(const rw_eccentric *p, const rw_half_view *v, double sign, double x,
-                         double y)
+RW_INLINE rw_side_place rw_side_place_of(const rw_eccentric *p, const rw_half_view *v, double sign,
+                                         double x, double y)
 {
     const double per_s = p->per_half_width, right = sign * x;
     return (rw_side_place){.x = (right - sign * p->middle) * per_s,
-                   .y = y * per_s,
-                   .beyond = (right - v->edge) * per_s,
-                   .apex = right * per_s,
-                   .past = {(right - v->end) * per_s, (right - p->a) * per_s}};
+                           .y = y * per_s,
+                           .beyond = (right - v->edge) * per_s,
+                           .apex = right * per_s,
+                           .past = {(right - v->end) * per_s, (right - p->a) * per_s}};
 }
 
 /* From the right half to where the point is: G(-conj z) = -conj G'(z), G' being that of the mirror
@@ -193,8 +198,8 @@ RW_INLINE rw_field side_mirrored(double sign, rw_side_place at, rw_field right)
 
 typedef rw_field rw_side_formula(const rw_eccentric *p, const rw_half_view *v, rw_side_place at);
 
-RW_INLINE rw_field rw_eccentric_by(rw_side_formula *right_field, const rw_eccentric *p, const rw_half_view *r,
-                            const rw_half_view *l, double x, double y)
+RW_INLINE rw_field rw_eccentric_by(rw_side_formula *right_field, const rw_eccentric *p,
+                                   const rw_half_view *r, const rw_half_view *l, double x, double y)
 {
     const double from_middle = (x - p->middle) + 0.0, sign = rw_if_negative(from_middle, -1, 1);
     const rw_half_view v = blended(r, l, from_middle);

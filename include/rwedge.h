@@ -319,7 +319,8 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * friction, f = 0, all are exact.
  * RWEDGE_EPATH where there is no closed form: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
- * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
+ * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
+ * */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
@@ -344,7 +345,8 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
 
 /* The edges of the contact, left < x < right.                                                   new
  *   left, right  length
- * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 - |tilt|/theta. */
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+ * |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
@@ -355,16 +357,16 @@ RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, doub
                                              double *right);
 
 /* The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
- *                                                                                               new */
+ *                                                                                             new */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 
 /* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
- * slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) =
- * 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges: this
- * is how a pad is matched to a specimen.                                                        new
+ * slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+ * = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+ * this is how a pad is matched to a specimen.                                                   new
  *   normal_left, normal_right  K_N, stress over the root of a length
- *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of sigma
- *                              less what it was when the bodies touched
+ *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+ *                              sigma less what it was when the bodies touched
  * RWEDGE_EABSENT when separated; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
                                                   double *normal_left, double *normal_right,
@@ -377,9 +379,9 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
  *   Q1, Q2          |Q| <= f P
  *   sigma1, sigma2  finite
  *   left, right     its edges, length
- * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite directions,
- * or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE,
- * RWEDGE_ENULL, RWEDGE_ENOMEM. */
+ * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+ * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,
                                           double Q2, double sigma2, double *left, double *right);
@@ -417,22 +419,24 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
                                            double syy[], double txy[]);
 
 /* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
- * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as it
- * was is not computed again.                                                                     new
+ * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
+ * it was is not computed again.                                                                    
+ * new
  *   P              0, or at least 1e-8 of the last P
  *   M, Q, sigma    finite: loads numbers each, as P
  *   x, y           length, finite, y >= 0: n numbers each
  *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
  *                  inputs
- * The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and nothing is
- * written. As both functions; RWEDGE_ENOMEM. */
+ * The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+ * nothing is written. As both functions; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
                                                  const double Q[], const double sigma[], size_t n,
                                                  const double x[], const double y[], double sxx[],
                                                  double syy[], double txy[]);
 
-/* How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.           new */
+/* How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.          
+ * new */
 RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
 
 /* The contact as numbers, for restarts and for other processes: what is made of them again gives
@@ -446,8 +450,8 @@ RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n,
 /* The contact of such numbers.                                                                  new
  *   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
  *   contact  receives the handle
- * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with
- * rwedge_contact_destroy(). */
+ * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free
+ * with rwedge_contact_destroy(). */
 RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact);
 
 /* Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,

@@ -823,7 +823,8 @@ End Function
 
 ' The edges of the contact, left < x < right.                                                   new
 '   left, right  length
-' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 - |tilt|/theta.
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+' |tilt|/theta.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row left, right.
 Public Function RWEDGE_CONTACT_EDGES( _
@@ -863,7 +864,7 @@ Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zon
 End Function
 
 ' The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
-'                                                                                               new
+'                                                                                             new
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_TILT( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -880,12 +881,12 @@ Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment ti
 End Function
 
 ' How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
-' slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) =
-' 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges: this
-' is how a pad is matched to a specimen.                                                        new
+' slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+' = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+' this is how a pad is matched to a specimen.                                                   new
 '   normal_left, normal_right  K_N, stress over the root of a length
-'   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of sigma
-'                              less what it was when the bodies touched
+'   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+'                              sigma less what it was when the bodies touched
 ' RWEDGE_EABSENT when separated; RWEDGE_ENULL.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row normal_left, normal_right, shear_left, shear_right.
@@ -912,9 +913,9 @@ End Function
 '   Q1, Q2          |Q| <= f P
 '   sigma1, sigma2  finite
 '   left, right     its edges, length
-' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite directions,
-' or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE,
-' RWEDGE_ENULL, RWEDGE_ENOMEM.
+' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
 ' In a cell: the row left, right.
 Public Function RWEDGE_PERMANENT_STICK( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _

@@ -1053,6 +1053,7 @@ contains
     !> RWEDGE_EPATH where there is no closed form: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
     !> surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
+    !>
     subroutine contact_apply(this, P, M, Q, sigma, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, M, Q, sigma
@@ -1101,7 +1102,8 @@ contains
 
     !> The edges of the contact, left < x < right.   new
     !>   left, right  length
-    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 - |tilt|/theta.
+    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+    !> |tilt|/theta.
     impure elemental subroutine contact_edges(this, left, right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(inout) :: left, right
@@ -1133,12 +1135,12 @@ contains
     end function
 
     !> How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
-    !> slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) =
-    !> 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges: this
-    !> is how a pad is matched to a specimen.   new
+    !> slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+    !> = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+    !> this is how a pad is matched to a specimen.   new
     !>   normal_left, normal_right  K_N, stress over the root of a length
-    !>   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of sigma
-    !>                              less what it was when the bodies touched
+    !>   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+    !>                              sigma less what it was when the bodies touched
     !> RWEDGE_EABSENT when separated; RWEDGE_ENULL.
     impure elemental subroutine contact_edge_asymptotes(this, normal_left, normal_right, shear_left, shear_right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
@@ -1157,9 +1159,9 @@ contains
     !>   Q1, Q2          |Q| <= f P
     !>   sigma1, sigma2  finite
     !>   left, right     its edges, length
-    !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite directions,
-    !> or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE,
-    !> RWEDGE_ENULL, RWEDGE_ENOMEM.
+    !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+    !> directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
     impure elemental subroutine rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, &
         right, stat, errmsg)
         real(c_double), intent(in) :: theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2
@@ -1262,15 +1264,16 @@ contains
     end subroutine
 
     !> Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
-    !> rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as it
-    !> was is not computed again.   new
+    !> rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
+    !> it was is not computed again.
+    !> new
     !>   P              0, or at least 1e-8 of the last P
     !>   M, Q, sigma    finite: loads numbers each, as P
     !>   x, y           length, finite, y >= 0: n numbers each
     !>   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
     !>                  inputs
-    !> The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and nothing is
-    !> written. As both functions; RWEDGE_ENOMEM.
+    !> The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+    !> nothing is written. As both functions; RWEDGE_ENOMEM.
     subroutine contact_stress_history(this, P, M, Q, sigma, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P(:), M(:), Q(:), sigma(:), x(:), y(:)
@@ -1332,7 +1335,8 @@ contains
             ' >= 0; arrays of one size', stat, errmsg)
     end subroutine
 
-    !> How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.   new
+    !> How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.
+    !> new
     pure function contact_state_size(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
@@ -1358,8 +1362,8 @@ contains
     !> The contact of such numbers.   new
     !>   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
     !>   contact  receives the handle
-    !> RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with
-    !> rwedge_contact_destroy().
+    !> RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free
+    !> with rwedge_contact_destroy().
     subroutine contact_restore(this, state, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: state(:)

@@ -33,8 +33,8 @@ static double arc_less_product(double v, double sine, double cosine)
     return v * sine * sine - cosine * sine_less_arc(v, sine, cosine);
 }
 
-/* With the sines t and cosines c of the two angles, t_1 - t_0 = 2 cos_middle sin_half, c_0 + c_1 = 2
- * cos_middle cos_half and t_0 + t_1 = 2 sin_middle cos_half. */
+/* With the sines t and cosines c of the two angles, t_1 - t_0 = 2 cos_middle sin_half, c_0 + c_1 =
+ * 2 cos_middle cos_half and t_0 + t_1 = 2 sin_middle cos_half. */
 rw_corners rw_corners_of(double a, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch), alpha = a / s;

@@ -58,9 +58,9 @@ typedef struct {
 
 rw_edge_rates rw_patch_edge_rates(const rw_corners *corners);
 
-/* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges to
- * 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is 1 to
- * rounding. */
+/* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges
+ * to 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is
+ * 1 to rounding. */
 rw_patch rw_patch_of_moment(double a, double P, double M);
 rw_patch rw_patch_of_tilt(double a, double P, double delta);
 

@@ -53,8 +53,8 @@ void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const do
 void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
                   rw_contact_fields *fields);
 
-/* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the apex
- * of a loaded sharp wedge has none. */
+/* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
+ * apex of a loaded sharp wedge has none. */
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
 
 /* The stresses of the fields and a bulk tension. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a contact ends and sticks: its edges, the pressure and the shear there, and what never slips
- * in a cycle. */
+/* Where a contact ends and sticks: its edges, the pressure and the shear there, and what never
+ * slips in a cycle. */
 #include "history/contact.h"
 
 static int32_t give_edges(rw_patch patch, double *left, double *right)
@@ -85,8 +85,8 @@ static int32_t load_once(double theta, double a, double A, double f, rw_loads to
     return status == RWEDGE_OK ? rwedge_contact_apply(*contact, to.P, to.M, 0, 0) : status;
 }
 
-/* The load and the tilt of what sticks are (N_1 + N_2 - |T_2 - T_1|)/2, which loses as much on the way
- * to either load; the stretch has the sign of the shear. */
+/* The load and the tilt of what sticks are (N_1 + N_2 - |T_2 - T_1|)/2, which loses as much on the
+ * way to either load; the stretch has the sign of the shear. */
 static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, rw_loads from,
                          rw_loads to, double *left, double *right)
 {

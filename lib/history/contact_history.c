@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stresses at many points through many loads. The loads come first: what each leaves is noted as a
- * list of weighted patches. Then the points, block by block: a patch that is in the lists of one load
- * and the next is evaluated once for both. */
+ * list of weighted patches. Then the points, block by block: a patch that is in the lists of one
+ * load and the next is evaluated once for both. */
 #include "history/contact.h"
 #include "stress/stress.h"
 
@@ -69,7 +69,8 @@ typedef struct {
     size_t count;
 } reel;
 
-/* The frame of a patch under a load: that which the load before had, or the first that neither needs. */
+/* The frame of a patch under a load: that which the load before had, or the first that neither
+ * needs. */
 static const rw_fields *fields_of(reel *kept, rw_patch patch, size_t load, int n, const double x[],
                                   const double y[])
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact as numbers, for restarts and for other processes. In this order: the version of this
  * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
- * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as the
- * original would. */
+ * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
+ * the original would. */
 #include "history/contact.h"
 
 #include "base/logarithm.h"

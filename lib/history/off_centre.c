@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Outside a patch, on its right, with x = m + s cosh(w), X = sinh(w), and of each end of the rounding
- * omega = the angle of (1 - t cosh(w), c sinh(w)), which is 0 at the edge and has the derivative
- * c/(cosh(w) - t), the gap is an integral of
+/* Outside a patch, on its right, with x = m + s cosh(w), X = sinh(w), and of each end of the
+ * rounding omega = the angle of (1 - t cosh(w), c sinh(w)), which is 0 at the edge and has the
+ * derivative c/(cosh(w) - t), the gap is an integral of
  *
- *     slope = g - delta - G = (1/(pi alpha)) [ 2 h X + (cosh(w) - t_0) omega_0 - (cosh(w) - t_1) omega_1 ]
+ *     slope = g - delta - G
+ *           = (1/(pi alpha)) [ 2 h X + (cosh(w) - t_0) omega_0 - (cosh(w) - t_1) omega_1 ]
  *
- * that has a closed form, but for both ends outside and beyond them. Next to the edge that cancels, and
- * the slope is integrated instead. h is half the angle between the ends (patch.h); ends outside at the left
- * have omega = 0, and ends at the right none: there the profile goes on with the rounding, and beyond
- * x = a the slope is 1 - delta - G. */
+ * that has a closed form, but for both ends outside and beyond them. Next to the edge that cancels,
+ * and the slope is integrated instead. h is half the angle between the ends (patch.h); ends outside
+ * at the left have omega = 0, and ends at the right none: there the profile goes on with the
+ * rounding, and beyond x = a the slope is 1 - delta - G. */
 #include "history/off_centre.h"
 
 #include "base/integral.h"
@@ -102,8 +103,8 @@ static double primitive(const outside *o, double w)
 /* Where the closed form neither cancels next to the edge nor far away. */
 static const double NEAR = 0.06, FAR = 2;
 
-/* Panels as long as w is far from the singularities, at distances of the angles between the ends and
- * the edge. */
+/* Panels as long as w is far from the singularities, at distances of the angles between the ends
+ * and the edge. */
 static double integrate(rw_function f, const outside *o, double from, double to)
 {
     double sum = 0, first = 1;

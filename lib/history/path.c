@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Under one load both edges of a patch move outwards where the change (dP, d delta) of load and tilt
- * is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the patch), because
- * flat punches add to its pressure at the edges. The same cone says which way the edges slip: a
- * change of shear and stretch in it makes both edges slip one way, any other one both ways.
+/* Under one load both edges of a patch move outwards where the change (dP, d delta) of load and
+ * tilt is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the patch),
+ * because flat punches add to its pressure at the edges. The same cone says which way the edges
+ * slip: a change of shear and stretch in it makes both edges slip one way, any other one both ways.
  *
  * A straight step in P and M keeps to the cone if it does at its smaller end: the line of action
- * dM/dP of what is added lies between m - s/2 and m + s/2, and where one edge rests, that end of the
- * interval moves outwards. */
+ * dM/dP of what is added lies between m - s/2 and m + s/2, and where one edge rests, that end of
+ * the interval moves outwards. */
 #include "history/path.h"
 
 #include <float.h>
 
-/* Of a step whose tilt is no straight line in the load: as many loads on the way are looked at. What
- * is looked for changes as slowly as the tilt itself. */
+/* Of a step whose tilt is no straight line in the load: as many loads on the way are looked at.
+ * What is looked for changes as slowly as the tilt itself. */
 enum { STATIONS = 16 };
 
 /* Loads at the limit of a cone are inside. */

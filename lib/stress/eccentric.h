@@ -35,8 +35,8 @@ typedef struct {
 
 void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
 
-/* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the middle in
- * half-widths, over 1 - |delta|. */
+/* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the
+ * middle in half-widths, over 1 - |delta|. */
 rw_field rw_eccentric_at(const rw_eccentric *potential, double x, double y);
 void rw_eccentric_fields(const rw_eccentric *potential, int count, const double x[],
                          const double y[], rw_fields *fields);

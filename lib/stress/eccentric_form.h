@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The closed form of the potential of a patch off the centre. With z from the middle in half-widths,
- * z = sin(zeta), q = exp(i zeta) = i R, X = sqrt(z^2-1) = i cos(zeta), and the ends of the rounding
- * at sin(phi_0) and sin(phi_1), 2 alpha apart,
+/* The closed form of the potential of a patch off the centre. With z from the middle in
+ * half-widths, z = sin(zeta), q = exp(i zeta) = i R, X = sqrt(z^2-1) = i cos(zeta), and the ends of
+ * the rounding at sin(phi_0) and sin(phi_1), 2 alpha apart,
  *
- *     (pi/2) G  = h R - tan(mu) + i (z - sin(phi_n)) A + i l_f,   h = (phi_1 - phi_0)/(2 alpha), mu = (phi_0 + phi_1)/2,
+ *     h = (phi_1 - phi_0)/(2 alpha),   mu = (phi_0 + phi_1)/2,
+ *     (pi/2) G  = h R - tan(mu) + i (z - sin(phi_n)) A + i l_f,
  *     (pi/2) G' = i A - (h R + tan(mu))/X,                        A = (l_0 - l_1)/(2 alpha),
  *     l_j = ln(1 - exp(-i phi_j) q) - ln(1 + exp(i phi_j) q),
  *
  * n being the end nearer to the point and f the other. Where only one end is inside,
  *     pi alpha G = w R + e (i (z - sin(phi)) l - cos(phi)),   w = pi/2 - e phi,
- * e = 1 where the flank is on its left and -1 where it is on its right; of the sharp wedge (pi/2) G = i l.
+ * e = 1 where the flank is on its left and -1 where it is on its right; of the sharp wedge (pi/2) G
+ * = i l.
  *
- * Far away the terms cancel, and the series in R is summed instead: (pi/2) G = sum (2/n) <sin n psi>
- * R^n, psi = pi/2 - phi and the mean that of patch.h. Points of the left half are those of the
+ * Far away the terms cancel, and the series in R is summed instead: (pi/2) G = sum (2/n) <sin n
+ * psi> R^n, psi = pi/2 - phi and the mean that of patch.h. Points of the left half are those of the
  * mirror image's right half. */
 #ifndef RW_ECCENTRIC_FORM_H
 #define RW_ECCENTRIC_FORM_H
@@ -64,8 +66,9 @@ RW_INLINE rw_complex rw_over_X(const rw_elliptic *e, double y, double re, double
     return (rw_complex){scale * (re * X_re + im * X_im), scale * (im * X_re - re * X_im)};
 }
 
-/* A = (l_0 - l_1)/(2 alpha). With eta = (z - sin(phi_0)) ... the quotient of whose factors eta +- cos(zeta) sin(half)
- * l_0 - l_1 is the logarithm of, their product being (z - sin(phi_0))(z - sin(phi_1)). */
+/* A = (l_0 - l_1)/(2 alpha). With eta = (z - sin(phi_0)) ... the quotient of whose factors eta +-
+ * cos(zeta) sin(half) l_0 - l_1 is the logarithm of, their product being (z - sin(phi_0))(z -
+ * sin(phi_1)). */
 RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
                                      double cosh_less_1, const rw_elliptic *e)
 {

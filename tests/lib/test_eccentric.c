@@ -6,8 +6,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* 150 patches and points: sharp, with both ends of the rounding inside, with one, with none; next to
- * the edges, to the ends and far away. */
+/* 150 patches and points: sharp, with both ends of the rounding inside, with one, with none; next
+ * to the edges, to the ends and far away. */
 static void agrees_with_60_digits(void **state)
 {
     (void)state;

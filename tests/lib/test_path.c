@@ -62,10 +62,10 @@ static void one_step_agrees_with_30_digits(void **state)
     assert_int_equal(rows.row, 60);
 }
 
-/* Nowell and Hills (1987): the stick zone of a cylinder is c = a sqrt(1 - Q/(fP)) wide, its centre e =
- * a sigma/(4 f p0) off. E = 72.1 GPa, nu = 0.33, 543 N and 155 N on 4 mm, R = 10 mm, f = 0.3, sigma =
- * 100 MPa: half-width 0.206698 mm, p0 = 418.104 MPa, c = 0.045519, e = 0.041197, trailing edge
- * 345.747 MPa. */
+/* Nowell and Hills (1987): the stick zone of a cylinder is c = a sqrt(1 - Q/(fP)) wide, its centre
+ * e = a sigma/(4 f p0) off. E = 72.1 GPa, nu = 0.33, 543 N and 155 N on 4 mm, R = 10 mm, f = 0.3,
+ * sigma = 100 MPa: half-width 0.206698 mm, p0 = 418.104 MPa, c = 0.045519, e = 0.041197, trailing
+ * edge 345.747 MPa. */
 static void nowell_and_hills_cylinder(void **state)
 {
     (void)state;
@@ -515,8 +515,8 @@ static void slip_is_continuous_in_the_moment(void **state)
     rwedge_contact_destroy(other);
 }
 
-/* Where the contact falls with moment and tension, the energy has no single integral; where rings come
- * into contact that slip at once, neither has the slip an origin. */
+/* Where the contact falls with moment and tension, the energy has no single integral; where rings
+ * come into contact that slip at once, neither has the slip an origin. */
 static void energy_and_slip_say_where_they_are_not_known(void **state)
 {
     (void)state;

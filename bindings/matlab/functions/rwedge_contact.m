@@ -99,6 +99,7 @@ classdef rwedge_contact < handle
         %   RWEDGE_EPATH where there is no closed form: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
         %   surface. rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory: as rwedge_contact.load().
+        %
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end
@@ -145,7 +146,8 @@ classdef rwedge_contact < handle
         %EDGES  [left, right] = contact.edges()
         %   The edges of the contact, left < x < right.   new
         %     left, right  length
-        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, over 1 - |tilt|/theta.
+        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, over 1 -
+        %   |tilt|/theta.
             [left, right] = rwedge_mex('contact_edges', contact.number);
         end
 
@@ -168,12 +170,12 @@ classdef rwedge_contact < handle
         function [normal_left, normal_right, shear_left, shear_right] = edge_asymptotes(contact)
         %EDGE_ASYMPTOTES  [normal_left, normal_right, shear_left, shear_right] = contact.edge_asymptotes()
         %   How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
-        %   slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) =
-        %   0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges: this
-        %   is how a pad is matched to a specimen.   new
+        %   slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+        %   = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+        %   this is how a pad is matched to a specimen.   new
         %     normal_left, normal_right  K_N, stress over the root of a length
-        %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of sigma
-        %                                less what it was when the bodies touched
+        %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+        %                                sigma less what it was when the bodies touched
         %   rwedge:absent when separated; rwedge:handle.
             [normal_left, normal_right, shear_left, shear_right] = rwedge_mex('contact_edge_asymptotes', contact.number);
         end
@@ -231,15 +233,16 @@ classdef rwedge_contact < handle
         function [sxx, syy, txy] = stress_history(contact, P, M, Q, sigma, x, y)
         %STRESS_HISTORY  [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)
         %   Stresses at n points while the contact goes on through many loads: as rwedge_contact.apply() and
-        %   rwedge_contact.stresses() after each, to the same bits, and faster, for what one load leaves as it
-        %   was is not computed again.   new
+        %   rwedge_contact.stresses() after each, to the same bits, and faster, for what one load leaves as
+        %   it was is not computed again.
+        %   new
         %     P              0, or at least 1e-8 of the last P
         %     M, Q, sigma    finite: loads numbers each, as P
         %     x, y           length, finite, y >= 0: n numbers each
         %     sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
         %                    inputs
-        %   The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and nothing is
-        %   written. As both functions; rwedge:memory.
+        %   The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+        %   nothing is written. As both functions; rwedge:memory.
             if nargin < 7
                 error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
             end
@@ -248,7 +251,8 @@ classdef rwedge_contact < handle
 
         function value = state_size(contact)
         %STATE_SIZE  value = contact.state_size()
-        %   How many numbers rwedge_contact.state() gives, for the contact as it is.   new
+        %   How many numbers rwedge_contact.state() gives, for the contact as it is.
+        %   new
             value = rwedge_mex('contact_state_size', contact.number);
         end
 
@@ -317,8 +321,8 @@ classdef rwedge_contact < handle
         %RESTORE  contact = rwedge_contact.restore(state)
         %   The contact of such numbers.   new
         %     state    not other than rwedge_contact.state() gave it: Inf and NaN may be in it
-        %   rwedge:domain where the numbers are not those of a contact, rwedge:memory. Free with
-        %   rwedge_contact.destroy().
+        %   rwedge:domain where the numbers are not those of a contact, rwedge:memory. Free
+        %   with rwedge_contact.destroy().
             if nargin < 1
                 error('rwedge:arguments', 'too few arguments: contact = rwedge_contact.restore(state)');
             end

@@ -356,8 +356,8 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
-/* The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
- *                                                                                             new */
+/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                             new
+ * 0 without a moment; NaN for NULL. */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 
 /* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
@@ -462,6 +462,8 @@ RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
+ * RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+ * or slipped after they had been added to others that slipped before, and in full sliding.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -471,7 +473,8 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
+ * NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
+ * no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
  * change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 

@@ -863,13 +863,13 @@ Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zon
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
-'                                                                                             new
+' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                             new
+' 0 without a moment; NaN for NULL.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_TILT( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL."
+Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad: |tilt| < theta. 0 without a moment; NaN for NULL."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -1031,6 +1031,8 @@ End Function
 '                                                                             Eq. (17) to (21); new
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
+' RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+' or slipped after they had been added to others that slipped before, and in full sliding.
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
 ' Error below 1e-12 f theta b, for loads that differ by 1 % or more.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
@@ -1058,7 +1060,8 @@ End Function
 ' time integral of the traction times the rate of slip over the contact, without the rigid
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
-' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
+' NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
+' no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
 ' change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _

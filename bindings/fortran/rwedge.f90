@@ -1126,8 +1126,8 @@ contains
             '', stat, errmsg)
     end subroutine
 
-    !> The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one. NaN for NULL.
-    !>    new
+    !> The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
+    !> 0 without a moment; NaN for NULL.
     pure function contact_tilt(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
@@ -1392,6 +1392,8 @@ contains
     !>    Eq. (17) to (21); new
     !>   x     length, |x| <= b: points outside have no partner
     !>   slip  receives n numbers
+    !> RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+    !> or slipped after they had been added to others that slipped before, and in full sliding.
     !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
     !> Error below 1e-12 f theta b, for loads that differ by 1 % or more.
     subroutine contact_slip(this, x, slip, stat, errmsg)
@@ -1420,7 +1422,8 @@ contains
     !> time integral of the traction times the rate of slip over the contact, without the rigid
     !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
-    !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
+    !> NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
+    !> no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
     !> change of Q/f where that slip reaches an older layer.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this

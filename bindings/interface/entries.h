@@ -604,7 +604,7 @@ static const entry entries[] = {
      NULL, 0, 1, 1, NULL, contact_state_results, contact_state_sizes},
     {"contact_restore", "contact", entry_contact_restore, 0, 0, 1, 1, 0, 0x26,
      NULL, 1, 0, 1, contact_restore_arguments, NULL, contact_restore_sizes},
-    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 0x6,
+    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 0x206,
      NULL, 1, 1, 1, contact_slip_arguments, contact_slip_results, contact_slip_sizes},
     {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, 1, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},

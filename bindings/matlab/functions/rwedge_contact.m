@@ -162,8 +162,8 @@ classdef rwedge_contact < handle
 
         function value = tilt(contact)
         %TILT  value = contact.tilt()
-        %   The angle by which the moment tilts the wedge, rad, |tilt| < theta; 0 without one.
-        %      new
+        %   The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
+        %   0 without a moment.
             value = rwedge_mex('contact_tilt', contact.number);
         end
 
@@ -277,6 +277,8 @@ classdef rwedge_contact < handle
         %      Eq. (17) to (21); new
         %     x     length, |x| <= b: points outside have no partner
         %     slip  receives n numbers
+        %   RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+        %   or slipped after they had been added to others that slipped before, and in full sliding.
         %   rwedge:domain; rwedge:handle. Nothing is written unless every point is in the domain.
         %   Error below 1e-12 f theta b, for loads that differ by 1 % or more.
             if nargin < 2
@@ -291,7 +293,8 @@ classdef rwedge_contact < handle
         %   time integral of the traction times the rate of slip over the contact, without the rigid
         %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
-        %   Relative error of each load's share below 1e-12, and epsilon times P over the
+        %   NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
+        %   no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
         %   change of Q/f where that slip reaches an older layer.
             value = rwedge_mex('contact_dissipated_energy', contact.number);
         end

@@ -134,9 +134,14 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
 
+    @property
+    def state_size(self) -> int:
+        """How many numbers ``state()`` gives, for the contact as it is. Source: new."""
+        return self._value(_state_size)
+
     def state(self) -> NDArray[np.float64]:
-        """The contact as numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on to the same bits.
-        The numbers are of no other use. Source: new."""
+        """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
+        to the same bits. The numbers are of no other use. Source: new."""
         with self._lock:
             numbers = np.empty(_state_size(self._address))
             check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
@@ -150,6 +155,8 @@ class Contact(ContactMethods, Handle):
         ------
         ValueError
             where they are not those of a contact
+
+        Source: new.
         """
         numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
         contact, handle = cls.__new__(cls), ctypes.c_void_p()

@@ -356,7 +356,7 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
-/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                             new
+/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
  * 0 without a moment; NaN for NULL. */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 

@@ -863,7 +863,7 @@ Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zon
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                             new
+' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
 ' 0 without a moment; NaN for NULL.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_TILT( _

@@ -150,7 +150,8 @@ def points(f: Function, many: Function) -> tuple[int, int, int, str]:
 def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     rows = []
     for f in interface.functions:
-        plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL"} and (f.pointwise or not f.of("in array", "out array"))
+        # EPATH is of the object, not of a point: its method asks first
+        plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and (f.pointwise or not f.of("in array", "out array"))
         of_object = f.of("handle") and f.inputs and not f.of("created") and plain
         if is_ufunc(f) and f.result == "status" or of_object:
             many = next((g for g in interface.functions if g.array_of == f.name), f)

@@ -19,7 +19,7 @@ _half_width, _stick_half_width = function("contact_half_width"), function("conta
 _loads = function("contact_loads")
 _state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
 _dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
-_yield_factor = function("contact_yield_factor")
+_yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
 _tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
 
 
@@ -296,11 +296,12 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         ValueError
-            outside the contact
+            outside the contact; off the centre, where it is not known
 
         Source: Eq. (17) to (21); new.
         """
         with self._lock:
+            check("contact_slip", _slip_of(self._address, 0, None, None))
             return _slip(self._address, x)
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:

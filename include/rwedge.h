@@ -334,7 +334,7 @@ RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, do
 /* The largest |d sigma| with which the present Q may change to another under constant P and M,
  * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
  *   Q  finite
- * NaN outside the domain and for NULL; 0 when separated. */
+ * NaN outside the domain; NaN for NULL; 0 when separated. */
 RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
 
 /* The present loads.                                                                            new
@@ -427,7 +427,7 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  *   x, y           length, finite, y >= 0: n numbers each
  *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
  *                  inputs
- * The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+ * The contact then has the last of the loads. After an error the contact is as before and
  * nothing is written. As both functions; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
@@ -473,8 +473,8 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
- * no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
+ * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+ * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
  * change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 

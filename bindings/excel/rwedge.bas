@@ -785,7 +785,7 @@ End Function
 ' The largest |d sigma| with which the present Q may change to another under constant P and M,
 ' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
 '   Q  finite
-' NaN outside the domain and for NULL; 0 when separated.
+' NaN outside the domain; NaN for NULL; 0 when separated.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -1060,8 +1060,8 @@ End Function
 ' time integral of the traction times the rate of slip over the contact, without the rigid
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
-' NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
-' no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
+' NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
 ' change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _

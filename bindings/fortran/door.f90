@@ -108,9 +108,6 @@ contains
         case ('contact_apply')
             call contact%apply(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), stat)
             r = [real(c_double) ::]
-        case ('contact_obstacle')
-            call contact%obstacle(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), stat)
-            r = [real(c_double) ::]
         case ('contact_largest_tension_step')
             r = [contact%largest_tension_step(v(1)%x(1))]
         case ('contact_loads')

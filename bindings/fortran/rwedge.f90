@@ -533,6 +533,14 @@ contains
         text = text_of(c_strerror(status))
     end function
 
+    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
+    function contact_obstacle(this, P, M, Q, sigma) result(text)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: P, M, Q, sigma
+        character(:), allocatable :: text
+        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
+    end function
+
     function text_of(c_text) result(text)
         type(c_ptr), intent(in) :: c_text
         character(:), allocatable :: text
@@ -1063,24 +1071,10 @@ contains
             'P 0, or at least 1e-8 of the last P; M finite; |Q| <= f P; sigma finite', stat, errmsg)
     end subroutine
 
-    !> Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
-    !> English; empty where it would not.   new
-    !>   arguments as for rwedge_contact_apply(); the contact stays as it is
-    !> Static text, never NULL.
-    impure elemental subroutine contact_obstacle(this, P, M, Q, sigma, stat, errmsg)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: P, M, Q, sigma
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_obstacle(this%handle, P, M, Q, sigma), 'rwedge_contact%obstacle(P, M, Q, sigma)', [P, M, Q, &
-            sigma], &
-            'P 0, or at least 1e-8 of the last P; M finite; |Q| <= f P; sigma finite', stat, errmsg)
-    end subroutine
-
     !> The largest |d sigma| with which the present Q may change to another under constant P and M,
     !> stress: 4 |dQ|/(pi s). HUGE_VAL without friction.   new
     !>   Q  finite
-    !> NaN outside the domain and for NULL; 0 when separated.
+    !> NaN outside the domain; NaN for NULL; 0 when separated.
     elemental function contact_largest_tension_step(this, Q) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: Q
@@ -1272,7 +1266,7 @@ contains
     !>   x, y           length, finite, y >= 0: n numbers each
     !>   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
     !>                  inputs
-    !> The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+    !> The contact then has the last of the loads. After an error the contact is as before and
     !> nothing is written. As both functions; RWEDGE_ENOMEM.
     subroutine contact_stress_history(this, P, M, Q, sigma, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
@@ -1422,8 +1416,8 @@ contains
     !> time integral of the traction times the rate of slip over the contact, without the rigid
     !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
-    !> NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
-    !> no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
+    !> NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+    !> has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
     !> change of Q/f where that slip reaches an older layer.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this

@@ -127,7 +127,7 @@ classdef rwedge_contact < handle
         %   The largest |d sigma| with which the present Q may change to another under constant P and M,
         %   stress: 4 |dQ|/(pi s). Inf without friction.   new
         %     Q  finite
-        %   NaN outside the domain and for NULL; 0 when separated.
+        %   NaN outside the domain; 0 when separated.
             if nargin < 2
                 error('rwedge:arguments', 'too few arguments: value = contact.largest_tension_step(Q)');
             end
@@ -241,7 +241,7 @@ classdef rwedge_contact < handle
         %     x, y           length, finite, y >= 0: n numbers each
         %     sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
         %                    inputs
-        %   The contact then has the last of the loads. Unless RWEDGE_OK, the contact is as before and
+        %   The contact then has the last of the loads. After an error the contact is as before and
         %   nothing is written. As both functions; rwedge:memory.
             if nargin < 7
                 error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
@@ -293,8 +293,8 @@ classdef rwedge_contact < handle
         %   time integral of the traction times the rate of slip over the contact, without the rigid
         %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
-        %   NaN for NULL; and after a load off the centre that slips while P or M change, or slides: it has
-        %   no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
+        %   NaN too after a load off the centre that slips while P or M change, or slides: it
+        %   has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
         %   change of Q/f where that slip reaches an older layer.
             value = rwedge_mex('contact_dissipated_energy', contact.number);
         end

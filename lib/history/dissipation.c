@@ -85,8 +85,8 @@ static double integrand(const layer *l, double d)
  * square root of u - corner_load. */
 typedef struct {
     const layer *l;
-    double depth;  /* of hi */
-    double lo, hi; /* the loads at its ends, less corner_load */
+    /* lo and hi: the loads at its ends, less corner_load; depth: that of hi */
+    double depth, lo, hi;
 } panel;
 
 static double plain(double below, const void *context)

@@ -474,8 +474,8 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
  * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
- * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
- * change of Q/f where that slip reaches an older layer. */
+ * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+ * the change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

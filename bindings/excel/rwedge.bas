@@ -1061,8 +1061,8 @@ End Function
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
 ' NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
-' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
-' change of Q/f where that slip reaches an older layer.
+' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+' the change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _

@@ -1417,8 +1417,8 @@ contains
     !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
     !> NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
-    !> has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
-    !> change of Q/f where that slip reaches an older layer.
+    !> has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+    !> the change of Q/f where that slip reaches an older layer.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value

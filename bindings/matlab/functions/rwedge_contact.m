@@ -294,8 +294,8 @@ classdef rwedge_contact < handle
         %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
         %   NaN too after a load off the centre that slips while P or M change, or slides: it
-        %   has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over the
-        %   change of Q/f where that slip reaches an older layer.
+        %   has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+        %   the change of Q/f where that slip reaches an older layer.
             value = rwedge_mex('contact_dissipated_energy', contact.number);
         end
 

@@ -11,9 +11,8 @@
 static void advance(rw_memory *path, double load, double shear)
 {
     assert_true(rw_memory_reserve(path, 2));
-    const rw_loading to = {.load = load, .shear = shear};
-    const rw_departure departure = rw_memory_departure(path, to);
-    rw_memory_advance(path, &departure, to);
+    const rw_departure departure = rw_memory_departure(path, load, shear);
+    rw_memory_advance(path, &departure, load, shear);
 }
 
 static void assert_corner(const rw_memory *path, size_t i, double load, double shear)

@@ -6,7 +6,6 @@ import ctypes
 import threading
 from typing import Any, NamedTuple, SupportsFloat
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._general import call
@@ -16,10 +15,8 @@ from ._ufuncs import Points
 
 _create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
-_loads = function("contact_loads")
-_state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
 _dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
-_yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
+_yield_factor = function("contact_yield_factor")
 _tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
 
 
@@ -29,15 +26,6 @@ class YieldFactor(NamedTuple):
     factor: float
     x: float
     y: float
-
-
-class Loads(NamedTuple):
-    """Normal load and tangential load, force/length; moment about x = 0, force; bulk tension, stress."""
-
-    P: float
-    M: float
-    Q: float
-    sigma: float
 
 
 class Contact(ContactMethods, Handle):
@@ -66,7 +54,7 @@ class Contact(ContactMethods, Handle):
     Notes
     -----
     A contact is created without load, separated, and freed with its last reference. ``copy()``, ``copy.copy`` and
-    ``copy.deepcopy`` give an independent one, history and all. A pickled contact goes on to the same bits, by ``state()``.
+    ``copy.deepcopy`` give an independent one, history and all. It cannot be pickled: send its parameters and its loads.
 
     Threads: different contacts are independent, and their methods release the GIL. Calls for one contact from several
     threads are safe, and wait for each other; to read one at the same time, give each thread a copy.
@@ -84,10 +72,10 @@ class Contact(ContactMethods, Handle):
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
-        self._begin(handle)
+        self._begin(handle, (0.0, 0.0))
 
-    def _begin(self, handle: ctypes.c_void_p) -> None:
-        self._lock = threading.RLock()
+    def _begin(self, handle: ctypes.c_void_p, loads: tuple[float, float]) -> None:
+        self._lock, self._loads = threading.RLock(), loads
         self._adopt(handle, _destroy)
 
     def copy(self) -> Contact:
@@ -96,7 +84,7 @@ class Contact(ContactMethods, Handle):
         twin._parameters = self._parameters
         with self._lock:
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
-            twin._begin(handle)
+            twin._begin(handle, self._loads)
         return twin
 
     def __copy__(self) -> Contact:
@@ -110,8 +98,7 @@ class Contact(ContactMethods, Handle):
         return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
 
     def load(self, P: SupportsFloat, Q: SupportsFloat = 0.0) -> None:
-        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one; M and sigma stay
-        as they are (``apply``).
+        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
 
         Parameters
         ----------
@@ -133,48 +120,7 @@ class Contact(ContactMethods, Handle):
         P, Q = real("P", P), real("Q", Q)
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
-
-    @property
-    def state_size(self) -> int:
-        """How many numbers ``state()`` gives, for the contact as it is. Source: new."""
-        return self._value(_state_size)
-
-    def state(self) -> NDArray[np.float64]:
-        """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
-        to the same bits. The numbers are of no other use. Source: new."""
-        with self._lock:
-            numbers = np.empty(_state_size(self._address))
-            check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
-        return numbers
-
-    @classmethod
-    def restore(cls, state: ArrayLike) -> Contact:
-        """The contact of the numbers that ``state()`` gave.
-
-        Raises
-        ------
-        ValueError
-            where they are not those of a contact
-
-        Source: new.
-        """
-        numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
-        contact, handle = cls.__new__(cls), ctypes.c_void_p()
-        check("contact_restore", _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle)))
-        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
-        contact._begin(handle)
-        return contact
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).restore, (self.state(),)
-
-    @property
-    def loads(self) -> Loads:
-        """The present loads. Source: new."""
-        loads = [ctypes.c_double() for _ in range(4)]
-        with self._lock:
-            check("contact_loads", _loads(self._address, *map(ctypes.byref, loads)))
-        return Loads(*(load.value for load in loads))
+            self._loads = P, Q
 
     def _value(self, read: Any) -> Any:
         with self._lock:
@@ -207,22 +153,12 @@ class Contact(ContactMethods, Handle):
     @property
     def P(self) -> float:
         """The present normal load, force/length."""
-        return self.loads.P
-
-    @property
-    def M(self) -> float:
-        """The present moment, force."""
-        return self.loads.M
+        return self._loads[0]
 
     @property
     def Q(self) -> float:
         """The present tangential load, force/length."""
-        return self.loads.Q
-
-    @property
-    def sigma(self) -> float:
-        """The present bulk tension, stress."""
-        return self.loads.sigma
+        return self._loads[1]
 
     @property
     def half_width(self) -> float:
@@ -296,12 +232,11 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         ValueError
-            outside the contact; off the centre, where it is not known
+            outside the contact
 
         Source: Eq. (17) to (21); new.
         """
         with self._lock:
-            check("contact_slip", _slip_of(self._address, 0, None, None))
             return _slip(self._address, x)
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:

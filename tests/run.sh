@@ -8,7 +8,7 @@
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
-#     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs --all --strict
+#     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #
 # The last line says how many tests passed, failed and were skipped. The line before it says how long the run took. Each skipped test
 # says why in its own output.

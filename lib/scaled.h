@@ -58,6 +58,14 @@ static inline double rw_power_of_two(int exponent)
     return power;
 }
 
+/* The exponent e of a positive number v for which v 2^-e is 1/2 to 4, or as large as a normal
+ * power of two makes it where v is not normal. */
+static inline int rw_magnitude(double v)
+{
+    const int exponent = rw_scaled_from(v).exponent;
+    return exponent < -1022 ? -1022 : exponent > 1022 ? 1022 : exponent;
+}
+
 /* The double: NaN where it is too large for one, and 0 where it is too small. (ldexp() would set
  * errno.) */
 static inline double rw_scaled_value(rw_scaled s)

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: which command, and what holds for all of them. */
-#include "arguments.h"
-#include "completion.h"
-#include "field.h"
-#include "figure.h"
-#include "invocation.h"
-#include "message.h"
-#include "profile.h"
-#include "signals.h"
-#include "solve.h"
-#include "table.h"
-#include "workbook.h"
+#include "options/arguments.h"
+#include "options/completion.h"
+#include "field/field.h"
+#include "figure/figure.h"
+#include "text/invocation.h"
+#include "text/message.h"
+#include "field/profile.h"
+#include "system/signals.h"
+#include "solve/solve.h"
+#include "table/table.h"
+#include "workbook/workbook.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -4,7 +4,7 @@
  * sanitizer by tests/host/threads.sh too. */
 #define _POSIX_C_SOURCE 200809L
 
-#include "ahead.h"
+#include "system/ahead.h"
 
 #include <setjmp.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of fields whose contours are known. */
-#include "contour.h"
+#include "picture/contour.h"
 
 #include <math.h>
 #include <setjmp.h>

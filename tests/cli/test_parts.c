@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parts of the command-line tool that its tables do not reach yet, or not with enough values:
  * texts in CSV and JSON, and numbers and ranges by the hundred thousand. */
-#include "number.h"
-#include "range.h"
-#include "records.h"
+#include "text/number.h"
+#include "text/range.h"
+#include "rows/delimited.h"
+#include "rows/json.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -40,11 +40,11 @@ for compiler in gcc clang; do
 done
 [ -n "$compiler" ] || { echo "SKIPPED: no compiler here whose thread sanitizer finds a race"; exit 77; }
 
-$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -Itests/support lib/*.c \
+$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -Itests/support lib/*/*.c \
     tests/host/test_threads.c tests/support/every_function.c tests/support/claims.c -o "$work/threads" \
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
-$compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/test_ahead.c cli/ahead.c cli/message.c \
-    cli/progress.c -o "$work/ahead" -lcmocka -lpthread
+$compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/test_ahead.c cli/system/ahead.c cli/text/message.c \
+    cli/system/progress.c -o "$work/ahead" -lcmocka -lpthread
 for program in "$work/threads 41" "$work/ahead"; do
     if ! TSAN_OPTIONS=halt_on_error=1 $program >"$work/log" 2>&1; then
         cat "$work/log"

@@ -193,14 +193,14 @@ static void cycle_often(double P_low)
         load(contact, P_low, -0.06);
         if (i == 3) {
             size = rwedge_contact_memory(contact);
-            entries = contact->entries.count;
+            entries = contact->origins.count;
             start = rwedge_contact_dissipated_energy(contact);
             energy = start - before;
             slipped = slip(contact, 0.3);
         }
         if (i > 3)
             assert_true(rwedge_contact_memory(contact) == size &&
-                        contact->entries.count == entries);
+                        contact->origins.count == entries);
     }
     assert_true(size <= 3 && entries <= 2);
     assert_true(slipped != 0);

@@ -2,7 +2,7 @@
 /* The logarithms and angles of lib/logarithm.h against the math library's in long double: the
  * error that it states, in units of the last digit. */
 #include "claims.h"
-#include "logarithm.h"
+#include "base/logarithm.h"
 
 #include <float.h>
 #include <stdio.h>

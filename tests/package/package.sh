@@ -62,5 +62,5 @@ try "a subproject builds" cmake --build "$work/sub" --parallel 2
 try "a subproject runs" "$work/sub/with_rwedge"
 
 cd "$source"
-try "one compiler line" cc -Iinclude lib/*.c tests/package/consumer/main.c -o "$work/line" -lgsl -lgslcblas -llapack -lm
+try "one compiler line" cc -Iinclude -Ilib lib/*/*.c tests/package/consumer/main.c -o "$work/line" -lgsl -lgslcblas -llapack -lm
 try "runs" "$work/line"

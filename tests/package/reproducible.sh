@@ -60,7 +60,7 @@ print_bits_of()
 {
     name=$1
     shift
-    "$@" -std=c99 -ffp-contract=off -Iinclude -Itests/support lib/*.c tests/support/every_function.c tests/package/print_bits.c -o "$work/$name-program" \
+    "$@" -std=c99 -ffp-contract=off -Iinclude -Ilib -Itests/support lib/*/*.c tests/support/every_function.c tests/package/print_bits.c -o "$work/$name-program" \
         -lgsl -lgslcblas -llapack -lm && "$work/$name-program" >"$work/$name-now" && mv "$work/$name-now" "$work/$name"
 }
 compare_bits()

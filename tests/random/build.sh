@@ -16,7 +16,7 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
 done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev)"; exit 77; }
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
-flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -I$source/include -I$source/lib -I$source/cli -I$source/tests/host -I$source/tests/random"
+flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli -I$source/tests/host -I$source/tests/random"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -31,10 +31,10 @@ compile()
 }
 : >commands
 objects=
-compile "$source"/lib/*.c
+compile "$source"/lib/*/*.c
 library=$objects
 objects=
-for file in "$source"/cli/*.c; do
+for file in "$source"/cli/*.c "$source"/cli/*/*.c; do
     case $file in
     */main.c | */message.c | */xlsx.c) ;; # the messages are our own; spreadsheets are none of the inputs
     *) compile "$file" ;;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In place of cli/message.c: what the tool says is formatted, and thrown away. */
-#include "message.h"
+/* In place of cli/text/message.c: what the tool says is formatted, and thrown away. */
+#include "text/message.h"
 
 #include <stdarg.h>
 #include <stdio.h>

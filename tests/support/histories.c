@@ -55,7 +55,7 @@ void go_on(random_history *h, rwedge_contact *contact)
 
 size_t breakpoints(const rwedge_contact *contact, double points[])
 {
-    const rw_path *path = &contact->path;
+    const rw_memory *path = &contact->memory;
     const double a = contact->geometry.a;
     size_t n = 0;
     points[n++] = 0;

@@ -5,7 +5,7 @@
 #define HISTORIES_H
 
 #include "claims.h"
-#include "contact.h"
+#include "history/contact.h"
 
 static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "rwedge solve --input" on any file, from its header to the last row, with some of the options. */
-#include "batch.h"
+#include "rows/delimited.h"
+#include "rows/json.h"
+#include "solve/batch.h"
 #include "file.h"
 #include "input.h"
-#include "message.h"
+#include "text/message.h"
 
 static void set_constants(uint8_t kind, input_texts *constants)
 {

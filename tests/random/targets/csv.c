@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reader of CSV files: any bytes come to an end, in cells that are texts; what the writer
  * has written is read back. */
-#include "csv_input.h"
+#include "rows/csv_input.h"
 #include "file.h"
 #include "input.h"
-#include "records.h"
+#include "rows/delimited.h"
 
 enum { COLUMNS_MAX = 6, ROWS_MAX = 8, TEXT_MAX = 12 };
 

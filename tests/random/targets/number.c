@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as text: what is read is what strtod() reads, what is written reads back. */
-#include "decimal.h"
+#include "text/decimal.h"
 #include "input.h"
-#include "number.h"
+#include "text/number.h"
 
 static char *text_of(const uint8_t *data, size_t size)
 {

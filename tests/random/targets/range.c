@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ranges as text: read or complained of, monotonic, from START and not beyond STOP. */
 #include "input.h"
-#include "range.h"
+#include "text/range.h"
 
 static void check_order(const range *values, const char *text)
 {

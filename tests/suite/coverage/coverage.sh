@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The unit tests reach every branch of lib/, but for those that are argued in place: /* unreached: why */ on the line.
+# The unit tests reach every branch of lib/, but for those that ALWAYS() and NEVER() argue (lib/base/always.h).
 # Compiled without optimisation or inlining, so that branches are those of the source, and without the choice that potential.c
 # makes by the processor.
 #     coverage.sh SOURCE BUILD
@@ -18,7 +18,7 @@ log=$build/log
 programs=$(unit_tests "$source")
 # shellcheck disable=SC2086
 cmake -S "$source" -B "$build" -DCMAKE_C_COMPILER=gcc -DCMAKE_BUILD_TYPE=None -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_INSTALL=OFF \
-    -DCMAKE_C_FLAGS='-O0 --coverage -fprofile-update=atomic -Dalways_inline=unused -DRW_BASELINE' >"$log" 2>&1 &&
+    -DCMAKE_C_FLAGS='-O0 --coverage -fprofile-update=atomic -Dalways_inline=unused -DRW_BASELINE -DRW_COVERAGE' >"$log" 2>&1 &&
     cmake --build "$build" --parallel 2 --target $programs >>"$log" 2>&1 || { cat "$log"; exit 1; }
 find "$build" -name '*.gcda' -delete
 

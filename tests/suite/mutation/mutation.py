@@ -23,7 +23,7 @@ from pathlib import Path
 import mutants
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "coverage"))
-from branches import argued_lines  # noqa: E402
+from branches import unjudged_lines  # noqa: E402
 
 WANTED = 0.90
 ENOUGH = 500  # of a smaller sample only the upper end of the interval is held against it
@@ -73,19 +73,21 @@ class Program:
 
 
 class Library:
-    """How each unit is compiled, and which units a file goes into."""
+    """How each unit is compiled, where it lies (folder/name), and which units a file goes into. Units are known by their names,
+    which are those of their objects; files by folder and name."""
 
     def __init__(self, lib, build):
         self.lib = lib
-        self.commands, self.includers = {}, defaultdict(list)
+        self.commands, self.places, self.includers = {}, {}, defaultdict(list)
         for entry in json.loads((build / "compile_commands.json").read_text()):
             path = Path(entry["file"])
-            if path.parent != lib:
+            if path.parent.parent != lib:
                 continue
-            command = shlex.split(entry["command"])
+            command = shlex.split(entry["command"].replace(f"-I{lib} ", "-Ilib "))
+            self.places[path.name] = f"{path.parent.name}/{path.name}"
             self.commands[path.name] = [word for word in command[: command.index("-o")]]
-            listed = run([*self.commands[path.name], "-MM", str(path)], lib).stdout.decode()
-            for file in set(re.findall(r"(\w+\.[ch])\b", listed)):
+            listed = run([*self.commands[path.name], "-MM", str(path)], lib.parent).stdout.decode()
+            for file in set(re.findall(r"\blib/(\w+/\w+\.[ch])\b", listed)):
                 if (lib / file).exists():
                     self.includers[file].append(path.name)
 
@@ -94,7 +96,7 @@ class Library:
         folder."""
         target = folder / (unit + ".o")
         target.unlink(missing_ok=True)
-        run([*self.commands[unit], "-Werror=implicit-function-declaration", "-c", f"lib/{unit}", "-o", target.name], folder)
+        run([*self.commands[unit], "-Werror=implicit-function-declaration", "-c", f"lib/{self.places[unit]}", "-o", target.name], folder)
         return target if target.exists() else None
 
 
@@ -104,7 +106,7 @@ class Judge:
     def __init__(self, folder, library, originals):
         self.folder, self.library, self.originals = folder, library, originals
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(library.lib, folder / "lib", ignore=shutil.ignore_patterns("private"))
+        shutil.copytree(library.lib, folder / "lib", ignore=shutil.ignore_patterns("package"))
 
     def changed_objects(self, file):
         """Of the units that the file goes into, those whose code has changed; None where one does not compile."""
@@ -212,7 +214,7 @@ def report(kept, total, seconds):
             number, before, after = mutants.described(mutant, source)
             print(f"lib/{file}:{number}: {before}\n    survived: {after or '(nothing)'}")
     for file, counts in sorted(per_file.items()):
-        print(f"{file:20} {counts['killed']:5} killed {counts['survived']:5} survived")
+        print(f"{file:26} {counts['killed']:5} killed {counts['survived']:5} survived")
     low, high = wilson(killed, killed + survived)
     score = killed / (killed + survived)
     print(f"{len(kept)} of {total} mutants: {invalid} do not compile, {equivalent} are the same code, {killed} killed, "
@@ -222,9 +224,9 @@ def report(kept, total, seconds):
 
 
 def of_reached_lines(source):
-    """The mutants of a file, without those of lines that are argued to be unreached: of them no test can notice any."""
-    argued = argued_lines(source.splitlines())
-    return [mutant for mutant in mutants.mutants(source) if mutants.described(mutant, source)[0] not in argued]
+    """The mutants of a file, without those of lines that no test is asked to reach."""
+    unjudged = unjudged_lines(source.splitlines())
+    return [mutant for mutant in mutants.mutants(source) if mutants.described(mutant, source)[0] not in unjudged]
 
 
 def arguments():
@@ -248,8 +250,9 @@ def main():
     library = Library(given.lib, given.build)
     first = Judge(given.build / "judge0", library, {})
     originals = {unit: library.compile(unit, first.folder).read_bytes() for unit in library.commands}
-    candidates = [(path.name, path.read_text(), mutant) for path in sorted(given.lib.glob("*.[ch]"))
-                  if re.search(given.only, path.name) for mutant in of_reached_lines(path.read_text())]
+    files = {f"{path.parent.name}/{path.name}": path for path in sorted(given.lib.glob("*/*.[ch]"))}
+    candidates = [(name, path.read_text(), mutant) for name, path in files.items()
+                  if re.search(given.only, name) for mutant in of_reached_lines(path.read_text())]
     random.Random(given.seed).shuffle(candidates)
     judges = [Judge(given.build / f"judge{i}", library, originals) for i in range(given.jobs)]
     with open(given.build / "verdicts", "w") as log:

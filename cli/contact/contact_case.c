@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact_case.h"
+
+#include "text/number.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <rwedge.h>
+
+static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.7320508075688772;
+
+/* As the library has it: f, P and Q are rounded, and so is their product. */
+static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
+
+/* Two ways to give the same; the second is -1 where there is one way only. */
+typedef struct {
+    int one, other;
+    bool needed;
+} alternatives;
+
+static const alternatives ways[] = {
+    {INPUT_E1, -1, true},          {INPUT_NU1, -1, true}, {INPUT_THETA, INPUT_THETA_DEG, true},
+    {INPUT_A, INPUT_RADIUS, true}, {INPUT_P, -1, true},   {INPUT_K, INPUT_YIELD_STRESS, false},
+};
+enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
+
+static bool excluded(const input_texts *given, int one, int other, char complaint[COMPLAINT_SIZE])
+{
+    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: given together with %s; allowed: one of the two",
+             input_name(given, other, second), given->text[other], input_name(given, one, first));
+    return false;
+}
+
+static bool missing(const input_texts *given, const alternatives *way,
+                    char complaint[COMPLAINT_SIZE])
+{
+    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
+    const bool two = way->other >= 0;
+    snprintf(complaint, COMPLAINT_SIZE, "%s: missing; needed: %s%s%s%s",
+             input_name(given, way->one, first), first, two ? " or " : "",
+             two ? input_name(given, way->other, second) : "",
+             given->is_cell[way->one] ? ", as a column or an option" : "");
+    return false;
+}
+
+/* Body 2 is given whole or not at all: a guess would look like a result. */
+static bool second_body_is_whole(const input_texts *given, char complaint[COMPLAINT_SIZE])
+{
+    char name[INPUT_NAME_SIZE], other[INPUT_NAME_SIZE];
+    const bool E2 = input_is_given(given, INPUT_E2), nu2 = input_is_given(given, INPUT_NU2);
+    if (E2 == nu2)
+        return true;
+    double value;
+    if (E2 && !input_read(given, INPUT_E2, &value, complaint))
+        return false;
+    if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
+        return true;
+    const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
+    snprintf(complaint, COMPLAINT_SIZE,
+             "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+             input_name(given, there, name), given->text[there], input_name(given, absent, other));
+    return false;
+}
+
+bool case_is_complete(const input_texts *given, bool needs_load, char complaint[COMPLAINT_SIZE])
+{
+    for (int i = 0; i < WAY_COUNT; i++) {
+        const bool one = input_is_given(given, ways[i].one);
+        const bool other = ways[i].other >= 0 && input_is_given(given, ways[i].other);
+        if (one && other)
+            return excluded(given, ways[i].one, ways[i].other, complaint);
+        if (!one && !other && ways[i].needed && (needs_load || ways[i].one != INPUT_P))
+            return missing(given, &ways[i], complaint);
+    }
+    return second_body_is_whole(given, complaint);
+}
+
+static double either(double one, double other)
+{
+    return isnan(one) ? other : one;
+}
+
+static void fill(const double value[INPUT_COUNT], contact_case *what)
+{
+    what->E1 = value[INPUT_E1];
+    what->nu1 = value[INPUT_NU1];
+    what->E2 = either(value[INPUT_E2], what->E1);
+    what->nu2 = either(value[INPUT_NU2], what->nu1); /* of no effect where body 2 is rigid */
+    what->theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
+    what->a = either(value[INPUT_A], rwedge_rounding(what->theta, value[INPUT_RADIUS]));
+    what->P = either(value[INPUT_P], 0);
+    what->Q = either(value[INPUT_Q], 0);
+    what->f = either(value[INPUT_F], 0);
+    what->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
+    what->A = rwedge_compliance(what->E1, what->nu1, what->E2, what->nu2);
+    what->beta = rwedge_dundurs_beta(what->E1, what->nu1, what->E2, what->nu2);
+}
+
+bool slides_away(double P, double Q, double f)
+{
+    return fabs(Q) > f * P * (1 + SLIDING_ROUNDING);
+}
+
+static bool has_equilibrium(const input_texts *given, const contact_case *what,
+                            char complaint[COMPLAINT_SIZE])
+{
+    if (!slides_away(what->P, what->Q, what->f))
+        return true;
+    char name[INPUT_NAME_SIZE], limit[NUMBER_SIZE];
+    number_write(what->f * what->P, 6, '.', limit);
+    snprintf(complaint, COMPLAINT_SIZE,
+             "%s %.60s: must not exceed f P = %s: there is no equilibrium%s",
+             input_name(given, INPUT_Q, name), given->text[INPUT_Q], limit,
+             input_is_given(given, INPUT_F) ? "" : "; f is missing");
+    return false;
+}
+
+bool case_read(const input_texts *given, bool needs_load, contact_case *what,
+               char complaint[COMPLAINT_SIZE])
+{
+    if (!case_is_complete(given, needs_load, complaint))
+        return false;
+    double value[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        value[i] = NAN;
+        if (input_is_given(given, i) && !input_read(given, i, &value[i], complaint))
+            return false;
+    }
+    fill(value, what);
+    if (!isnormal(what->A) || !isnormal(what->theta / what->A) || !isfinite(what->a)) {
+        snprintf(complaint, COMPLAINT_SIZE,
+                 "the moduli and the rounding are so large or small that numbers overflow");
+        return false;
+    }
+    return has_equilibrium(given, what, complaint);
+}
+
+double case_shear_ratio(const contact_case *what)
+{
+    const double limit = what->f * what->P;
+    return what->Q == 0 || limit == 0 ? 0 : fmax(-1, fmin(1, what->Q / limit));
+}

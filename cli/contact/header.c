@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "header.h"
+
+#include "text/message.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool copy_names(const csv_input *in, header *names)
+{
+    names->name = calloc(csv_input_count(in), sizeof *names->name);
+    for (size_t i = 0; names->name != NULL && i < csv_input_count(in); i++, names->count++) {
+        names->name[i] = strdup(csv_input_cell(in, i));
+        if (names->name[i] == NULL)
+            break;
+    }
+    if (names->count == csv_input_count(in))
+        return true;
+    failure("out of memory");
+    return false;
+}
+
+/* The letters and digits of two names, whatever stands between them; the first has that many
+ * characters. */
+static bool is_like(const char *a, size_t length, const char *b)
+{
+    for (const char *end = a + length;; a++, b++) {
+        while (a < end && !isalnum((unsigned char)*a))
+            a++;
+        while (*b != '\0' && !isalnum((unsigned char)*b))
+            b++;
+        if (a == end || *b == '\0')
+            return a == end && *b == '\0';
+        if (tolower((unsigned char)*a) != tolower((unsigned char)*b))
+            return false;
+    }
+}
+
+/* ---- Columns that are inputs ---- */
+
+static bool find(const csv_input *in, int input, header *names)
+{
+    char column[INPUT_NAME_SIZE];
+    input_column(input, column);
+    for (size_t i = 0; i < names->count; i++) {
+        if (strcmp(names->name[i], column) != 0)
+            continue;
+        if (names->column[input] < names->count) {
+            failure("%s: column %s: there twice; allowed: once", csv_input_name(in), column);
+            return false;
+        }
+        names->column[input] = i;
+    }
+    return true;
+}
+
+/* ---- Columns that are none, but must be meant for one ---- */
+
+/* Other usual names. What they mean may be given in its own name, and they are then columns like
+ * any other. */
+static const struct {
+    const char *name;
+    int input;
+} synonyms[] = {
+    {"mu", INPUT_F},
+    {"friction", INPUT_F},
+    {"friction_coefficient", INPUT_F},
+    {"coefficient_of_friction", INPUT_F},
+    {"cof", INPUT_F},
+    {"tangential_force", INPUT_Q},
+    {"tangential_load", INPUT_Q},
+    {"shear_force", INPUT_Q},
+    {"shear_load", INPUT_Q},
+    {"load", INPUT_P},
+    {"force", INPUT_P},
+    {"normal_force", INPUT_P},
+    {"normal_load", INPUT_P},
+    {"sigma_y", INPUT_YIELD_STRESS},
+    {"yield", INPUT_YIELD_STRESS},
+    {"yield_strength", INPUT_YIELD_STRESS},
+    {"E", INPUT_E1},
+    {"nu", INPUT_NU1},
+};
+
+static bool is_given(const header *names, const input_texts *options, int input)
+{
+    return names->column[input] < names->count || (options != NULL && options->text[input] != NULL);
+}
+
+/* By itself or by its alternative. */
+static bool is_given_somehow(const header *names, const input_texts *options, int input)
+{
+    return is_given(names, options, input) ||
+           (input_alternative(input) >= 0 && is_given(names, options, input_alternative(input)));
+}
+
+/* "Yield stress", " f" and "Q [N/mm]" are slips; but p beside P, or F beside f, may be another
+ * thing. */
+static int slip_for(const header *names, const char *name, size_t length,
+                    const bool wanted[INPUT_COUNT], const input_texts *options)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char column[INPUT_NAME_SIZE];
+        if (!wanted[i] || !is_like(name, length, input_column(i, column)))
+            continue;
+        if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
+            !is_given_somehow(names, options, i))
+            return i;
+    }
+    return INPUT_COUNT;
+}
+
+static int synonym_for(const header *names, const char *name, size_t length,
+                       const bool wanted[INPUT_COUNT], const input_texts *options)
+{
+    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+        if (wanted[synonyms[i].input] && is_like(name, length, synonyms[i].name) &&
+            !is_given_somehow(names, options, synonyms[i].input))
+            return synonyms[i].input;
+    return INPUT_COUNT;
+}
+
+static bool is_input(const header *names, size_t column)
+{
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (names->column[i] == column)
+            return true;
+    return false;
+}
+
+/* Passed through, a column that is meant for an input would be missed by nobody: friction is 0
+ * by default. */
+static bool check_other(const csv_input *in, const header *names, size_t column,
+                        const bool wanted[INPUT_COUNT], const input_texts *options)
+{
+    const char *name = names->name[column];
+    const size_t before_unit = strcspn(name, "[(");
+    bool has_unit = false;
+    /* "theta (deg)" is theta_deg */
+    int meant = slip_for(names, name, strlen(name), wanted, options);
+    if (meant == INPUT_COUNT) {
+        has_unit = name[before_unit] != '\0';
+        meant = slip_for(names, name, before_unit, wanted, options);
+    }
+    const bool slip = meant < INPUT_COUNT;
+    if (!slip)
+        meant = synonym_for(names, name, before_unit, wanted, options);
+    if (meant == INPUT_COUNT)
+        return true;
+    char allowed[INPUT_NAME_SIZE];
+    failure("%s: column %.60s: allowed: %s%s%s", csv_input_name(in), name,
+            input_column(meant, allowed),
+            has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
+            slip ? "" : ", or another name if it is something else");
+    return false;
+}
+
+/* ---- The row ---- */
+
+bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options,
+                 header *names)
+{
+    *names = (header){0};
+    const csv_event event = csv_input_next(in);
+    if (event == CSV_FAILED)
+        return false;
+    if (event != CSV_ROW) {
+        failure("%s: %s; needed: a header row with the names of the columns", csv_input_name(in),
+                event == CSV_END ? "empty" : "misplaced quotes in the first row");
+        return false;
+    }
+    if (!copy_names(in, names))
+        return false;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        names->column[i] = names->count;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (wanted[i] && !find(in, i, names))
+            return false;
+    for (size_t i = 0; i < names->count; i++)
+        if (!is_input(names, i) && !check_other(in, names, i, wanted, options))
+            return false;
+    return true;
+}
+
+void header_free(header *names)
+{
+    for (size_t i = 0; i < names->count; i++)
+        free(names->name[i]);
+    free(names->name);
+    *names = (header){0};
+}
+
+bool header_has(const header *names, const char *name)
+{
+    for (size_t i = 0; i < names->count; i++)
+        if (strcmp(names->name[i], name) == 0)
+            return true;
+    return false;
+}
+
+bool header_fits(const header *names, const csv_input *row, char complaint[COMPLAINT_SIZE])
+{
+    if (csv_input_count(row) == names->count)
+        return true;
+    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header",
+             csv_input_count(row), names->count);
+    return false;
+}
+
+const char *header_separator_hint(const header *names)
+{
+    if (names->count != 1)
+        return "";
+    if (strchr(names->name[0], ';') != NULL)
+        return "; the columns seem to be separated by ';': --decimal-comma reads that";
+    if (strchr(names->name[0], ',') != NULL)
+        return "; the columns seem to be separated by ',': leave --decimal-comma out";
+    return strchr(names->name[0], '\t') != NULL
+               ? "; the columns seem to be separated by tabs; allowed: commas"
+               : "";
+}

@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "state.h"
+
+#include "contact_case.h"
+#include "loads.h"
+#include "text/message.h"
+#include "options/variable.h"
+
+#include <math.h>
+
+struct poptOption state_option_table[] = {
+    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+     "The next load of a history instead of --P and --Q; repeat it", "P,Q"},
+    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
+     "A history from a CSV file with the columns P and Q; - is standard input", "FILE"},
+    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
+     "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
+    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_Q_OVER_FP,
+     "With --a-over-b: tangential force over its sliding value, 0 to 1 (default 0)", "NUMBER"},
+    {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_C_OVER_B,
+     "With --a-over-b: or the stick zone over the contact, 0 to 1", "NUMBER"},
+    POPT_TABLEEND,
+};
+
+void state_describe(FILE *stream)
+{
+    fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
+          "(default 0.3), and --q-over-fp or --c-over-b: lengths are then in b, stresses in\n"
+          "theta/A, slip in theta b. A history runs in straight steps from load to load;\n"
+          "without one, Q grows from 0 under constant P. x > 0 is the side that the friction\n"
+          "on the half-plane, with Q > 0, points to; y is the depth.\n",
+          stream);
+}
+
+/* Powers of two with theta/A = 1: natural units are exact. */
+static const double NATURAL_THETA = 0.5, NATURAL_A = 0.5, NATURAL_NU = 0.3;
+
+static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1",
+                                        "0"};
+
+/* ---- Natural units ---- */
+
+static int refuse_dimensional(const arguments *given, const input_texts *texts)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char name[INPUT_NAME_SIZE];
+        if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1)
+            return usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, "
+                               "--q-over-fp, --c-over-b",
+                               input_name(texts, i, name), texts->text[i]);
+    }
+    if (given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL)
+        return usage_error(
+            "--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
+            given->value[OPTION_LOAD] != NULL ? "load" : "history");
+    return STATUS_DONE;
+}
+
+static int read_f_and_nu(const input_texts *texts, double *f, double *nu)
+{
+    char complaint[COMPLAINT_SIZE];
+    *f = 0;
+    *nu = NATURAL_NU;
+    if ((texts->text[INPUT_F] != NULL && !input_read(texts, INPUT_F, f, complaint)) ||
+        (texts->text[INPUT_NU1] != NULL && !input_read(texts, INPUT_NU1, nu, complaint)))
+        return usage_error("%s", complaint);
+    return STATUS_DONE;
+}
+
+static int read_shear_ratio(const arguments *given, double alpha, double *ratio)
+{
+    const char *q = given->value[OPTION_Q_OVER_FP], *c = given->value[OPTION_C_OVER_B];
+    *ratio = 0;
+    if (q != NULL && c != NULL)
+        return usage_error(
+            "--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
+    if (q != NULL)
+        return variable_read_one(&variables[Q_OVER_FP], q, ratio);
+    double width = 1;
+    const int status = c != NULL ? variable_read_one(&c_over_b, c, &width) : STATUS_DONE;
+    *ratio = rwedge_shear_ratio(alpha, width);
+    return status;
+}
+
+static int load_monotonic(double P, double Q, contact_state *state)
+{
+    int32_t status = rwedge_contact_load(state->contact, P, 0);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_load(state->contact, P, Q);
+    return status == RWEDGE_OK
+               ? STATUS_DONE
+               : failure("the loads cannot be applied: %s", rwedge_strerror(status));
+}
+
+static int create(double theta, double a, double A, double f, contact_state *state)
+{
+    const int32_t status = rwedge_contact_create(theta, a, A, f, &state->contact);
+    state->a = a;
+    return status == RWEDGE_OK ? STATUS_DONE : failure("the contact: %s", rwedge_strerror(status));
+}
+
+static int read_natural(const arguments *given, const input_texts *texts, contact_state *state)
+{
+    double alpha, f, ratio;
+    int status = refuse_dimensional(given, texts);
+    if (status == STATUS_DONE)
+        status = variable_read_one(&variables[A_OVER_B], given->value[OPTION_A_OVER_B], &alpha);
+    if (status == STATUS_DONE)
+        status = read_f_and_nu(texts, &f, &state->nu);
+    if (status == STATUS_DONE)
+        status = read_shear_ratio(given, alpha, &ratio);
+    if (status == STATUS_DONE)
+        status = create(NATURAL_THETA, alpha, NATURAL_A, f, state);
+    if (status != STATUS_DONE)
+        return status;
+    const double P = rwedge_load(alpha);
+    status = load_monotonic(P, ratio * f * P, state);
+    state->b = 1;
+    /* 1 to rounding: the edge is at 1 exactly */
+    state->length_unit = rwedge_contact_half_width(state->contact);
+    state->slip_unit = NATURAL_THETA * state->length_unit;
+    return status;
+}
+
+/* ---- Dimensional ---- */
+
+static int apply_loads(const arguments *given, char decimal_sign, const contact_case *what,
+                       contact_state *state)
+{
+    if (given->value[OPTION_LOAD] != NULL)
+        return loads_apply_list(given->value[OPTION_LOAD], what->f, state->contact);
+    if (given->value[OPTION_HISTORY] != NULL)
+        return loads_apply_file(given->value[OPTION_HISTORY], decimal_sign, what->f,
+                                state->contact);
+    return load_monotonic(what->P, what->Q, state);
+}
+
+static int check_loads(const arguments *given, const input_texts *texts)
+{
+    const char *list = given->value[OPTION_LOAD], *file = given->value[OPTION_HISTORY];
+    if (list != NULL && file != NULL)
+        return usage_error("--history %s: given together with --load; allowed: one of the two",
+                           file);
+    for (int i = INPUT_P; i <= INPUT_Q && (list != NULL || file != NULL); i++) {
+        char name[INPUT_NAME_SIZE];
+        if (texts->text[i] != NULL)
+            return usage_error(
+                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
+                input_name(texts, i, name), texts->text[i], list != NULL ? "load" : "history");
+    }
+    for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
+        if (given->value[i] != NULL)
+            return usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
+                               i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", given->value[i]);
+    return STATUS_DONE;
+}
+
+static int read_dimensional(const arguments *given, char decimal_sign, const input_texts *texts,
+                            contact_state *state)
+{
+    contact_case what;
+    char complaint[COMPLAINT_SIZE];
+    const bool has_history =
+        given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL;
+    int status = check_loads(given, texts);
+    if (status == STATUS_DONE && !case_read(texts, !has_history, &what, complaint))
+        status = usage_error("%s", complaint);
+    if (status == STATUS_DONE)
+        status = create(what.theta, what.a, what.A, what.f, state);
+    if (status == STATUS_DONE)
+        status = apply_loads(given, decimal_sign, &what, state);
+    if (status != STATUS_DONE)
+        return status;
+    state->nu = what.nu1;
+    state->b = rwedge_contact_half_width(state->contact);
+    state->length_unit = state->slip_unit = 1;
+    return STATUS_DONE;
+}
+
+int state_read(const arguments *given, char decimal_sign, contact_state *state)
+{
+    input_texts texts;
+    *state = (contact_state){0};
+    input_texts_from_options(given, &texts);
+    if (given->value[OPTION_A_OVER_B] != NULL)
+        return read_natural(given, &texts, state);
+    return read_dimensional(given, decimal_sign, &texts, state);
+}
+
+void state_free(contact_state *state)
+{
+    rwedge_contact_destroy(state->contact);
+}
+
+bool state_is_apex(const contact_state *state, double x, double y)
+{
+    return state->a == 0 && state->b > 0 && x == 0 && y == 0;
+}

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "field.h"
+
+#include "grid.h"
+#include "vtk.h"
+#include "text/message.h"
+#include "rows/output_options.h"
+
+#include <math.h>
+
+enum { OPTION_X = OPTION_AFTER_STATE, OPTION_Y };
+
+static struct poptOption field_output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json|xlsx|vtk")};
+
+static const struct poptOption options[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
+     "Its loads, or natural units:", NULL},
+    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
+     "Columns of the grid (default: 81 from -2 b to 2 b)", "RANGE"},
+    {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
+     "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, field_output_option_table, 0, "Common options:", NULL},
+    POPT_TABLEEND,
+};
+
+static void describe(FILE *stream)
+{
+    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk the last "
+          "five as scalars:\n"
+          "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
+          "  sxx, syy, txy  stresses in body 1, tension positive\n"
+          "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
+          "  s1             larger principal stress in the plane\n",
+          stream);
+    state_describe(stream);
+}
+
+/* The text of an axis, or its default between two multiples of b. */
+static int read_axis(const char *name, const char *text, double from, double to, int64_t count,
+                     range *values)
+{
+    if (text == NULL && to == 0)
+        return usage_error(
+            "--%s: missing; after the last load there is no contact to lay a grid around", name);
+    const char *complaint = NULL;
+    if (text == NULL)
+        *values = range_between(from, to, count);
+    else
+        complaint = range_read(text, values);
+    return complaint == NULL ? STATUS_DONE : usage_error("--%s %s: %s", name, text, complaint);
+}
+
+static bool ascends(const range *values)
+{
+    for (int64_t i = 1; i < values->count;
+         i += values->items != NULL ? 1 : values->count) /* steps are all alike */
+        if (!(range_value(values, i) > range_value(values, i - 1)))
+            return false;
+    return true;
+}
+
+static int check_grid(const arguments *given, const grid *what, bool vtk)
+{
+    const char *const text[] = {given->value[OPTION_X], given->value[OPTION_Y]};
+    double outside;
+    if (!range_within(&what->y, 0, HUGE_VAL, &outside))
+        return usage_error("--y %s: depths must not be below 0", text[1]);
+    if (grid_size(what) > RANGE_VALUES_MAX)
+        return usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
+                           what->x.count > what->y.count ? "x" : "y",
+                           text[what->x.count > what->y.count ? 0 : 1]);
+    for (int i = 0; i < 2 && vtk; i++)
+        if (!ascends(i == 0 ? &what->x : &what->y))
+            return usage_error("--%s %s: must ascend; so the format vtk wants it",
+                               i == 0 ? "x" : "y", text[i]);
+    return STATUS_DONE;
+}
+
+static int field(const arguments *given)
+{
+    grid what = {0};
+    output_options how;
+    int status = arguments_no_operand(given);
+    if (status == STATUS_DONE)
+        status = output_options_read_or(given, "vtk", &how);
+    if (status == STATUS_DONE)
+        status = state_read(given, how.decimal_sign, &what.state);
+    const double b = what.state.b;
+    if (status == STATUS_DONE)
+        status = read_axis("x", given->value[OPTION_X], -2 * b, 2 * b, 81, &what.x);
+    if (status == STATUS_DONE)
+        status = read_axis("y", given->value[OPTION_Y], 0, 2 * b, 41, &what.y);
+    if (status == STATUS_DONE)
+        status = check_grid(given, &what, how.format == NULL);
+    if (status == STATUS_DONE)
+        status =
+            output_options_write(&how, how.format == NULL ? vtk_write : grid_write_rows, &what);
+    state_free(&what.state);
+    range_free(&what.x);
+    range_free(&what.y);
+    return status;
+}
+
+static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
+
+const command field_command = {"field",  "rwedge field", "stresses on a grid below the surface",
+                               &grammar, NULL,           field};

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "profile.h"
+
+#include "text/message.h"
+#include "rows/output_options.h"
+#include "system/progress.h"
+#include "text/range.h"
+#include "contact/state.h"
+
+#include <math.h>
+
+enum { OPTION_X = OPTION_AFTER_STATE, OPTION_POINTS };
+
+static const struct poptOption options[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
+     "Its loads, or natural units:", NULL},
+    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},
+    {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
+     "Or how many points from edge to edge, dense at the edges (default 201)", "N"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    POPT_TABLEEND,
+};
+
+enum { X, P, Q, ZONE, SXX, SLIP, COLUMN_COUNT };
+static const char *const columns[COLUMN_COUNT] = {"x", "p", "q", "zone", "sxx", "slip"};
+
+static void describe(FILE *stream)
+{
+    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n"
+          "  x     along the surface\n"
+          "  p     pressure, negative in compression\n"
+          "  q     shear traction, txy at the surface; q = f p where it slips under Q > 0\n"
+          "  zone  stick; slip, where friction is exhausted; or free, outside the contact\n"
+          "  sxx   stress along the surface, tension positive\n"
+          "  slip  of body 1 relative to body 2, the wedge, since they came into contact\n",
+          stream);
+    state_describe(stream);
+}
+
+typedef struct {
+    contact_state state;
+    range x;        /* or */
+    int64_t points; /* from edge to edge, where not 0 */
+} plan;
+
+/* Equal steps of the angle whose sine x/b is: the ends and the middle are hit exactly. */
+static double x_of(const plan *what, int64_t i)
+{
+    if (what->points == 0)
+        return range_value(&what->x, i);
+    const double half_pi = 1.5707963267948966;
+    return what->state.b *
+           sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
+}
+
+static const char *zone_of(const contact_state *state, double x)
+{
+    if (!(fabs(x) < rwedge_contact_half_width(state->contact)))
+        return "free";
+    return fabs(x) < rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
+}
+
+/* At the apex of the sharp wedge the stresses are infinite, outside the contact there is no
+ * slip: NAN, an empty cell. */
+static int32_t look(const contact_state *state, double at, double value[])
+{
+    const double surface = 0;
+    double syy, txy;
+    int32_t status = RWEDGE_OK;
+    value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
+    if (!state_is_apex(state, at, 0)) {
+        status = rwedge_contact_tractions(state->contact, 1, &at, &value[P], &value[Q]);
+        if (status == RWEDGE_OK)
+            status =
+                rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+    }
+    if (status == RWEDGE_OK && state->b > 0 &&
+        fabs(at) <= rwedge_contact_half_width(state->contact))
+        status = rwedge_contact_slip(state->contact, 1, &at, &value[SLIP]);
+    return status;
+}
+
+static bool compute(const contact_state *state, double x, cell row[])
+{
+    const double at = x * state->length_unit;
+    double value[COLUMN_COUNT];
+    const int32_t status = look(state, at, value);
+    if (status != RWEDGE_OK) {
+        failure("x = %.17g: %s", x, rwedge_strerror(status));
+        return false;
+    }
+    value[X] = x;
+    value[SLIP] /= state->slip_unit;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        row[i] = i == ZONE ? cell_text(zone_of(state, at)) : cell_number(value[i]);
+    return true;
+}
+
+static bool write_row(const plan *what, records *rows, double x)
+{
+    cell row[COLUMN_COUNT];
+    if (!compute(&what->state, x, row))
+        return false;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        rows->format->value(rows, columns[i], row[i]);
+    rows->format->end_row(rows);
+    progress_step();
+    return true;
+}
+
+static bool write_profile(void *of_plan, records *rows, bool show_progress)
+{
+    const plan *what = of_plan;
+    const int64_t count = what->points > 0 ? what->points : what->x.count;
+    bool computed = true;
+    progress_start(show_progress, count, "rows");
+    rows->format->begin(rows);
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        rows->format->name(rows, columns[i]);
+    rows->format->end_header(rows);
+    for (int64_t i = 0; i < count && computed && records_go_on(rows); i++)
+        computed = write_row(what, rows, x_of(what, i));
+    rows->format->end(rows);
+    progress_erase();
+    return computed && records_are_sound(rows);
+}
+
+static int read_points(const arguments *given, plan *what)
+{
+    const char *x = given->value[OPTION_X], *points = given->value[OPTION_POINTS];
+    if (x != NULL && points != NULL)
+        return usage_error("--points %s: given together with --x; allowed: one of the two", points);
+    const char *complaint = x != NULL ? range_read(x, &what->x) : NULL;
+    if (complaint != NULL)
+        return usage_error("--x %s: %s", x, complaint);
+    what->points = x != NULL ? 0 : 201;
+    if (points != NULL && !number_read_whole(points, 2, 1000000000, &what->points))
+        return usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
+    return STATUS_DONE;
+}
+
+static int check_contact(const plan *what)
+{
+    if (what->points > 0 && what->state.b == 0)
+        return usage_error(
+            "--x: missing; after the last load there is no contact to take points from");
+    return STATUS_DONE;
+}
+
+static int profile(const arguments *given)
+{
+    plan what = {0};
+    output_options how;
+    int status = arguments_no_operand(given);
+    if (status == STATUS_DONE)
+        status = output_options_read(given, &how);
+    if (status == STATUS_DONE)
+        status = read_points(given, &what);
+    if (status == STATUS_DONE)
+        status = state_read(given, how.decimal_sign, &what.state);
+    if (status == STATUS_DONE)
+        status = check_contact(&what);
+    if (status == STATUS_DONE)
+        status = output_options_write(&how, write_profile, &what);
+    state_free(&what.state);
+    range_free(&what.x);
+    return status;
+}
+
+static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
+
+const command profile_command = {
+    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar,
+    NULL,      profile};

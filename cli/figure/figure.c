@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "figure.h"
+
+#include "figure_field.h"
+#include "figure_loop.h"
+#include "figures_strength.h"
+#include "figures_traction.h"
+#include "picture/gnuplot.h"
+#include "text/message.h"
+#include "rows/output_options.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <rwedge.h>
+
+enum { FIGURE_COUNT = 8 };
+static const figure *const figures[FIGURE_COUNT] = {
+    &figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point,
+    &figure_tension,  &figure_shear,  &figure_field,   &figure_loop};
+
+enum {
+    OPTION_FIGURE_VARIABLE = OPTION_OWN,
+    OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES,
+    OPTION_NO_TITLE
+};
+
+static const table_variable stick_width = {
+    "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
+
+static const struct poptOption options[] = {
+    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + A_OVER_B,
+     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
+     "RANGE"},
+    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + FRICTION,
+     "Coefficient of friction f", "NUMBER"},
+    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU,
+     "Poisson's ratio of the half-plane, 0 to 0.5", "NUMBER"},
+    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + Q_OVER_FP,
+     "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
+    {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + C_OVER_B,
+     "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
+    {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA,
+     "Write the numbers behind the figure instead of a picture", NULL},
+    {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture",
+     NULL},
+    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT,
+     "How it is written (default: as FILE ends, or svg; with --data csv)",
+     "svg|png|pdf, csv|tsv|json|xlsx"},
+    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
+     "Significant digits of --data, 1 to 17 (default 17)", "N"},
+    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+     "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
+     "Write to FILE, whole or not at all (default: standard output)", "FILE"},
+    OPTION_HELP_ENTRY,
+    POPT_TABLEEND,
+};
+
+static const table_variable *variable_of(int i)
+{
+    return i == C_OVER_B ? &stick_width : &variables[i];
+}
+
+static void describe_uses(const figure *which, FILE *stream)
+{
+    const char *before = "      ";
+    for (int i = 0; i < FIGURE_VARIABLES; i++) {
+        const char *usual = which->use[i].usual;
+        if (usual == NULL)
+            continue;
+        fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
+                usual);
+        before = ", ";
+    }
+    if (before[0] == ',')
+        fputc('\n', stream);
+}
+
+static void describe_figures(FILE *stream)
+{
+    fputs("\nFigures, with the variables they have and their defaults:\n", stream);
+    for (int i = 0; i < FIGURE_COUNT; i++) {
+        fprintf(stream, "  %-6s %s\n", figures[i]->name, figures[i]->summary);
+        describe_uses(figures[i], stream);
+    }
+    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number. gnuplot draws the\n"
+          "pictures, 85 mm wide in PDF and PNG: it must be on PATH (package gnuplot-nox);\n"
+          "--data does without.\n",
+          stream);
+}
+
+static void append(char *text, size_t size, const char *before, const char *word)
+{
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s%s%s", used > 0 ? ", " : "", before, word);
+}
+
+static int choose_figure(const arguments *given, const figure **which)
+{
+    char allowed[120] = "";
+    for (int i = 0; i < FIGURE_COUNT; i++)
+        append(allowed, sizeof allowed, "", figures[i]->name);
+    if (given->operand == NULL || given->operand[0] == NULL)
+        return usage_error("which figure must follow; allowed: %s", allowed);
+    for (int i = 0; i < FIGURE_COUNT; i++)
+        if (strcmp(given->operand[0], figures[i]->name) == 0)
+            *which = figures[i];
+    if (*which == NULL)
+        return usage_error("%s: unknown figure; allowed: %s", given->operand[0], allowed);
+    if (given->operand[1] != NULL)
+        return usage_error("%s: unexpected; allowed: one figure, and options", given->operand[1]);
+    return STATUS_DONE;
+}
+
+static int refuse_variable(const figure *which, int variable, const char *text)
+{
+    char allowed[160] = "";
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (which->use[i].usual != NULL)
+            append(allowed, sizeof allowed, "--", variable_of(i)->option);
+    return usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
+                       variable_of(variable)->option, text, which->name,
+                       allowed[0] != '\0' ? allowed : "none of the variables");
+}
+
+static int read_variable(const figure *which, int i, const char *text, range *values)
+{
+    const int most = which->use[i].most;
+    if (text == NULL && which->use[i].usual[0] == '\0')
+        return STATUS_DONE;
+    const int status =
+        variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    if (status != STATUS_DONE || values->count <= most)
+        return status;
+    if (most == 1)
+        return usage_error("--%s %s: must be one number", variable_of(i)->option, text);
+    return usage_error("--%s %s: must not have more than %d values, a curve each",
+                       variable_of(i)->option, text, most);
+}
+
+static int read_case(const arguments *given, const figure *which, figure_case *of)
+{
+    for (int i = 0; i < FIGURE_VARIABLES; i++) {
+        const char *text = given->value[OPTION_FIGURE_VARIABLE + i];
+        int status = STATUS_DONE;
+        if (which->use[i].usual != NULL)
+            status = read_variable(which, i, text, &of->value[i]);
+        else if (text != NULL)
+            status = refuse_variable(which, i, text);
+        if (status != STATUS_DONE)
+            return status;
+    }
+    if (of->value[C_OVER_B].count > 0 && of->value[Q_OVER_FP].count > 0)
+        return usage_error(
+            "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
+            given->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
+    return STATUS_DONE;
+}
+
+static const picture_format *format_named(const char *name)
+{
+    for (int i = 0; i < PICTURE_FORMATS && name != NULL; i++)
+        if (strcasecmp(name, picture_formats[i].name) == 0)
+            return &picture_formats[i];
+    return NULL;
+}
+
+/* Another ending says nothing, and leaves the default. */
+static const picture_format *format_of_file(const char *path)
+{
+    const char *point = path != NULL ? strrchr(path, '.') : NULL;
+    const picture_format *found = point != NULL ? format_named(point + 1) : NULL;
+    return found != NULL ? found : &picture_formats[0];
+}
+
+static int read_picture_format(const arguments *given, const picture_format **format,
+                               output_options *how)
+{
+    const char *name = given->value[OPTION_FORMAT];
+    if (given->value[OPTION_DIGITS] != NULL)
+        return usage_error("--digits %s: not for a picture; allowed with: --data",
+                           given->value[OPTION_DIGITS]);
+    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+        return usage_error("--decimal-comma: not for a picture; allowed with: --data");
+    *format = name != NULL ? format_named(name) : format_of_file(given->value[OPTION_OUTPUT]);
+    if (*format == NULL)
+        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, "
+                           "tsv, json, xlsx",
+                           name);
+    return output_options_read_or(given, name, how);
+}
+
+/* ---- What is written ---- */
+
+typedef struct {
+    const figure *which;
+    figure_case of;
+    const picture_format *format; /* NULL for the numbers */
+    bool no_title;
+    dataset rows;
+} work;
+
+static bool compute(work *what)
+{
+    what->rows.column = what->which->column;
+    what->rows.text_column = what->which->text_column;
+    const int32_t status = what->which->compute(&what->of, &what->rows);
+    if (status != RWEDGE_OK)
+        failure("figure %s: %s", what->which->name, rwedge_strerror(status));
+    else if (what->rows.failed)
+        failure("out of memory");
+    return status == RWEDGE_OK && !what->rows.failed;
+}
+
+static bool draw(const work *what, output *out)
+{
+    drawing *on = calloc(1, sizeof *on);
+    bytes picture = {0};
+    bool drawn = false;
+    if (on == NULL)
+        failure("out of memory");
+    else {
+        what->which->draw(&what->of, &what->rows, on);
+        if (what->no_title)
+            on->title[0] = '\0';
+        if (on->outlines.failed)
+            failure("out of memory");
+        else
+            drawn = gnuplot_draw(on, what->format, &picture);
+    }
+    if (drawn)
+        output_write(out, picture.data, picture.length);
+    drawing_free(on);
+    bytes_free(&picture);
+    return drawn;
+}
+
+/* A rows_writer: a picture goes where rows would. */
+static bool write_figure(void *of_work, records *rows, bool show_progress)
+{
+    work *what = of_work;
+    if (!compute(what))
+        return false;
+    return what->format != NULL ? draw(what, rows->out)
+                                : dataset_write(&what->rows, rows, show_progress);
+}
+
+static int write_work(const arguments *given, work *what)
+{
+    output_options how;
+    int status = choose_figure(given, &what->which);
+    if (status == STATUS_DONE)
+        status = read_case(given, what->which, &what->of);
+    if (status == STATUS_DONE)
+        status = given->value[OPTION_DATA] != NULL
+                     ? output_options_read(given, &how)
+                     : read_picture_format(given, &what->format, &how);
+    if (status == STATUS_DONE)
+        status = output_options_write(&how, write_figure, what);
+    return status;
+}
+
+static int write_command(const arguments *given)
+{
+    work what = {.no_title = given->value[OPTION_NO_TITLE] != NULL};
+    const int status = write_work(given, &what);
+    dataset_free(&what.rows);
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        range_free(&what.of.value[i]);
+    return status;
+}
+
+static const char *figure_name(int i)
+{
+    return i < FIGURE_COUNT ? figures[i]->name : NULL;
+}
+
+static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, 0};
+
+const command figure_command = {
+    "figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
+    &grammar, figure_name,     write_command};

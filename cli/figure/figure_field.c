@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contours of von Mises' stress below the contact. */
+#include "picture/contour.h"
+#include "figure_field.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <rwedge.h>
+
+/* Rows are closer to each other near the surface, where the stress changes most. */
+enum { FIELD_COLUMNS = 241, FIELD_ROWS = 97 };
+static const double FIELD_HALF_WIDTH = 1.5, FIELD_DEPTH = 1.5, STRIP = -0.16;
+
+static double field_x(int i)
+{
+    return FIELD_HALF_WIDTH * (2 * i - (FIELD_COLUMNS - 1)) / (FIELD_COLUMNS - 1);
+}
+
+static double field_y(int j)
+{
+    return FIELD_DEPTH * pow((double)j / (FIELD_ROWS - 1), 1.5);
+}
+
+static double stick_width(const figure_case *of)
+{
+    if (of->value[C_OVER_B].count > 0)
+        return case_value(of, C_OVER_B);
+    return of->value[Q_OVER_FP].count > 0
+               ? rwedge_stick_width(case_value(of, A_OVER_B), case_value(of, Q_OVER_FP))
+               : 0;
+}
+
+static double von_mises(double nu, double sxx, double syy, double txy)
+{
+    const double mean = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy),
+                 out_of_plane = (1 - 2 * nu) * mean;
+    return sqrt(half * half + txy * txy + out_of_plane * out_of_plane / 3);
+}
+
+static int32_t compute_field(const figure_case *of, dataset *rows)
+{
+    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
+                 nu = case_value(of, NU);
+    const double c = stick_width(of);
+    for (int j = 0; j < FIELD_ROWS; j++)
+        for (int i = 0; i < FIELD_COLUMNS; i++) {
+            const double x = field_x(i), y = field_y(j);
+            double sxx, syy, txy;
+            const int32_t status = rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy);
+            if (alpha == 0 && x == 0 && y == 0) /* infinite at the sharp apex */
+                sxx = syy = txy = NAN;
+            else if (status != RWEDGE_OK)
+                return status;
+            dataset_add(rows,
+                        (data_row){.number = {x, y, sxx, syy, txy, von_mises(nu, sxx, syy, txy)}});
+        }
+    return RWEDGE_OK;
+}
+
+/* A round step that gives 8 to 20 levels up to the top. */
+static double step_of_levels(double top)
+{
+    const double decade = pow(10, floor(log10(top / 8)));
+    const double times = top / 8 / decade;
+    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
+}
+
+/* ---- Contours ---- */
+
+enum { AREA_CURVE, LINE_CURVE, KINDS };
+
+/* Whether a point can be left out: it is on the straight line between its neighbours, as far as
+ * an eye can see. */
+static bool is_needless(const contour_point *before, const contour_point *p,
+                        const contour_point *after)
+{
+    static const double SEEN = 3e-4;
+    const double dx = after->x - before->x, dy = after->y - before->y, length = hypot(dx, dy);
+    const double off = dx * (p->y - before->y) - dy * (p->x - before->x);
+    return before->on_border == p->on_border && p->on_border == after->on_border &&
+           fabs(off) < SEEN * length;
+}
+
+static void simplify(contour_loop *one)
+{
+    size_t kept = 1;
+    for (size_t i = 1; i < one->count; i++)
+        if (!is_needless(&one->point[kept - 1], &one->point[i], &one->point[(i + 1) % one->count]))
+            one->point[kept++] = one->point[i];
+    one->count = kept;
+}
+
+static void add_loop(const contour_loop *one, int number, dataset *points)
+{
+    for (size_t i = 0; i <= one->count; i++) {
+        const contour_point *p = &one->point[i % one->count];
+        dataset_add(points,
+                    (data_row){.curve = KINDS * number + AREA_CURVE, .number = {p->x, p->y}});
+    }
+    bool border = false;
+    /* no line along the border: a gap between its points */
+    for (size_t i = 0; i <= one->count; i++) {
+        const contour_point *p = &one->point[i % one->count];
+        if (border && p->on_border)
+            dataset_add(points,
+                        (data_row){.curve = KINDS * number + LINE_CURVE, .number = {NAN, NAN}});
+        dataset_add(points,
+                    (data_row){.curve = KINDS * number + LINE_CURVE, .number = {p->x, p->y}});
+        border = p->on_border;
+    }
+}
+
+static double grey_of(int level, int levels)
+{
+    return 1 - 0.55 * (level + 1) / (levels + 1);
+}
+
+static void draw_loops(contour_loops *loops, int levels, drawing *on)
+{
+    for (size_t i = 0; i < loops->count; i++) {
+        simplify(&loops->loop[i]);
+        add_loop(&loops->loop[i], (int)i, &on->outlines);
+    }
+    for (size_t i = 0; i < loops->count; i++) {
+        const contour_loop *one = &loops->loop[i];
+        curve *area = drawing_curve(on, &on->outlines, KINDS * (int)i + AREA_CURVE, 0, 1);
+        area->style = STYLE_AREA;
+        area->grey = grey_of(one->hole ? one->level - 1 : one->level, levels);
+        drawing_curve(on, &on->outlines, KINDS * (int)i + LINE_CURVE, 0, 1)->width = 0.6;
+    }
+}
+
+static double highest(const dataset *rows)
+{
+    double top = 0;
+    for (size_t i = 0; i < rows->count; i++)
+        if (isfinite(rows->row[i].number[5]))
+            top = fmax(top, rows->row[i].number[5]);
+    return top;
+}
+
+/* The contours of step, 2 step, ... below top; returns how many levels there are. */
+static int draw_contours(const dataset *rows, double step, double top, drawing *on)
+{
+    static double x[FIELD_COLUMNS], y[FIELD_ROWS], value[FIELD_COLUMNS * FIELD_ROWS];
+    for (int i = 0; i < FIELD_COLUMNS; i++)
+        x[i] = field_x(i);
+    for (int j = 0; j < FIELD_ROWS; j++)
+        y[j] = field_y(j);
+    for (size_t i = 0; i < rows->count; i++)
+        value[i] = isfinite(rows->row[i].number[5]) ? rows->row[i].number[5] : 2 * top;
+    const contour_grid grid = {FIELD_COLUMNS, FIELD_ROWS, x, y, value};
+    contour_loops loops = {NULL, 0};
+    const int levels = (int)floor(top / step * (1 - 1e-12));
+    bool sound = true;
+    for (int level = 0; level < levels && sound; level++)
+        sound = contour_trace(&grid, (level + 1) * step, level, &loops);
+    contour_sort(&loops);
+    on->outlines.failed = on->outlines.failed || !sound;
+    draw_loops(&loops, levels, on);
+    contour_free(&loops);
+    return levels;
+}
+
+/* ---- What stands on them ---- */
+
+static double stress_at(const figure_case *of, double x, double y)
+{
+    double sxx, syy, txy;
+    const double f = case_value(of, FRICTION), nu = case_value(of, NU);
+    const int32_t status =
+        rwedge_stress(case_value(of, A_OVER_B), f, stick_width(of), x, y, &sxx, &syy, &txy);
+    return status == RWEDGE_OK ? von_mises(nu, sxx, syy, txy) : HUGE_VAL;
+}
+
+/* Along a line from (x, y) in steps (dx, dy), where the stress grows from level to level, a
+ * label at each that is far enough from the last one. */
+static int label_line(const figure_case *of, double x, double y, double dx, double dy, double step,
+                      int level, int levels, drawing *on)
+{
+    const double apart = dx != 0 ? 0.3 : 0.13;
+    double since = apart;
+    for (int i = 0; i < 1000 && level < levels && fabs(x) < FIELD_HALF_WIDTH && y > 0.05; i++) {
+        if (stress_at(of, x, y) >= (level + 1) * step) {
+            if (since >= apart) {
+                char text[NUMBER_SIZE];
+                number_write((level + 1) * step, 3, '.', text);
+                label *one = drawing_label(on, x, y, "%s", text);
+                one->align = ALIGN_CENTRE;
+                one->boxed = true;
+                since = 0;
+            }
+            level++;
+        }
+        x += dx;
+        y += dy;
+        since += fabs(dx) + fabs(dy);
+    }
+    return level;
+}
+
+/* Inwards from the side below the trailing edge, then up to the yield point. */
+static void label_levels(const figure_case *of, double x, double step, int levels, drawing *on)
+{
+    const double side = 0.2 - FIELD_HALF_WIDTH, deep = 0.75 * FIELD_DEPTH;
+    int level = (int)floor(stress_at(of, side, deep) / step);
+    level = label_line(of, side, deep, 0.005, 0, step, level, levels, on);
+    const int above = (int)floor(stress_at(of, x, FIELD_DEPTH - 0.1) / step);
+    label_line(of, x, FIELD_DEPTH - 0.1, 0, -0.0025, step, above > level ? above : level, levels,
+               on);
+}
+
+static void add_bar(double from, double to, double top, double bottom, int number, drawing *on)
+{
+    const double x[] = {from, to, to, from, from}, y[] = {top, top, bottom, bottom, top};
+    for (int i = 0; i < 5; i++)
+        dataset_add(&on->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
+}
+
+/* Above the surface: the contact as an empty bar, the stick zone filled. */
+static void draw_zones(double c, drawing *on)
+{
+    const int number = dataset_curves(&on->outlines);
+    add_bar(-1, 1, -0.09, -0.03, number, on);
+    add_bar(-c, c, -0.09, -0.03, number + 1, on);
+    if (c > 0)
+        drawing_curve(on, &on->outlines, number + 1, 0, 1)->style = STYLE_AREA;
+    drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.8;
+}
+
+/* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory
+ * short. */
+static bool find_yield(const figure_case *of, double *x, double *y, double *top, drawing *on)
+{
+    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
+                 c = stick_width(of);
+    const double load = rwedge_load(alpha),
+                 Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
+    rwedge_contact *contact = NULL;
+    double factor = 0;
+    int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
+    if (status ==
+        RWEDGE_OK) /* Q grows under constant P: the straight line from 0 to both would give other tractions */
+        status = rwedge_contact_load(contact, load, 0);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_load(contact, load, Q);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
+    rwedge_contact_destroy(contact);
+    on->outlines.failed = on->outlines.failed || status == RWEDGE_ENOMEM;
+    *top = factor > 0 ? 1 / factor : 0;
+    return status == RWEDGE_OK && factor > 0;
+}
+
+static void mark_yield(double x, double y, drawing *on)
+{
+    const int number = dataset_curves(&on->outlines);
+    dataset_add(&on->outlines, (data_row){.curve = number, .number = {x, y}});
+    curve *circle = drawing_curve(on, &on->outlines, number, 0, 1);
+    circle->style = STYLE_CIRCLES;
+    circle->colour = VERMILLION;
+}
+
+static void draw_surface(drawing *on)
+{
+    const int number = dataset_curves(&on->outlines);
+    dataset_add(&on->outlines, (data_row){.curve = number, .number = {-FIELD_HALF_WIDTH, 0}});
+    dataset_add(&on->outlines, (data_row){.curve = number, .number = {FIELD_HALF_WIDTH, 0}});
+    drawing_curve(on, &on->outlines, number, 0, 1);
+}
+
+static void write_title(const figure_case *of, double c, drawing *on)
+{
+    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], stick[NUMBER_SIZE];
+    drawing_number(case_value(of, A_OVER_B), alpha);
+    drawing_number(case_value(of, FRICTION), f);
+    drawing_number(case_value(of, NU), nu);
+    drawing_number(c, stick);
+    const bool normal = case_value(of, FRICTION) == 0;
+    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
+             alpha, f, normal ? "" : ", *c*/*b* = ", normal ? "" : stick, nu);
+}
+
+static void write_caption(const figure_case *of, double c, bool found, double top, drawing *on)
+{
+    char value[NUMBER_SIZE];
+    const char *zones = c > 0 ? ", black: stick" : case_value(of, FRICTION) > 0 ? ", sliding" : "";
+    number_write(top, 3, '.', value);
+    snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones,
+             found ? "; circle: first yield, " : "", found ? value : "");
+}
+
+static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
+{
+    const double c = stick_width(of), seen = highest(rows);
+    double x = 0, y = 0, top = 0;
+    const bool found = find_yield(of, &x, &y, &top, on);
+    write_title(of, c, on);
+    write_caption(of, c, found, top, on);
+    on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
+    on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
+    on->equal_scale = true;
+    on->height = 0.68;
+    const double step = step_of_levels(seen);
+    const int levels = draw_contours(rows, step, seen, on);
+    draw_zones(c, on);
+    draw_surface(on);
+    label_levels(of, x, step, levels, on);
+    if (found)
+        mark_yield(x, y, on);
+}
+
+static const char *const field_columns[] = {"x_over_b",
+                                            "y_over_b",
+                                            "A_sxx_over_theta",
+                                            "A_syy_over_theta",
+                                            "A_txy_over_theta",
+                                            "A_sqrt_J2_over_theta",
+                                            NULL};
+
+const figure figure_field = {.name = "field",
+                             .summary = "contours of von Mises stress below the contact",
+                             .use = {[A_OVER_B] = {"0.5", 1},
+                                     [FRICTION] = {"0.3", 1},
+                                     [NU] = {"0.3", 1},
+                                     [Q_OVER_FP] = {"", 1},
+                                     [C_OVER_B] = {"", 1}},
+                             .column = field_columns,
+                             .compute = compute_field,
+                             .draw = draw_field};

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The hysteresis loop of a cycle of Q under constant P.
+ *
+ * In plane strain the displacement of remote points grows like the logarithm of their distance
+ * d. Were the contact bonded over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force; what
+ * the bodies move beyond that, because the contact slips, depends on no d: it is the
+ * displacement of the loop. Each part of the traction with the shape of a flat punch of
+ * half-width s moves them by (A dQ/pi) ln(b/s) beyond the bonded contact, and the contact |x| <
+ * b is made of such punches with forces f dP(s): on first loading, with stick in |x| < c,
+ *
+ *     displacement = (A f/pi) * integral of ln(b/s) dP(s), s from c to b.
+ *
+ * Unloading and reloading follow twice that curve (Masing), and the area of the loop is the
+ * energy dissipated, as the part in proportion to Q encloses none. */
+#include "figure_loop.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <rwedge.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* Integral of P(s)/s from 0 to s, in natural units; P(s) is the load of the contact |x| < s. */
+static double load_integral(double alpha, double s)
+{
+    if (s <= alpha)
+        return s == 0 ? 0 : 0.25 * PI * s * s / alpha;
+    const double t = alpha / s, root = sqrt((s - alpha) * (s + alpha));
+    const double ratio = t > 0 ? asin(t) / t : 1;
+    return 0.5 * s * ratio + 1.5 * root - alpha * acos(t);
+}
+
+/* The displacement on first loading, in f theta b, from the half-width of the stick zone; by
+ * parts. */
+static double first_displacement(double alpha, double c)
+{
+    const double left_out = c > 0 ? c * rwedge_load(alpha / c) * log(c) : 0;
+    return (load_integral(alpha, 1) - load_integral(alpha, c) + left_out) / PI;
+}
+
+/* What a change of Q moves, from a state in which it slips afresh from the edge. */
+static double displacement(double alpha, double Q_over_fP)
+{
+    const double size = fmin(fabs(Q_over_fP), 1);
+    const double moved = first_displacement(alpha, rwedge_stick_width(alpha, size));
+    return Q_over_fP < 0 ? -moved : moved;
+}
+
+typedef struct {
+    double alpha, amplitude;
+    rwedge_contact *contact; /* theta, A, f and b are 1 */
+    int number;
+    dataset *rows;
+} cycle;
+
+enum { LOOP_STEPS = 100 };
+
+/* From one turning point, or the origin, to the next; factor 2 after a turn. */
+static int32_t add_part(const cycle *of, double from, double to, double start, const char *what)
+{
+    const double load = rwedge_load(of->alpha), factor = from == 0 ? 1 : 2;
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; status == RWEDGE_OK && i <= LOOP_STEPS; i++) {
+        const double part = sin(0.5 * PI * i / LOOP_STEPS), Q = from + (to - from) * part;
+        const double moved = start + factor * displacement(of->alpha, (to - from) / factor * part);
+        status = rwedge_contact_load(of->contact, load, Q * load);
+        dataset_add(of->rows,
+                    (data_row){.curve = of->number,
+                               .text = what,
+                               .number = {of->alpha, of->amplitude, Q, moved,
+                                          rwedge_contact_stick_half_width(of->contact),
+                                          rwedge_contact_dissipated_energy(of->contact)}});
+    }
+    return status;
+}
+
+static int32_t add_cycle(double alpha, double amplitude, int number, dataset *rows)
+{
+    cycle of = {alpha, amplitude, NULL, number, rows};
+    const double end = displacement(alpha, amplitude);
+    int32_t status = rwedge_contact_create(1, alpha, 1, 1, &of.contact);
+    if (status == RWEDGE_OK)
+        status = add_part(&of, 0, amplitude, 0, "first loading");
+    if (status == RWEDGE_OK)
+        status = add_part(&of, amplitude, -amplitude, end, "unloading");
+    if (status == RWEDGE_OK)
+        status = add_part(&of, -amplitude, amplitude, -end, "reloading");
+    rwedge_contact_destroy(of.contact);
+    return status;
+}
+
+static int32_t compute_loop(const figure_case *of, dataset *rows)
+{
+    int32_t status = RWEDGE_OK;
+    for (int n = 0; status == RWEDGE_OK && n < of->value[Q_OVER_FP].count; n++)
+        status =
+            add_cycle(case_value(of, A_OVER_B), range_value(&of->value[Q_OVER_FP], n), n, rows);
+    return status;
+}
+
+/* Dissipated from the first turn to the end: a whole cycle. */
+static double energy_of_cycle(const curve *one)
+{
+    const data_row *first = &one->from->row[one->first];
+    return first[one->count - 1].number[5] - first[LOOP_STEPS].number[5];
+}
+
+static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    double reach = 0;
+    drawing_number(case_value(of, A_OVER_B), text);
+    snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s", text);
+    for (size_t i = 0; i < rows->count; i++)
+        reach = fmax(reach, rows->row[i].number[3]);
+    reach = reach > 0 ? reach : 1;
+    const double decade = pow(10, floor(log10(reach))), times = reach / decade;
+    const double tic = (times > 7 ? 5 : times > 3 ? 2 : times > 1.5 ? 1 : 0.5) * decade;
+    on->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach, tic, 0};
+    on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
+    on->height = 0.9;
+    on->legend_at = "bottom right";
+    snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
+    for (int n = 0; n < of->value[Q_OVER_FP].count; n++) {
+        curve *one = drawing_curve(on, rows, n, 3, 2);
+        style_of_family(one, n);
+        one->width = 1.3;
+        snprintf(one->legend, sizeof one->legend, "%.3g: *W* = %#.3g",
+                 range_value(&of->value[Q_OVER_FP], n), energy_of_cycle(one));
+    }
+}
+
+static const char *const loop_columns[] = {
+    "a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
+    "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
+
+const figure figure_loop = {.name = "loop",
+                            .summary = "hysteresis loops of a cycle of Q under constant P",
+                            .use = {[A_OVER_B] = {"0.25", 1}, [Q_OVER_FP] = {"0.5,0.7,0.9", 6}},
+                            .column = loop_columns,
+                            .text_column = "part",
+                            .compute = compute_loop,
+                            .draw = draw_loop};

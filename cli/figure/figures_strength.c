@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Figs. 3 to 5: the elastic limit, and where it yields. */
+#include "figures_strength.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <rwedge.h>
+
+static const char surface[] = "surface", subsurface[] = "subsurface";
+
+/* ---- Fig. 3 ---- */
+
+/* Equal steps, and below the first a decade in eight: the limit falls to 0 like the inverse of a
+ * logarithm. */
+enum { NORMAL_STEPS = 200, NORMAL_DECADES = 8, NORMAL_PER_DECADE = 8 };
+static const double NORMAL_FINE_BELOW = 1.0 / NORMAL_STEPS;
+
+static double normal_alpha(int i)
+{
+    const int fine = NORMAL_DECADES * NORMAL_PER_DECADE;
+    if (i == 0)
+        return 0;
+    return i < fine ? NORMAL_FINE_BELOW * pow(10, (double)(i - fine) / NORMAL_PER_DECADE)
+                    : (double)(i - fine + 1) / NORMAL_STEPS;
+}
+
+static bool yields_at_surface(double alpha, double nu)
+{
+    double limit, x, y;
+    return rwedge_yield_point(alpha, 0, nu, &limit, &x, &y) == RWEDGE_OK && y == 0;
+}
+
+/* The a/b at which the yield point of a normal load jumps; 0 where it does not between the first
+ * and the last. */
+static double jump_of_yield_point(double nu)
+{
+    double lo = normal_alpha(1), hi = 1;
+    if (!yields_at_surface(lo, nu) || yields_at_surface(hi, nu))
+        return 0;
+    for (int i = 0; i < 200 && hi - lo > 1e-15 * hi; i++) {
+        const double middle = lo < 0.01 * hi ? sqrt(lo * hi) : 0.5 * (lo + hi);
+        if (yields_at_surface(middle, nu))
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return hi;
+}
+
+static void add_normal(double alpha, double nu, double limit, double y, bool below, dataset *rows)
+{
+    dataset_add(rows, (data_row){.curve = below ? 1 : 0,
+                                 .text = below ? subsurface : surface,
+                                 .number = {alpha, nu, limit, y}});
+}
+
+/* Both branches at the jump: the curves end there, and the limit has no gap. */
+static int32_t add_jump(double alpha, double nu, dataset *rows)
+{
+    double limit, x, y;
+    int32_t status = rwedge_surface_yield(alpha, 0, nu, &limit, &x);
+    if (status == RWEDGE_OK)
+        add_normal(alpha, nu, limit, 0, false, rows);
+    status = status == RWEDGE_OK ? rwedge_subsurface_yield(alpha, 0, nu, &limit, &x, &y) : status;
+    if (status == RWEDGE_OK)
+        add_normal(alpha, nu, limit, y, true, rows);
+    return status;
+}
+
+static int32_t compute_normal(const figure_case *of, dataset *rows)
+{
+    const double nu = case_value(of, NU), jump = jump_of_yield_point(nu);
+    bool jumped = jump == 0;
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; status == RWEDGE_OK && i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS;
+         i++) {
+        const double alpha = normal_alpha(i);
+        double limit, x, y;
+        if (!jumped && alpha > jump) {
+            status = add_jump(jump, nu, rows);
+            jumped = true;
+        }
+        if (status == RWEDGE_OK)
+            status = rwedge_yield_point(alpha, 0, nu, &limit, &x, &y);
+        if (status == RWEDGE_OK)
+            add_normal(alpha, nu, limit, y, y > 0, rows);
+    }
+    return status;
+}
+
+/* Value of a column at the first row that reaches a/b. */
+static double normal_at(const dataset *rows, double alpha, int column)
+{
+    size_t i = 0;
+    while (i + 1 < rows->count && rows->row[i].number[0] < alpha)
+        i++;
+    return rows->count > 0 ? rows->row[i].number[column] : NAN;
+}
+
+static void draw_jump(const dataset *rows, drawing *on)
+{
+    size_t first;
+    if (dataset_curve(rows, 0, &first) < 2 || dataset_curve(rows, 1, &first) == 0)
+        return;
+    const double alpha = rows->row[first].number[0], y = rows->row[first].number[3];
+    for (int i = 0; i < 2; i++)
+        dataset_add(&on->outlines, (data_row){.curve = 0, .number = {alpha, i * y}});
+    curve *jump = drawing_curve(on, &on->outlines, 0, 0, 1);
+    jump->second_axis = true;
+    jump->colour = VERMILLION;
+    jump->dash = 2;
+    const bool left = alpha < 0.5;
+    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.07,
+                               "jump at *a*/*b* = %.4f", alpha);
+    one->second_axis = true;
+    one->colour = VERMILLION;
+    one->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
+}
+
+static void draw_normal(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char nu[NUMBER_SIZE];
+    drawing_number(case_value(of, NU), nu);
+    snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s", nu);
+    const double top = ceil(normal_at(rows, 1, 2));
+    on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
+    on->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
+    on->second = (axis){"*y*/*b* of the yield point", 0, 1, 0.2, 0};
+    on->height = 0.8;
+    for (int n = 0; n < 2; n++) {
+        drawing_curve(on, rows, n, 0, 2)->width = 1.5;
+        curve *depth = drawing_curve(on, rows, n, 0, 3);
+        depth->width = 1.5;
+        depth->second_axis = true;
+        depth->colour = VERMILLION;
+        depth->dash = 1;
+    }
+    drawing_label(on, 0.42, normal_at(rows, 0.42, 2) + 0.05 * on->y.to, "← *P*/(*bk*)")->align =
+        ALIGN_RIGHT;
+    label *depth = drawing_label(on, 0.66, normal_at(rows, 0.66, 3) - 0.07, "*y*/*b* →");
+    depth->second_axis = true;
+    depth->colour = VERMILLION;
+    draw_jump(rows, on);
+}
+
+static const char *const normal_columns[] = {"a_over_b", "nu", "P_over_bk", "y_over_b", NULL};
+
+const figure figure_normal = {.name = "3",
+                              .summary =
+                                  "elastic limit under a normal load, and depth of yield, over a/b",
+                              .use = {[NU] = {"0.3", 1}},
+                              .column = normal_columns,
+                              .text_column = "branch",
+                              .compute = compute_normal,
+                              .draw = draw_normal};
+
+/* ---- Fig. 4 ---- */
+
+/* The paper's steps of friction. */
+enum { FRICTION_STEPS = 64 };
+static double friction_step(int i)
+{
+    return i / 80.0;
+}
+static const double FRICTION_TOP = 0.8;
+
+/* The limit on the side of the cusp that is asked for; the sharp wedge has no branches. */
+static int32_t add_sliding(double alpha, double f, double nu, bool below, int n, dataset *rows)
+{
+    double limit, x, y;
+    int32_t status;
+    if (alpha == 0)
+        status = rwedge_yield_point(alpha, f, nu, &limit, &x, &y);
+    else
+        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y)
+                       : rwedge_surface_yield(alpha, f, nu, &limit, &x);
+    if (status == RWEDGE_OK)
+        dataset_add(rows, (data_row){.curve = n,
+                                     .text = below ? subsurface : surface,
+                                     .number = {alpha, f, nu, limit}});
+    return status;
+}
+
+/* Each branch up to the critical friction, which is a point of both: the cusp is exact. */
+static int32_t add_sliding_curve(double alpha, double nu, int n, dataset *rows)
+{
+    const double critical = alpha > 0 ? rwedge_critical_friction(alpha, nu) : 0;
+    bool below = critical > 0;
+    int32_t status = isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK;
+    for (int i = 0; status == RWEDGE_OK && i <= FRICTION_STEPS; i++) {
+        const double f = friction_step(i);
+        if (below && f >= critical) {
+            status = add_sliding(alpha, critical, nu, true, n, rows);
+            if (status == RWEDGE_OK)
+                status = add_sliding(alpha, critical, nu, false, n, rows);
+            below = false;
+        }
+        if (status == RWEDGE_OK && !(f == critical && critical > 0))
+            status = add_sliding(alpha, f, nu, below, n, rows);
+    }
+    return status;
+}
+
+static int32_t compute_sliding(const figure_case *of, dataset *rows)
+{
+    int32_t status = RWEDGE_OK;
+    for (int n = 0; status == RWEDGE_OK && n < of->value[A_OVER_B].count; n++)
+        status =
+            add_sliding_curve(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
+    return status;
+}
+
+/* On the curve, at one of two frictions in turn: neighbours are closer than a text is high. */
+static void label_sliding(const dataset *rows, int n, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    size_t first;
+    if (dataset_curve(rows, n, &first) == 0)
+        return;
+    const size_t at = first + (n % 2 == 0 ? 8 : 3);
+    const double *row = rows->row[at].number;
+    drawing_number(row[0], text);
+    label *one = drawing_label(on, row[1], row[3], "%s", text);
+    one->align = ALIGN_CENTRE;
+    one->boxed = true;
+    one->colour = on->curve[n].colour;
+}
+
+static void draw_sliding(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char nu[NUMBER_SIZE];
+    double top = 1;
+    drawing_number(case_value(of, NU), nu);
+    snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s", nu);
+    for (size_t i = 0; i < rows->count; i++)
+        top = fmax(top, ceil(rows->row[i].number[3]));
+    on->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
+    on->y = (axis){"*P*/(*bk*)", 0, top, 1, 0};
+    on->height = 1;
+    for (int n = 0; n < dataset_curves(rows); n++) {
+        style_of_family(drawing_curve(on, rows, n, 1, 3), n);
+        label_sliding(rows, n, on);
+    }
+}
+
+static const char *const sliding_columns[] = {"a_over_b", "f", "nu", "P_over_bk", NULL};
+
+const figure figure_sliding = {
+    .name = "4",
+    .summary = "elastic limit in full sliding over f",
+    .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
+    .column = sliding_columns,
+    .text_column = "branch",
+    .compute = compute_sliding,
+    .draw = draw_sliding};
+
+/* ---- Fig. 5 ---- */
+
+static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *what,
+                               dataset *rows)
+{
+    double limit, x, y;
+    const int32_t status = rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y);
+    if (status == RWEDGE_OK)
+        dataset_add(rows,
+                    (data_row){.curve = number, .text = what, .number = {alpha, f, nu, x, y}});
+    return status;
+}
+
+/* A cross for each step of friction, and the last point below the surface. */
+static int32_t add_path(double alpha, double nu, int n, dataset *rows)
+{
+    const double critical = alpha > 0 ? rwedge_critical_friction(alpha, nu) : 0;
+    int32_t status = isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK;
+    for (int i = 0; status == RWEDGE_OK && friction_step(i) < critical; i++)
+        status = add_yield_point(alpha, friction_step(i), nu, n, "step", rows);
+    return status == RWEDGE_OK && critical > 0
+               ? add_yield_point(alpha, critical, nu, n, "jump", rows)
+               : status;
+}
+
+static int32_t compute_yield_point(const figure_case *of, dataset *rows)
+{
+    int32_t status = RWEDGE_OK;
+    for (int n = 0; status == RWEDGE_OK && n < of->value[A_OVER_B].count; n++)
+        status = add_path(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
+    return status;
+}
+
+static void style_of_crosses(curve *one)
+{
+    one->style = STYLE_CROSSES;
+}
+
+static void style_of_jumps(curve *one)
+{
+    one->style = STYLE_CIRCLES;
+    one->colour = VERMILLION;
+}
+
+static void draw_path(const dataset *rows, int n, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    curve *line = drawing_curve(on, rows, n, 3, 4);
+    if (line->count == 0)
+        return;
+    line->width = 0.6;
+    line->colour = SKY;
+    curve *crosses = drawing_curve(on, rows, n, 3, 4);
+    style_of_crosses(crosses);
+    crosses->count--;
+    curve *end = drawing_curve(on, rows, n, 3, 4);
+    style_of_jumps(end);
+    end->first += end->count - 1;
+    end->count = 1;
+    const double *row = rows->row[crosses->first].number;
+    drawing_number(row[0], text);
+    label *one = drawing_label(on, on->label_count % 2 == 0 ? -0.015 : -0.11, row[4], "%s", text);
+    /* in two columns: near Hertz' contact they are closer than a text is high */
+    one->align = ALIGN_RIGHT;
+}
+
+static void explain_marks(drawing *on)
+{
+    static const char *const words[] = {"every 0.0125 in *f*", "jump to the surface"};
+    const double x = 0.47 * on->x.to;
+    for (int i = 0; i < 2; i++) {
+        const double y = (0.06 + 0.08 * i) * on->y.from;
+        dataset_add(&on->outlines, (data_row){.curve = i, .number = {x, y}});
+        drawing_label(on, x + 0.03 * on->x.to, y, "%s", words[i]);
+    }
+    style_of_crosses(drawing_curve(on, &on->outlines, 0, 0, 1));
+    style_of_jumps(drawing_curve(on, &on->outlines, 1, 0, 1));
+}
+
+static void draw_yield_point(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char nu[NUMBER_SIZE];
+    double right = 0, down = 0.5;
+    drawing_number(case_value(of, NU), nu);
+    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", nu);
+    for (size_t i = 0; i < rows->count; i++) {
+        right = fmax(right, rows->row[i].number[3]);
+        down = fmax(down, rows->row[i].number[4]);
+    }
+    on->y = (axis){"*y*/*b*", ceil(10 * down + 0.2) / 10, 0, 0.1, 0};
+    on->x = (axis){"*x*/*b*", -0.2, fmax(on->y.from, ceil(10 * right + 0.5) / 10), 0.2, 0};
+    on->equal_scale = true;
+    on->height = 0.2 + 0.85 * on->y.from / (on->x.to - on->x.from);
+    for (int n = 0; n < of->value[A_OVER_B].count; n++)
+        draw_path(rows, n, on);
+    explain_marks(on);
+}
+
+static const char *const yield_point_columns[] = {"a_over_b", "f",        "nu",
+                                                  "x_over_b", "y_over_b", NULL};
+
+const figure figure_yield_point = {
+    .name = "5",
+    .summary = "path of the subsurface yield point with growing f",
+    .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
+    .column = yield_point_columns,
+    .text_column = "point",
+    .compute = compute_yield_point,
+    .draw = draw_yield_point};

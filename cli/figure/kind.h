@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A kind of figure: what it depends on, the numbers behind it, and the drawing of them. */
+#ifndef CLI_KIND_H
+#define CLI_KIND_H
+
+#include "picture/drawing.h"
+#include "options/variable.h"
+
+/* Those of variable.h, and one more. */
+enum { C_OVER_B = VARIABLE_COUNT, FIGURE_VARIABLES };
+
+/* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where
+ * it may be left out. */
+typedef struct {
+    const char *usual;
+    int most; /* how many values it takes */
+} figure_use;
+
+enum { FIGURE_CURVES_MAX = 12 };
+
+/* What is asked for; a count of 0 where a variable is not given. */
+typedef struct {
+    range value[FIGURE_VARIABLES];
+} figure_case;
+
+double case_value(const figure_case *of, int variable);
+
+typedef struct {
+    const char *name, *summary;
+    figure_use use[FIGURE_VARIABLES];
+    const char *const *column;
+    const char *text_column;
+    int32_t (*compute)(const figure_case *of, dataset *rows);
+    void (*draw)(const figure_case *of, const dataset *rows, drawing *on);
+} figure;
+
+/* Style of the curve i of a family: colour and dashes both change, so that either tells
+ * neighbours apart. */
+void style_of_family(curve *one, int i);
+
+#endif

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "arguments.h"
+
+#include "text/message.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The option with this number, in a table or those it includes. */
+static const struct poptOption *find(const struct poptOption *options, int number)
+{
+    for (; options->longName != NULL || options->argInfo != 0; options++) {
+        const struct poptOption *found = NULL;
+        if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
+            found = find(options->arg, number);
+        else if (options->val == number)
+            found = options;
+        if (found != NULL)
+            return found;
+    }
+    return NULL;
+}
+
+void options_list(const struct poptOption *options, char *text, size_t size)
+{
+    text[0] = '\0';
+    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
+        const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
+        const size_t used = strlen(text);
+        if (option != NULL)
+            snprintf(text + used, size - used, "%s--%s", used > 0 ? ", " : "", option->longName);
+    }
+}
+
+static int unknown_option(const syntax *grammar, const char *option)
+{
+    char allowed[512];
+    options_list(grammar->options, allowed, sizeof allowed);
+    return usage_error("%s: unknown option; allowed: %s", option, allowed);
+}
+
+/* popt goes on without what it could not store: an option would be missed by nobody. */
+static bool is_out_of_memory(void)
+{
+    return errno == ENOMEM;
+}
+
+static int bad_option(const syntax *grammar, poptContext context, int error)
+{
+    const char *option = poptBadOption(context, POPT_BADOPTION_NOALIAS);
+    if (error == POPT_ERROR_BADOPT)
+        return unknown_option(grammar, option);
+    if (error == POPT_ERROR_NOARG)
+        return usage_error("%s: a value must follow", option);
+    if (error == POPT_ERROR_UNWANTEDARG)
+        return usage_error("%s: takes no value", option);
+    return usage_error("%s: %s", option, poptStrerror(error));
+}
+
+static int show_help(const syntax *grammar, poptContext context)
+{
+    poptSetOtherOptionHelp(context, grammar->operands);
+    poptPrintHelp(context, stdout, 0);
+    grammar->more_help(stdout);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return failure("standard output: %s", strerror(errno));
+    return STATUS_DONE;
+}
+
+/* Another value of an option that may be repeated, on a line of its own. Whether there was
+ * memory is seen afterwards. */
+static int append(char **lines, char *value)
+{
+    const size_t before = strlen(*lines), length = strlen(value);
+    char *longer = realloc(*lines, before + length + 2);
+    if (longer != NULL) {
+        longer[before] = '\n';
+        memcpy(longer + before + 1, value, length + 1);
+        *lines = longer;
+    }
+    free(value);
+    return STATUS_DONE;
+}
+
+static int keep(arguments *given, const syntax *grammar, int number, char *value)
+{
+    if (given->value[number] != NULL && value != NULL && number == grammar->repeated)
+        return append(&given->value[number], value);
+    if (given->value[number] != NULL && value != NULL) {
+        const struct poptOption *option = find(grammar->options, number);
+        const int status = usage_error("--%s %s: given twice; allowed: once",
+                                       option != NULL ? option->longName : "?", value);
+        free(value);
+        return status;
+    }
+    if (given->value[number] == NULL)
+        given->value[number] = value != NULL ? value : calloc(1, 1);
+    return STATUS_DONE;
+}
+
+static int read_options(arguments *given, const syntax *grammar)
+{
+    int number, status = STATUS_DONE;
+    while (status == STATUS_DONE && (number = poptGetNextOpt(given->context)) > 0 &&
+           !is_out_of_memory()) {
+        char *value = poptGetOptArg(given->context);
+        status = is_out_of_memory() ? STATUS_FAILED : keep(given, grammar, number, value);
+    }
+    if (is_out_of_memory())
+        return failure("out of memory");
+    return status == STATUS_DONE && number < -1 ? bad_option(grammar, given->context, number)
+                                                : status;
+}
+
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
+                    int *status)
+{
+    *given = (arguments){0};
+    /* for popt these mean that no option may follow an operand, such as a table's name */
+    unsetenv("POSIXLY_CORRECT");
+    unsetenv("POSIX_ME_HARDER");
+    errno = 0;
+    given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
+    *status = given->context == NULL ? failure("out of memory") : read_options(given, grammar);
+    if (*status != STATUS_DONE)
+        return false;
+    if (given->value[OPTION_HELP] != NULL) {
+        *status = show_help(grammar, given->context);
+        return false;
+    }
+    given->operand = poptGetArgs(given->context);
+    if (is_out_of_memory())
+        *status = failure("out of memory");
+    return *status == STATUS_DONE;
+}
+
+void arguments_free(arguments *given)
+{
+    for (int i = 0; i < OPTION_LIMIT; i++)
+        free(given->value[i]);
+    poptFreeContext(given->context);
+}
+
+int arguments_run(const syntax *grammar, int argc, const char **argv,
+                  int (*run)(const arguments *given))
+{
+    arguments given;
+    int status;
+    if (arguments_read(&given, grammar, argc, argv, &status))
+        status = run(&given);
+    arguments_free(&given);
+    return status;
+}
+
+int arguments_no_operand(const arguments *given)
+{
+    if (given->operand == NULL || given->operand[0] == NULL)
+        return STATUS_DONE;
+    return usage_error("%s: unexpected; allowed: options only", given->operand[0]);
+}

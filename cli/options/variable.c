@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "variable.h"
+
+#include "text/message.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <string.h>
+
+const table_variable variables[VARIABLE_COUNT] = {
+    [A_OVER_B] = {"a-over-b", "a_over_b", "a/b", 0, HUGE_VAL, "a number not below 0", "0.1:1:0.1"},
+    [FRICTION] = {"friction", "f", "the coefficient of friction", 0, 1e6, "a number from 0 to 1e6",
+                  "0:0.8:0.0125"},
+    [NU] = {"nu", "nu", "Poisson's ratio", 0, 0.5, "a number from 0 to 0.5", "0.3"},
+    [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
+};
+
+static int outside_domain(const table_variable *which, const char *text, double outside)
+{
+    if (strpbrk(text, ":,") == NULL)
+        return usage_error("--%s %s: %s must be %s", which->option, text, which->name,
+                           which->domain);
+    char value[NUMBER_SIZE];
+    number_write(outside, NUMBER_DIGITS, '.', value);
+    return usage_error(
+        "--%s %s: %s must be %s, not %s%s", which->option, text, which->name, which->domain, value,
+        strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
+}
+
+int variable_read(const table_variable *which, const char *text, range *values)
+{
+    if (text == NULL)
+        text = which->usual;
+    const char *complaint = range_read(text, values);
+    if (complaint != NULL)
+        return usage_error("--%s %s: %s", which->option, text, complaint);
+    double outside;
+    if (!range_within(values, which->lo, which->hi, &outside))
+        return outside_domain(which, text, outside);
+    return STATUS_DONE;
+}
+
+int variable_read_one(const table_variable *which, const char *text, double *value)
+{
+    range values = {0};
+    int status = variable_read(which, text, &values);
+    if (status == STATUS_DONE && values.count > 1)
+        status = usage_error("--%s %s: must be one number", which->option, text);
+    if (status == STATUS_DONE)
+        *value = range_value(&values, 0);
+    range_free(&values);
+    return status;
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A drawing in the language of gnuplot 5. */
+#ifndef CLI_GNUPLOT_SCRIPT_H
+#define CLI_GNUPLOT_SCRIPT_H
+
+#include "drawing.h"
+#include "system/bytes.h"
+
+typedef struct {
+    const char *name; /* of the format, and of the file's extension */
+    /* what gnuplot is told, with the picture's height over its width as %g */
+    const char *terminal;
+    /* per unit of width and of height over width, in the terminal's unit */
+    double width, height;
+    const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
+    size_t begins_length, ends_length;
+    bool needs_spaces; /* its viewers have to be told to keep them */
+} picture_format;
+
+enum { PICTURE_FORMATS = 3 };
+extern const picture_format picture_formats[PICTURE_FORMATS];
+
+/* The drawing in gnuplot's language. */
+void gnuplot_script(const drawing *what, const picture_format *format, bytes *script);
+
+#endif

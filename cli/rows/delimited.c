@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only
+ * where needed. */
+#include "delimited.h"
+
+#include <math.h>
+#include <string.h>
+
+static void put_quoted(output *out, const char *text)
+{
+    output_text(out, "\"");
+    for (const char *c = text; *c != '\0'; c++) {
+        if (*c == '"')
+            output_text(out, "\"");
+        output_write(out, c, 1);
+    }
+    output_text(out, "\"");
+}
+
+static void put_text(const records *rows, const char *text)
+{
+    const char special[] = {rows->separator, '"', '\n', '\r', '\0'};
+    if (strpbrk(text, special) != NULL)
+        put_quoted(rows->out, text);
+    else
+        output_text(rows->out, text);
+}
+
+static void separate(records *rows)
+{
+    if (rows->row_begun)
+        output_write(rows->out, &rows->separator, 1);
+    rows->row_begun = true;
+}
+
+static void put_name(records *rows, const char *name)
+{
+    separate(rows);
+    put_text(rows, name);
+}
+
+static void put_value(records *rows, const char *name, cell value)
+{
+    (void)name;
+    separate(rows);
+    char text[NUMBER_SIZE];
+    if (value.text != NULL)
+        put_text(rows, value.text);
+    else if (isfinite(value.number))
+        output_write(rows->out, text,
+                     number_write(value.number, rows->digits, rows->decimal_sign, text));
+}
+
+static void end_row(records *rows)
+{
+    output_text(rows->out, "\n");
+    rows->row_begun = false;
+}
+
+static void nothing(records *rows)
+{
+    (void)rows;
+}
+
+const record_format delimited_format = {nothing, put_name, end_row, put_value, end_row, nothing};

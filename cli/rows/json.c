@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* JSON: an array of objects, one to a line; an empty cell is null. Texts are written by Jansson.
+ * Jansson builds an array in memory before it writes it, and prints every number with the same
+ * digits; so the frame of the array is written here, and the numbers are those of the other
+ * formats, whose grammar is JSON's too. */
+#include "json.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include <jansson.h>
+
+static void put_text(records *rows, const char *text)
+{
+    errno = 0;
+    json_t *string = json_string(text);
+    char *encoded = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+    if (encoded != NULL)
+        output_text(rows->out, encoded);
+    else
+        rows->problem = errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs";
+    free(encoded);
+    json_decref(string);
+}
+
+static void begin(records *rows)
+{
+    output_text(rows->out, "[");
+}
+
+static void ignore_name(records *rows, const char *name)
+{
+    (void)rows;
+    (void)name;
+}
+
+static void nothing(records *rows)
+{
+    (void)rows;
+}
+
+static void put_key(records *rows, const char *name)
+{
+    if (rows->row_begun)
+        output_text(rows->out, ", ");
+    else
+        output_text(rows->out, rows->any_row ? ",\n{" : "\n{");
+    rows->row_begun = rows->any_row = true;
+    put_text(rows, name);
+    output_text(rows->out, ": ");
+}
+
+static void put_value(records *rows, const char *name, cell value)
+{
+    put_key(rows, name);
+    char text[NUMBER_SIZE];
+    if (value.text != NULL && value.text[0] != '\0')
+        put_text(rows, value.text);
+    else if (value.text == NULL && isfinite(value.number))
+        output_write(rows->out, text, number_write(value.number, rows->digits, '.', text));
+    else
+        output_text(rows->out, "null");
+}
+
+static void end_row(records *rows)
+{
+    output_text(rows->out, "}");
+    rows->row_begun = false;
+}
+
+static void end(records *rows)
+{
+    output_text(rows->out, "\n]\n");
+}
+
+const record_format json_format = {begin, ignore_name, nothing, put_value, end_row, end};

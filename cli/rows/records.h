@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take
+ * memory. The formats are in delimited.c (CSV, TSV), json.c and spreadsheet.c (XLSX). */
+#ifndef CLI_RECORDS_H
+#define CLI_RECORDS_H
+
+#include "text/number.h"
+#include "system/output.h"
+
+/* A text, or where that is NULL a number; a number that is not finite is an empty cell. */
+typedef struct {
+    const char *text;
+    double number;
+} cell;
+
+static inline cell cell_number(double number)
+{
+    return (cell){NULL, number};
+}
+
+static inline cell cell_text(const char *text)
+{
+    return (cell){text, 0};
+}
+
+static inline cell cell_empty(void)
+{
+    return cell_text("");
+}
+
+typedef struct records records;
+
+/* What a format does. All cells of a row have been named in the header, in the same order. */
+typedef struct {
+    void (*begin)(records *rows);
+    void (*name)(records *rows, const char *name); /* of a column, in the header */
+    void (*end_header)(records *rows);
+    void (*value)(records *rows, const char *name, cell value);
+    void (*end_row)(records *rows);
+    void (*end)(records *rows);
+} record_format;
+
+struct records {
+    const record_format *format;
+    output *out;
+    int digits; /* significant ones; NUMBER_DIGITS to read back the same */
+    char decimal_sign, separator;
+    bool row_begun, any_row;
+    const char *problem; /* what a format could not write */
+    struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */
+    int row, column, last_column;
+};
+
+/* Whether to write on: an output that fails is given up at the next row. */
+bool records_go_on(const records *rows);
+
+/* False, with the reason said, where a format could not write a text; what an output could not,
+ * output_finish() says.
+ * */
+bool records_are_sound(const records *rows);
+
+#endif

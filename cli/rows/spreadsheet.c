@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* XLSX: the rows on one sheet, below a header that stays; how they were made on another. */
+#include "spreadsheet.h"
+
+#include "text/invocation.h"
+#include "text/message.h"
+#include "sheet/xlsx.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+enum { SHEET_ROWS, SHEET_ABOUT_ROWS, WIDTH_LEAST = 11, WIDTH_MOST = 40 };
+
+static void write_about(xlsx *book)
+{
+    static const char *const lines[] = {
+        "\"rwedge COMMAND --help\" describes the columns and their units; a cell without a value "
+        "is empty.",
+        "Source: M. Ciavarella, D. A. Hills, G. Monno, \"Contact problems for a wedge with rounded "
+        "apex\",",
+        "Int. J. Mech. Sci. 40 (1998) 977-988. Plane strain; a is half the width of the rounding, "
+        "b that of the contact.",
+        "Numbers have 16 digits, one less than in CSV.",
+    };
+    char text[1200];
+    xlsx_text(book, 0, 0, "About these rows", XLSX_TITLE);
+    snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(),
+             invocation());
+    xlsx_text(book, 2, 0, text, XLSX_PLAIN);
+    for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
+        xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
+    xlsx_width(book, 0, 0, 100);
+    xlsx_print(book, (xlsx_page){7, 0, -1, true});
+}
+
+static void begin(records *rows)
+{
+    rows->book = xlsx_begin(message_speaker(), true);
+    if (rows->book == NULL) {
+        rows->problem = XLSX_NOT_BEGUN;
+        return;
+    }
+    xlsx_sheet(rows->book, "Rows");
+    xlsx_sheet(rows->book, "About");
+    write_about(rows->book);
+    xlsx_turn_to(rows->book, SHEET_ROWS);
+}
+
+static bool has_room(records *rows)
+{
+    if (rows->problem == NULL && rows->column >= XLSX_COLUMNS_MAX)
+        rows->problem = "more than 16384 columns, which XLSX cannot hold; allowed: csv, tsv, json";
+    if (rows->problem == NULL && rows->row >= XLSX_ROWS_MAX)
+        rows->problem = "more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json";
+    return rows->problem == NULL;
+}
+
+static double width_for(const char *name)
+{
+    return fmin(fmax((double)strlen(name) + 2, WIDTH_LEAST), WIDTH_MOST);
+}
+
+/* A grid's columns are named by numbers. */
+static void put_name(records *rows, const char *name)
+{
+    double number;
+    if (!has_room(rows))
+        return;
+    xlsx_width(rows->book, rows->column, rows->column, width_for(name));
+    if (number_read(name, &number))
+        xlsx_number(rows->book, rows->row, rows->column, number, XLSX_HEADER);
+    else
+        xlsx_text(rows->book, rows->row, rows->column, name, XLSX_HEADER);
+    rows->column++;
+}
+
+static double with_digits(double value, int digits)
+{
+    char text[NUMBER_SIZE];
+    double rounded = value;
+    if (digits < NUMBER_DIGITS) {
+        number_write(value, digits, '.', text);
+        number_read(text, &rounded);
+    }
+    return rounded;
+}
+
+static xlsx_style style_for(double value)
+{
+    const double size = fabs(value);
+    if (value == floor(value) && size < 1e9)
+        return XLSX_PLAIN;
+    return size < 1e-3 || size >= 1e6 ? XLSX_POWER : XLSX_NUMBER;
+}
+
+static void put_value(records *rows, const char *name, cell value)
+{
+    (void)name;
+    if (!has_room(rows))
+        return;
+    if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
+        rows->problem =
+            "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";
+    else if (value.text != NULL && value.text[0] != '\0')
+        xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
+    else if (value.text == NULL && isfinite(value.number))
+        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits),
+                    style_for(value.number));
+    rows->column++;
+}
+
+static void end_row(records *rows)
+{
+    rows->column = 0;
+    rows->row++;
+}
+
+static void end_header(records *rows)
+{
+    if (rows->problem == NULL) {
+        xlsx_freeze(rows->book, 1, 1);
+        rows->last_column = rows->column - 1;
+    }
+    end_row(rows);
+}
+
+static void end(records *rows)
+{
+    if (rows->problem != NULL)
+        return;
+    xlsx_print(rows->book, (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6});
+    rows->problem = xlsx_finish(rows->book, rows->out);
+    rows->book = NULL;
+}
+
+const record_format xlsx_format = {begin, put_name, end_header, put_value, end_row, end};

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* XLSX. */
+#ifndef CLI_SPREADSHEET_H
+#define CLI_SPREADSHEET_H
+
+#include "records.h"
+
+extern const record_format xlsx_format;
+
+#endif

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Spreadsheet files, by libxlsxwriter, which xlsx.c alone sees. A build without that library has
+ * xlsx_absent.c in its place. What goes wrong on the way is remembered, and said at the end. */
+#ifndef CLI_XLSX_H
+#define CLI_XLSX_H
+
+#include "system/output.h"
+
+#include <stdbool.h>
+
+typedef struct xlsx xlsx;
+
+typedef enum {
+    XLSX_PLAIN, /* text, or a number as the program likes it */
+    XLSX_TITLE,
+    XLSX_HEADING,
+    XLSX_HEADER,  /* of a table's column: bold, a line below, wrapped */
+    XLSX_NOTE,    /* small print */
+    XLSX_WRAPPED, /* a paragraph */
+    XLSX_INPUT,   /* a cell to type into */
+    XLSX_RESULT,  /* about six significant digits */
+    XLSX_STATUS,  /* a text that matters */
+    XLSX_UNIT,    /* a text after a number */
+    XLSX_CHECK,   /* a text that appears where something is wrong */
+    XLSX_NUMBER,  /* up to six decimals */
+    XLSX_FIXED_4, /* four decimals */
+    XLSX_FIXED_6,
+    XLSX_LIMIT, /* four decimals, and a word for XLSX_INFINITE */
+    XLSX_POWER, /* six digits and an exponent */
+    XLSX_STYLE_COUNT
+} xlsx_style;
+
+/* What stands for infinity in a cell of XLSX_LIMIT, which shows numbers above a million like
+ * that: spreadsheets have none. */
+#define XLSX_INFINITE 1e99
+
+enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 };
+
+/* Whether this build can write such files; what it lacks. */
+bool xlsx_available(void);
+#define XLSX_MISSING                                                                               \
+    "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the "   \
+    "package "                                                                                     \
+    "libxlsxwriter-dev)"
+#define XLSX_NOT_BEGUN "a temporary file for the spreadsheet cannot be made"
+
+/* With in_order, cells come row by row from the left, and take no memory. NULL where it cannot
+ * be begun. */
+xlsx *xlsx_begin(const char *title, bool in_order);
+
+/* Adds a sheet; what follows goes there, until the next or xlsx_turn_to(). */
+void xlsx_sheet(xlsx *book, const char *name);
+void xlsx_turn_to(xlsx *book, int sheet);
+
+/* Rows and columns count from 0. A number that is not finite is an empty cell. */
+void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style);
+void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style);
+
+/* A formula, in English with commas, and the value that it has: programs that do not compute
+ * show that. */
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+                  xlsx_style style);
+void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
+                       xlsx_style style);
+
+/* Gives cells of this sheet a name. Spreadsheets do not tell capitals from small letters in
+ * names. */
+void xlsx_name(xlsx *book, const char *name, int row, int column);
+void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns);
+
+void xlsx_width(xlsx *book, int first_column, int last_column, double characters);
+/* the height of a row; programs do not all find it themselves */
+void xlsx_lines(xlsx *book, int row, int lines);
+void xlsx_freeze(xlsx *book, int rows, int columns);
+
+/* What is printed: the cells up to this one, one page wide; one page high, or as many as it
+ * takes, with the header on each. */
+typedef struct {
+    int last_row, last_column;
+    int header_row; /* -1: one page */
+    bool landscape;
+} xlsx_page;
+void xlsx_print(xlsx *book, xlsx_page page);
+
+enum { XLSX_SERIES_MAX = 13 };
+typedef enum { XLSX_LINE, XLSX_THICK_LINE, XLSX_DASHED_LINE, XLSX_MARK } xlsx_drawing;
+typedef struct {
+    const char *name;  /* in the legend; NULL for none */
+    const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
+    xlsx_drawing drawing;
+} xlsx_series;
+typedef struct {
+    const char *title, *x_title, *y_title;
+    double x_min, x_max, x_step, y_min, y_max;
+    int width, height; /* pixels */
+    xlsx_series series[XLSX_SERIES_MAX];
+    int series_count;
+} xlsx_chart;
+void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart);
+
+/* Ends it, into the output. NULL, or why it could not be made; what the output could not take,
+ * output_finish() says. */
+const char *xlsx_finish(xlsx *book, output *out);
+
+/* Ends it without a trace. NULL is allowed. */
+void xlsx_discard(xlsx *book);
+
+#endif

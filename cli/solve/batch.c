@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "batch.h"
+
+#include "contact/header.h"
+#include "text/message.h"
+#include "system/progress.h"
+#include "results.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+/* What goes on from row to row. */
+typedef struct {
+    const batch *what;
+    const output_options *how;
+    csv_input *in;
+    header names;
+    bool shown[RESULT_COUNT]; /* the results that become columns */
+    records *rows;
+    int64_t count, failed;
+} run;
+
+static const char error_column[] = "error";
+
+/* ---- Columns ---- */
+
+static bool has_column(const run *r, int input)
+{
+    return r->names.column[input] < r->names.count;
+}
+
+/* The inputs of a row: constants, and its cells. */
+static input_texts texts_of(const run *r, const char *const text[INPUT_COUNT])
+{
+    input_texts texts = r->what->constants;
+    texts.cell_decimal_sign = r->how->decimal_sign;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (r->what->constants.text[i] == NULL) {
+            texts.text[i] = text[i];
+            texts.is_cell[i] = true;
+        }
+    return texts;
+}
+
+static int check_constants(const run *r)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char name[INPUT_NAME_SIZE];
+        if (r->what->constants.text[i] != NULL && has_column(r, i))
+            return usage_error("%s %s: %s has a column for it; allowed: one of the two",
+                               input_name(&r->what->constants, i, name), r->what->constants.text[i],
+                               csv_input_name(r->in));
+    }
+    return STATUS_DONE;
+}
+
+static bool is_rigid(const input_texts *texts)
+{
+    char complaint[COMPLAINT_SIZE];
+    double E2;
+    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) &&
+           isinf(E2);
+}
+
+/* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has
+ * no Poisson's ratio. */
+static bool has_no_gap(const run *r, const input_texts *texts, char complaint[COMPLAINT_SIZE])
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        if (!has_column(r, i) || input_is_given(texts, i) || (i == INPUT_NU2 && is_rigid(texts)))
+            continue;
+        char name[INPUT_NAME_SIZE];
+        snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
+        return false;
+    }
+    return true;
+}
+
+/* Before any row: whether the columns and constants can give a contact. A second body may be
+ * rigid in every row. */
+static int check_complete(const run *r)
+{
+    const char *present[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        present[i] = has_column(r, i) ? "(a column)" : NULL;
+    if (has_column(r, INPUT_E2))
+        present[INPUT_E2] = "inf";
+    const input_texts texts = texts_of(r, present);
+    char complaint[COMPLAINT_SIZE];
+    if (case_is_complete(&texts, true, complaint))
+        return STATUS_DONE;
+    return failure("%s: %s%s", csv_input_name(r->in), complaint, header_separator_hint(&r->names));
+}
+
+/* A result that the file has as an input is not repeated; another column of its name would be
+ * mistaken for it. */
+static int choose_results(run *r)
+{
+    for (int i = 0; i < RESULT_COUNT; i++) {
+        const char *name = result_kinds[i].column;
+        const bool is_input = (i == RESULT_ROUNDING && has_column(r, INPUT_A)) ||
+                              (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
+        r->shown[i] = !is_input && (i != RESULT_YIELD_FACTOR || r->what->yield_factor);
+        if (r->shown[i] && header_has(&r->names, name))
+            return failure("%s: column %s: a result has that name; allowed: any other",
+                           csv_input_name(r->in), name);
+    }
+    if (header_has(&r->names, error_column))
+        return failure("%s: column error: a result has that name; allowed: any other",
+                       csv_input_name(r->in));
+    return STATUS_DONE;
+}
+
+static void write_header(run *r)
+{
+    const record_format *format = r->rows->format;
+    format->begin(r->rows);
+    for (size_t i = 0; i < r->names.count; i++)
+        format->name(r->rows, r->names.name[i]);
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (r->shown[i])
+            format->name(r->rows, result_kinds[i].column);
+    format->name(r->rows, error_column);
+    format->end_header(r->rows);
+}
+
+/* ---- Rows ---- */
+
+static bool solve_row(const run *r, bool malformed, results *found, char complaint[COMPLAINT_SIZE])
+{
+    if (malformed) {
+        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64,
+                 csv_input_line(r->in));
+        return false;
+    }
+    if (!header_fits(&r->names, r->in, complaint))
+        return false;
+    const char *text[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        text[i] = has_column(r, i) ? csv_input_cell(r->in, r->names.column[i]) : NULL;
+    const input_texts texts = texts_of(r, text);
+    contact_case what;
+    if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, true, &what, complaint) ||
+        !results_compute(&what, r->what->yield_factor, found, complaint))
+        return false;
+    if (texts.text[INPUT_F] == NULL)
+        results_warn(found, "no friction given");
+    return true;
+}
+
+static void pass_through(run *r)
+{
+    for (size_t i = 0; i < r->names.count; i++)
+        r->rows->format->value(
+            r->rows, r->names.name[i],
+            cell_text(i < csv_input_count(r->in) ? csv_input_cell(r->in, i) : ""));
+}
+
+static void write_row(run *r, bool malformed)
+{
+    results found;
+    char complaint[COMPLAINT_SIZE] = "";
+    const bool solved = solve_row(r, malformed, &found, complaint);
+    pass_through(r);
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (r->shown[i])
+            r->rows->format->value(r->rows, result_kinds[i].column,
+                                   solved ? found.value[i] : cell_empty());
+    r->rows->format->value(r->rows, error_column, cell_text(complaint));
+    r->rows->format->end_row(r->rows);
+    r->count++;
+    r->failed += solved ? 0 : 1;
+    progress_step();
+}
+
+/* False, with the reason said, where the file or the format cannot go on. */
+static bool write_rows(void *of_run, records *rows, bool show_progress)
+{
+    run *r = of_run;
+    csv_event event = CSV_ROW;
+    r->rows = rows;
+    progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
+    write_header(r);
+    while (records_go_on(r->rows) && (event = csv_input_next(r->in)) != CSV_END &&
+           event != CSV_FAILED)
+        write_row(r, event == CSV_MALFORMED);
+    r->rows->format->end(r->rows);
+    progress_erase();
+    return event != CSV_FAILED && records_are_sound(r->rows);
+}
+
+static int write_output(run *r)
+{
+    const int status = output_options_write(r->how, write_rows, r);
+    if (status == STATUS_DONE && r->failed > 0)
+        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
+               csv_input_name(r->in), r->failed, r->count);
+    return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
+}
+
+int batch_run(const batch *what, const output_options *how)
+{
+    run r = {.what = what,
+             .how = how,
+             .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',')};
+    if (r.in == NULL)
+        return STATUS_FAILED;
+    bool wanted[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        wanted[i] = true;
+    int status =
+        header_read(r.in, wanted, &what->constants, &r.names) ? check_constants(&r) : STATUS_FAILED;
+    if (status == STATUS_DONE)
+        status = check_complete(&r);
+    if (status == STATUS_DONE)
+        status = choose_results(&r);
+    if (status == STATUS_DONE)
+        status = write_output(&r);
+    header_free(&r.names);
+    csv_input_close(r.in);
+    return status;
+}

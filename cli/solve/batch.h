@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* "rwedge solve --input": a file of contacts, a row each, with the results beside them. */
+#ifndef CLI_BATCH_H
+#define CLI_BATCH_H
+
+#include "contact/inputs.h"
+#include "rows/output_options.h"
+
+typedef struct {
+    const char *path;
+    input_texts constants; /* of the command line: for the columns that the file does not have */
+    bool yield_factor;
+} batch;
+
+/* Returns the exit status: that of a failure where there are rows and every one has an error. */
+int batch_run(const batch *what, const output_options *how);
+
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What "rwedge solve" answers about one contact. */
+#ifndef CLI_RESULTS_H
+#define CLI_RESULTS_H
+
+#include "contact/contact_case.h"
+#include "rows/records.h"
+
+enum {
+    RESULT_A,
+    RESULT_BETA,
+    RESULT_ROUNDING,
+    RESULT_RADIUS,
+    RESULT_B,
+    RESULT_A_OVER_B,
+    RESULT_AP_OVER_THETA_B,
+    RESULT_P0,
+    RESULT_P_TRANSITION,
+    RESULT_Q_OVER_FP,
+    RESULT_C,
+    RESULT_C_OVER_B,
+    RESULT_TENSION,
+    RESULT_TENSION_SLIDING,
+    RESULT_VON_MISES_SLIDING,
+    RESULT_F_CRITICAL,
+    RESULT_LOAD_OVER_BK,
+    RESULT_P_OVER_BK,
+    RESULT_P_YIELD,
+    RESULT_SAFETY,
+    RESULT_YIELD_X,
+    RESULT_YIELD_Y,
+    RESULT_YIELD_BRANCH,
+    RESULT_YIELD_FACTOR, /* of the present state: only where it is asked for, as it takes longest */
+    RESULT_WARNINGS,
+    RESULT_COUNT
+};
+
+typedef struct {
+    const char *column, *meaning;
+} result_kind;
+
+extern const result_kind result_kinds[RESULT_COUNT];
+
+/* One contact's results; the warnings' text is kept in them. */
+typedef struct {
+    cell value[RESULT_COUNT];
+    char warnings[512];
+} results;
+
+/* False, with the complaint, where one cannot be computed. */
+bool results_compute(const contact_case *what, bool yield_factor, results *found,
+                     char complaint[COMPLAINT_SIZE]);
+
+/* Adds to the warnings. */
+void results_warn(results *found, const char *warning);
+
+#endif

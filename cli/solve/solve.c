@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve.h"
+
+#include "batch.h"
+#include "text/message.h"
+#include "results.h"
+
+#include <string.h>
+
+enum { OPTION_INPUT_FILE = OPTION_AFTER_INPUTS, OPTION_LAYOUT, OPTION_YIELD_FACTOR };
+
+static const struct poptOption options[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
+    {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
+     "Solve every row of a CSV file; - is standard input", "FILE"},
+    {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
+     "One contact as a list of quantities, or as a row (default list)", "list|row"},
+    {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
+     "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    POPT_TABLEEND,
+};
+
+static void describe_results(FILE *stream)
+{
+    fputs("\nAny consistent units: N and mm with MPa, or N and m with Pa; forces are per unit\n"
+          "length. A FILE has columns named like the options (theta_deg, yield_stress); the\n"
+          "options stand for columns that it lacks, other columns pass through, and a row\n"
+          "that cannot be solved says why in the column error.\n\nResults:\n",
+          stream);
+    for (int i = 0; i < RESULT_COUNT; i++)
+        fprintf(stream, "  %-20s %s\n", result_kinds[i].column, result_kinds[i].meaning);
+    fputs("\nQ < f P is taken to have grown from 0 under constant P.\n", stream);
+}
+
+/* ---- One contact ---- */
+
+typedef struct {
+    results found;
+    bool row, yield_factor;
+} answer;
+
+static bool is_shown(const answer *one, int result)
+{
+    return result != RESULT_YIELD_FACTOR || one->yield_factor;
+}
+
+static void write_list(const answer *one, records *rows)
+{
+    static const char *const columns[] = {"quantity", "value", "meaning"};
+    for (int i = 0; i < 3; i++)
+        rows->format->name(rows, columns[i]);
+    rows->format->end_header(rows);
+    for (int i = 0; i < RESULT_COUNT; i++) {
+        if (!is_shown(one, i))
+            continue;
+        rows->format->value(rows, columns[0], cell_text(result_kinds[i].column));
+        rows->format->value(rows, columns[1], one->found.value[i]);
+        rows->format->value(rows, columns[2], cell_text(result_kinds[i].meaning));
+        rows->format->end_row(rows);
+    }
+}
+
+static void write_row(const answer *one, records *rows)
+{
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (is_shown(one, i))
+            rows->format->name(rows, result_kinds[i].column);
+    rows->format->end_header(rows);
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (is_shown(one, i))
+            rows->format->value(rows, result_kinds[i].column, one->found.value[i]);
+    rows->format->end_row(rows);
+}
+
+static bool write_answer(void *of_answer, records *rows, bool show_progress)
+{
+    (void)show_progress;
+    const answer *one = of_answer;
+    rows->format->begin(rows);
+    if (one->row)
+        write_row(one, rows);
+    else
+        write_list(one, rows);
+    rows->format->end(rows);
+    return records_are_sound(rows);
+}
+
+static int solve_one(const input_texts *texts, answer *one, const output_options *how)
+{
+    contact_case what;
+    char complaint[COMPLAINT_SIZE];
+    if (!case_read(texts, true, &what, complaint))
+        return usage_error("%s", complaint);
+    if (!results_compute(&what, one->yield_factor, &one->found, complaint))
+        return failure("%s", complaint);
+    return output_options_write(how, write_answer, one);
+}
+
+/* ---- The command ---- */
+
+static int read_layout(const arguments *given, bool *row)
+{
+    const char *text = given->value[OPTION_LAYOUT];
+    *row = text != NULL && strcmp(text, "row") == 0;
+    if (text != NULL && !*row && strcmp(text, "list") != 0)
+        return usage_error("--layout %s: unknown layout; allowed: list, row", text);
+    if (text != NULL && !*row && given->value[OPTION_INPUT_FILE] != NULL)
+        return usage_error(
+            "--layout list: a file has a row for each contact; allowed with --input: row");
+    return STATUS_DONE;
+}
+
+static int read_yield_factor(const arguments *given, const input_texts *texts, bool *wanted)
+{
+    *wanted = given->value[OPTION_YIELD_FACTOR] != NULL;
+    const bool strength =
+        input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
+    if (*wanted && !strength && given->value[OPTION_INPUT_FILE] == NULL)
+        return usage_error("--yield-factor: needs --k or --yield-stress");
+    return STATUS_DONE;
+}
+
+static int solve(const arguments *given)
+{
+    output_options how;
+    answer one;
+    batch many = {.path = given->value[OPTION_INPUT_FILE]};
+    input_texts_from_options(given, &many.constants);
+    int status = arguments_no_operand(given);
+    if (status == STATUS_DONE)
+        status = output_options_read(given, &how);
+    if (status == STATUS_DONE)
+        status = read_layout(given, &one.row);
+    if (status == STATUS_DONE)
+        status = read_yield_factor(given, &many.constants, &one.yield_factor);
+    if (status != STATUS_DONE)
+        return status;
+    many.yield_factor = one.yield_factor;
+    return many.path != NULL ? batch_run(&many, &how) : solve_one(&many.constants, &one, &how);
+}
+
+static const syntax grammar = {options, "[OPTION...]", describe_results, 0};
+
+const command solve_command = {
+    "solve",  "rwedge solve", "one contact, or a file of them: sizes, pressures, tension, strength",
+    &grammar, NULL,           solve};

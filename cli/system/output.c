@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output.h"
+
+#include "text/message.h"
+#include "signals.h"
+#include "target.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char stdout_name[] = "standard output";
+
+static bool refuse(output *out, int reason)
+{
+    failure("%s: %s", out->name, strerror(reason));
+    return false;
+}
+
+static bool open_directly(output *out, int descriptor)
+{
+    if (descriptor < 0)
+        return refuse(out, errno);
+    out->descriptor = descriptor;
+    signals_on_end(NULL, "; the output is not complete");
+    return true;
+}
+
+static bool open_beside(output *out, const char *path)
+{
+    out->target = target_of_links(path);
+    if (out->target == NULL)
+        return refuse(out, errno);
+    signals_hold();
+    out->descriptor = target_open_beside(out->target, &out->unfinished);
+    const int reason = errno;
+    if (out->descriptor >= 0)
+        signals_on_end(out->unfinished, "; the output file is as it was before");
+    signals_release();
+    if (out->descriptor >= 0)
+        return true;
+    free(out->target);
+    return refuse(out, reason);
+}
+
+bool output_open(output *out, const char *path)
+{
+    out->target = out->unfinished = NULL;
+    out->error = 0;
+    out->used = 0;
+    out->name = stdout_name;
+    if (path == NULL || strcmp(path, "-") == 0)
+        return open_directly(out, STDOUT_FILENO);
+    out->name = path;
+    struct stat existing;
+    if (stat(path, &existing) != 0 || S_ISREG(existing.st_mode))
+        return open_beside(out, path);
+    if (S_ISDIR(existing.st_mode))
+        return refuse(out, EISDIR);
+    return open_directly(out, open(path, O_WRONLY));
+}
+
+bool output_is_stdout(const output *out)
+{
+    return out->descriptor == STDOUT_FILENO;
+}
+
+static void flush(output *out)
+{
+    const char *bytes = out->buffer;
+    while (out->used > 0 && out->error == 0) {
+        const ssize_t written = write(out->descriptor, bytes, out->used);
+        if (written < 0) {
+            if (errno != EINTR)
+                out->error = errno;
+            continue;
+        }
+        bytes += written;
+        out->used -= (size_t)written;
+    }
+}
+
+bool output_write(output *out, const char *bytes, size_t count)
+{
+    while (count > 0 && out->error == 0) {
+        const size_t room = sizeof out->buffer - out->used;
+        const size_t now = count < room ? count : room;
+        memcpy(out->buffer + out->used, bytes, now);
+        out->used += now;
+        bytes += now;
+        count -= now;
+        if (out->used == sizeof out->buffer)
+            flush(out);
+    }
+    return out->error == 0;
+}
+
+bool output_text(output *out, const char *text)
+{
+    return output_write(out, text, strlen(text));
+}
+
+static void remember(output *out, int reason)
+{
+    if (out->error == 0)
+        out->error = reason;
+}
+
+/* A disk may report at close() what it did not at write(). */
+static void close_checked(output *out)
+{
+    if (out->unfinished != NULL && out->error == 0 && fsync(out->descriptor) != 0)
+        remember(out, errno);
+    if (close(out->descriptor) != 0)
+        remember(out, errno);
+    out->descriptor = -1;
+}
+
+/* The unfinished file becomes the target, or goes. */
+static void settle(output *out)
+{
+    signals_hold();
+    if (out->unfinished != NULL) {
+        if (out->error == 0 && rename(out->unfinished, out->target) != 0)
+            remember(out, errno);
+        if (out->error != 0)
+            unlink(out->unfinished);
+        else
+            out->error = target_sync_folder(out->target);
+    }
+    signals_on_end(NULL, NULL);
+    signals_release();
+    free(out->unfinished);
+    free(out->target);
+    out->unfinished = out->target = NULL;
+}
+
+bool output_finish(output *out)
+{
+    flush(out);
+    close_checked(out);
+    settle(out);
+    return out->error == 0 ? true : refuse(out, out->error);
+}
+
+void output_discard(output *out)
+{
+    if (out->unfinished == NULL)
+        flush(out);
+    close(out->descriptor);
+    out->error = ECANCELED;
+    settle(out);
+}

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "table.h"
+
+#include "system/ahead.h"
+#include "layout.h"
+#include "text/message.h"
+#include "rows/output_options.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    OPTION_VARIABLE = OPTION_OWN,
+    OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT,
+    OPTION_QUANTITY,
+    OPTION_THREADS
+};
+
+static const struct poptOption options[] = {
+    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + A_OVER_B,
+     "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
+     "RANGE"},
+    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + FRICTION,
+     "Coefficient of friction f", "RANGE"},
+    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + NU,
+     "Poisson's ratio of the half-plane, 0 to 0.5", "RANGE"},
+    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + Q_OVER_FP,
+     "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
+    {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
+     "A row for each combination, or a/b down and the second variable across (default long)",
+     "long|grid"},
+    {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows",
+     "COLUMN"},
+    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
+     "Threads that compute; the table is the same for any N (default: one for each processor)",
+     "N"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    POPT_TABLEEND,
+};
+
+static void list_columns(const table *which, FILE *stream)
+{
+    int width = fprintf(stream, "    columns:");
+    for (int i = 0; i < which->column_count; i++) {
+        if (width + (int)strlen(which->column[i]) > 76)
+            width = fprintf(stream, "\n            ") - 1;
+        width += fprintf(stream, " %s", which->column[i]);
+    }
+}
+
+static void describe_table(const table *which, FILE *stream)
+{
+    fprintf(stream, "\n  %s: %s\n", which->name, which->summary);
+    list_columns(which, stream);
+    fprintf(stream, "\n    options:");
+    for (int i = which->axis_count - 1; i >= 0; i--)
+        fprintf(stream, " --%s", variables[which->axis[i]].option);
+    fprintf(stream, "\n");
+}
+
+static void describe_tables(FILE *stream)
+{
+    fputs("\nA RANGE is START:STOP:STEP, with STOP included when it is hit, a comma list, or\n"
+          "one number. By default:\n",
+          stream);
+    for (int i = 0; i < VARIABLE_COUNT; i++)
+        fprintf(stream, "  --%-10s %s\n", variables[i].option, variables[i].usual);
+    fputs("\nTables, their columns, and the variables they have:\n", stream);
+    for (int i = 0; i < TABLE_COUNT; i++)
+        describe_table(&tables[i], stream);
+    fputs("\nLengths are in b, the contact half-width, pressures in theta/A. A cell without a\n"
+          "value is empty.\n",
+          stream);
+}
+
+static void append(char *text, size_t size, const char *word)
+{
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s%s", used > 0 ? ", " : "", word);
+}
+
+static int choose_table(const arguments *given, plan *what)
+{
+    char allowed[160] = "";
+    for (int i = 0; i < TABLE_COUNT; i++)
+        append(allowed, sizeof allowed, tables[i].name);
+    if (given->operand == NULL || given->operand[0] == NULL)
+        return usage_error("the name of a table must follow; allowed: %s", allowed);
+    what->table = table_named(given->operand[0]);
+    if (what->table == NULL)
+        return usage_error("%s: unknown table; allowed: %s", given->operand[0], allowed);
+    if (given->operand[1] != NULL)
+        return usage_error("%s: unexpected; allowed: one table, and options", given->operand[1]);
+    return STATUS_DONE;
+}
+
+static int refuse_variable(const table *which, int variable, const char *text)
+{
+    char allowed[160] = "";
+    for (int i = which->axis_count - 1; i >= 0; i--) {
+        append(allowed, sizeof allowed, "--");
+        strcat(allowed, variables[which->axis[i]].option);
+    }
+    return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option,
+                       text, which->name, allowed);
+}
+
+static int read_variables(const arguments *given, plan *what)
+{
+    for (int i = 0; i < VARIABLE_COUNT; i++) {
+        const char *text = given->value[OPTION_VARIABLE + i];
+        int status = STATUS_DONE;
+        if (table_depends_on(what->table, i))
+            status = variable_read(&variables[i], text, &what->axis[i]);
+        else if (text != NULL)
+            status = refuse_variable(what->table, i, text);
+        if (status != STATUS_DONE)
+            return status;
+    }
+    return STATUS_DONE;
+}
+
+/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A
+ * range ascends or descends: its smallest value above 0 is one of the two at either end. */
+static int check_tips(const arguments *given, plan *what)
+{
+    const range *tips = &what->axis[A_OVER_B];
+    if (!table_depends_on(what->table, NU))
+        return STATUS_DONE;
+    for (int64_t i = 0; i < tips->count; i++) {
+        if (tips->items == NULL && i == 2 && tips->count > 4)
+            i = tips->count - 2;
+        const double tip = range_value(tips, i);
+        if (tip > 0 && tip < 1e-14)
+            return usage_error(
+                "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+                given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+    }
+    return STATUS_DONE;
+}
+
+/* The variable with the most values is the one to name. */
+static int check_size(const arguments *given, const plan *what)
+{
+    if (plan_size(what) <= RANGE_VALUES_MAX)
+        return STATUS_DONE;
+    int widest = A_OVER_B;
+    for (int i = 0; i < VARIABLE_COUNT; i++)
+        if (what->axis[i].count > what->axis[widest].count)
+            widest = i;
+    const char *text = given->value[OPTION_VARIABLE + widest];
+    return usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
+                       variables[widest].option, text != NULL ? text : variables[widest].usual);
+}
+
+static int check_grid(const arguments *given, const plan *what)
+{
+    if (what->table->across == VARIABLE_COUNT)
+        return usage_error(
+            "--layout grid: %s has one variable, and nothing to go across; allowed: long",
+            what->table->name);
+    if (what->table->across != NU && table_depends_on(what->table, NU) && what->axis[NU].count > 1)
+        return usage_error(
+            "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
+            given->value[OPTION_VARIABLE + NU]);
+    return STATUS_DONE;
+}
+
+static int read_layout(const arguments *given, plan *what)
+{
+    const char *text = given->value[OPTION_LAYOUT];
+    what->grid = text != NULL && strcmp(text, "grid") == 0;
+    if (text != NULL && !what->grid && strcmp(text, "long") != 0)
+        return usage_error("--layout %s: unknown layout; allowed: long, grid", text);
+    return what->grid ? check_grid(given, what) : STATUS_DONE;
+}
+
+static int read_quantity(const arguments *given, plan *what)
+{
+    const char *text = given->value[OPTION_QUANTITY];
+    what->quantity = what->table->quantity;
+    if (text == NULL)
+        return STATUS_DONE;
+    if (!what->grid)
+        return usage_error(
+            "--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
+    char allowed[160] = "";
+    for (int i = what->table->quantity; i < what->table->column_count; i++) {
+        append(allowed, sizeof allowed, what->table->column[i]);
+        what->quantity = i;
+        if (strcmp(text, what->table->column[i]) == 0)
+            return STATUS_DONE;
+    }
+    return usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, what->table->name,
+                       allowed);
+}
+
+static int read_threads(const arguments *given, plan *what)
+{
+    const char *text = given->value[OPTION_THREADS];
+    int64_t threads = ahead_processors();
+    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &threads))
+        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
+                           AHEAD_THREADS_MAX);
+    what->threads = (int)threads;
+    return STATUS_DONE;
+}
+
+static int read_plan(const arguments *given, plan *what)
+{
+    static int (*const steps[])(const arguments *, plan *) = {
+        choose_table, read_variables, check_tips, read_layout, read_quantity, read_threads};
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++)
+        status = steps[i](given, what);
+    return status == STATUS_DONE ? check_size(given, what) : status;
+}
+
+static int write_table(const arguments *given)
+{
+    plan what = {0};
+    output_options how;
+    int status = read_plan(given, &what);
+    if (status == STATUS_DONE)
+        status = output_options_read(given, &how);
+    if (status == STATUS_DONE)
+        status = output_options_write(&how, plan_write, &what);
+    for (int i = 0; i < VARIABLE_COUNT; i++)
+        range_free(&what.axis[i]);
+    return status;
+}
+
+static const char *table_name(int i)
+{
+    return i < TABLE_COUNT ? tables[i].name : NULL;
+}
+
+static const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};
+
+const command table_command = {
+    "table",  "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...",
+    &grammar, table_name,     write_table};

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elastic constants of the pair of bodies. */
+#include "rwedge.h"
+
+#include "base/domain.h"
+#include "base/scaled.h"
+
+#include <float.h>
+
+static bool is_body(double E, double nu)
+{
+    return !isnan(E) && E > 0 && isfinite(nu) && nu > -1 && nu <= 0.5;
+}
+
+/* (1-nu^2)/E: half of a body's share of A; 0 for a rigid one, NaN where it is too large. */
+static double half_share(double E, double nu)
+{
+    return isinf(E) ? 0
+                    : rw_scaled_value(
+                          rw_scaled_over(rw_scaled_from((1 - nu) * (1 + nu)), rw_scaled_from(E)));
+}
+
+double rwedge_compliance(double E1, double nu1, double E2, double nu2)
+{
+    if (!is_body(E1, nu1) || !is_body(E2, nu2))
+        return NAN;
+    const double share1 = half_share(E1, nu1), share2 = half_share(E2, nu2);
+    if (isnan(share1) || isnan(share2) || share1 / 2 + share2 / 2 > DBL_MAX / 4)
+        return NAN;
+    const double A = 2 * (share1 + share2);
+    return isnormal(A) ? A : NAN;
+}
+
+/* With mu = E/(2(1+nu)) and kappa = 3 - 4 nu,
+ *     beta = (mu1 (kappa2 - 1) - mu2 (kappa1 - 1)) / (mu1 (kappa2 + 1) + mu2 (kappa1 + 1))
+ *          = (l2 s2 - l1 s1) / (s1 + s2),   s = 2(1-nu^2)/E,   l = (1-2nu)/(2(1-nu)):
+ * the compliances weight each body's own ratio, and a rigid body has s = 0. */
+double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2)
+{
+    double A = rwedge_compliance(E1, nu1, E2, nu2);
+    if (isnan(A))
+        return NAN;
+    double l1 = (1 - 2 * nu1) / (2 * (1 - nu1));
+    double l2 = (1 - 2 * nu2) / (2 * (1 - nu2));
+    return l2 * (2 * half_share(E2, nu2) / A) - l1 * (2 * half_share(E1, nu1) / A);
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Partial slip under a tangential force that grows: the stick zone and the shear traction. The
+ * corrective traction of the stick zone is f times the pressure of the same profile pressed to
+ * the half-width c, Eq. (22) to (27), so that
+ *     1 - Q/(fP) = F(c)/F(1),   F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
+ * F(t) = (pi/2) t^2/alpha for t <= alpha. */
+#include "rwedge.h"
+
+#include "base/domain.h"
+#include "formulas/pressure.h"
+
+/* asin(q) - q for 0 <= q <= 1. */
+static double asin_excess(double q)
+{
+    if (q > 0.5)
+        return asin(q) - q;
+    /* q^3/6 + 3 q^5/40 + ...: at q = 0.5 the 24th term is below 2e-16 of the first */
+    double term = q, sum = 0;
+    for (int n = 1; n < 26; n++) {
+        term *= q * q * (2 * n - 1) / (2 * n);
+        sum += term / (2 * n + 1);
+    }
+    return sum;
+}
+
+/* alpha (F(1) - F(c)), alpha <= c <= 1. With d = sqrt(1-alpha^2) - sqrt(c^2-alpha^2), the two
+ * arcsines differ by asin(q), q = alpha d/c, and alpha d itself cancels but for its part (1-c):
+ * every term left is small with 1-c. */
+static double load_lost_on_flank(double alpha, double c)
+{
+    const double lost = (1 - c) * (1 + c);
+    const double d = lost / (rw_cos_asin(alpha) + sqrt((c - alpha) * (c + alpha)));
+    return lost * asin(alpha) + alpha * d * (1 - c) - c * c * asin_excess(alpha * d / c);
+}
+
+/* Below it alpha^2 is nothing beside 1; and products of alpha and 1-c might underflow. */
+static const double SHARP = 1e-100;
+
+double rwedge_shear_ratio(double alpha, double c)
+{
+    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c))
+        return NAN;
+    if (alpha >= 1)
+        return (1 - c) * (1 + c);
+    if (alpha < SHARP)
+        return 1 - c;
+    const double whole = rwedge_load(alpha);
+    if (c >= alpha)
+        return fmin(1, load_lost_on_flank(alpha, c) / alpha / whole);
+    return fmin(
+        1, (load_lost_on_flank(alpha, alpha) / alpha + RW_HALF_PI * (alpha - c) * (1 + c / alpha)) /
+               whole);
+}
+
+/* The stick zone is the contact area under the load fraction 1 - Q/(fP). */
+double rwedge_stick_width(double alpha, double Q_over_fP)
+{
+    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(Q_over_fP))
+        return NAN;
+    const double fraction = 1 - Q_over_fP;
+    if (alpha >= 1)
+        return sqrt(fraction);
+    if (fraction == 0 || fraction == 1)
+        return fraction;
+    if (alpha < 1e-300) /* sharp; the load over alpha would overflow */
+        return fraction;
+    const double whole = rwedge_load(alpha);
+    return fmin(1, alpha / rwedge_a_over_b(fraction * whole / alpha));
+}
+
+/* alpha = 0: the difference of two arcosh, Eq. (14), finite at x = 0 too. */
+static double sharp_wedge_shear(double c, double x)
+{
+    const double s = sqrt((c - x) / c * ((c + x) / c));
+    return 2 / RW_PI * (log(c) + log1p(s) - log1p(rw_cos_asin(x)));
+}
+
+double rwedge_shear(double alpha, double c, double x)
+{
+    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c) || !isfinite(x) ||
+        (alpha == 0 && c == 0 && x == 0))
+        return NAN;
+    x = fabs(x);
+    if (x >= c)
+        return rwedge_pressure(alpha, x);
+    if (alpha == 0)
+        return sharp_wedge_shear(c, x);
+    if (alpha > c * 1e280) /* a patch whose traction, below c/alpha, could not be seen */
+        return rwedge_pressure(alpha, x);
+    return rwedge_pressure(alpha, x) - rw_patch_pressure(alpha, c, x);
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact with a load history: its life, and what it knows of itself. */
+#include "history/contact.h"
+
+#include <stdlib.h>
+
+int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
+{
+    const rw_geometry geometry = {theta, a, A};
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_quotient_is_normal(theta, A))
+        return RWEDGE_EDOMAIN;
+    if (!contact)
+        return RWEDGE_ENULL;
+    rwedge_contact *created = malloc(sizeof *created);
+    if (!created)
+        return RWEDGE_ENOMEM;
+    *created = (rwedge_contact){.geometry = geometry, .f = f};
+    if (!rw_memory_create(&created->memory)) {
+        free(created);
+        return RWEDGE_ENOMEM;
+    }
+    *contact = created;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy)
+{
+    if (!contact || !copy)
+        return RWEDGE_ENULL;
+    rwedge_contact *copied = malloc(sizeof *copied);
+    if (!copied)
+        return RWEDGE_ENOMEM;
+    *copied = *contact;
+    copied->memory = (rw_memory){0};
+    copied->origins = (rw_slip_origins){0};
+    if (!rw_memory_copy(&contact->memory, &copied->memory) ||
+        !rw_slip_origins_copy(&contact->origins, &copied->origins)) {
+        rwedge_contact_destroy(copied);
+        return RWEDGE_ENOMEM;
+    }
+    *copy = copied;
+    return RWEDGE_OK;
+}
+
+void rwedge_contact_destroy(rwedge_contact *contact)
+{
+    if (!contact)
+        return;
+    rw_memory_destroy(&contact->memory);
+    rw_slip_origins_destroy(&contact->origins);
+    free(contact);
+}
+
+double rwedge_contact_half_width(const rwedge_contact *contact)
+{
+    return contact ? rw_memory_end(&contact->memory)->half_width : NAN;
+}
+
+double rwedge_contact_stick_half_width(const rwedge_contact *contact)
+{
+    if (!contact)
+        return NAN;
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    return fabs(end->ratio) == 1 ? (end - 1)->half_width : end->half_width;
+}
+
+size_t rwedge_contact_memory(const rwedge_contact *contact)
+{
+    return contact ? contact->memory.count - 1 : 0;
+}
+
+double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
+{
+    return contact ? contact->energy : NAN;
+}

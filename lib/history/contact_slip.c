@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Slip. The surface displacement that a shear traction causes has the gradient -A Re G_T, Eq.
+ * (17); for a path with the patches s_i, in the order of their size, and the slopes D_i between
+ * them that makes, at a point inside the contact,
+ *     w(x) = f theta [ sum (D_i - D_(i+1)) s_i gap(x/s_i) - D_1 h(x) ],
+ * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w
+ * depends on the path below u alone, the load with which the edge of the contact is at x.
+ *
+ * While the point is in contact every slip changes the path, and w with it, and nothing else
+ * does: a rising load adds to the path beyond u, a falling one cuts it off there. The slip is
+ * therefore w of the present path less w of the path that was there when the point came into
+ * contact (slip_origin.h). What both paths have in common is left out of both sums: it would cancel. */
+#include "history/contact.h"
+
+#include "base/always.h"
+#include "history/gap.h"
+
+/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the
+ * profile. */
+static double gap(double a, double s, double x)
+{
+    if (!rw_patch_matters(s, fmax(a, x)))
+        return rw_profile(a, x);
+    rw_potential patch;
+    rw_potential_init(&patch, a / s);
+    return s * rw_gap(&patch, x / s);
+}
+
+/* The displacement at x over f theta, but for that of the profile, of the corners first ...
+ * count-1, with the slope `beyond` after the last. */
+static double displacement(const rwedge_contact *contact, const rw_memory *memory, size_t first,
+                           size_t count, double beyond, double x)
+{
+    double sum = 0;
+    for (size_t i = first; i < count; i++) {
+        const double s = memory->corners[i].half_width;
+        if (s >= x)
+            continue;
+        const double step =
+            memory->corners[i].ratio - (i + 1 < count ? memory->corners[i + 1].ratio : beyond);
+        sum += step * gap(contact->geometry.a, s, x);
+    }
+    return sum;
+}
+
+static double departure_displacement(const rwedge_contact *contact, const rw_departure *left,
+                                     double x)
+{
+    rw_corner corner = left->corner;
+    if (ALWAYS(isnan(corner.half_width))) /* it is no corner of the path, which would have one */
+        corner.half_width = rw_half_width(&contact->geometry, corner.load);
+    const rw_memory alone = {.corners = &corner, .count = 1};
+    return displacement(contact, &alone, 0, 1, left->slip, x);
+}
+
+/* The last corner, up to `count`, until which two paths are the same. */
+static size_t last_common(const rw_memory *one, const rw_memory *other, size_t count)
+{
+    size_t i = 0;
+    /* always: the path reaches the load that count ends at */
+    while (i + 1 < count && ALWAYS(i + 1 < one->count) &&
+           one->corners[i + 1].load == other->corners[i + 1].load &&
+           one->corners[i + 1].ratio == other->corners[i + 1].ratio)
+        i++;
+    return i;
+}
+
+/* x >= 0 */
+static double slip_at(const rwedge_contact *contact, double x)
+{
+    const rw_geometry *g = &contact->geometry;
+    const rw_memory *now = &contact->memory;
+    const double u = fmin(rwedge_normal_load(g->theta, g->a, g->A, x), rw_memory_end(now)->load);
+    const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
+    if (!origin || u == 0)
+        return 0;
+    const rw_departure left = rw_slip_origin_departure(origin, u);
+    const size_t kept = left.kept;
+    const bool is_corner = left.corner.load == origin->base.corners[kept - 1].load;
+    const double after_kept = is_corner ? left.slip : left.corner.ratio;
+    const size_t common = last_common(now, &origin->base, kept);
+    const size_t first = common > 0 ? common : 1;
+    double w = displacement(contact, now, first, now->count, 0, x) -
+               displacement(contact, &origin->base, first, kept, after_kept, x);
+    if (!is_corner && left.slip != 0)
+        w -= departure_displacement(contact, &left, x);
+    const double at_centre = kept > 1 ? origin->base.corners[1].ratio : after_kept;
+    w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
+    /* what is small last */
+    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
+}
+
+int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
+                            double slip[])
+{
+    if (!contact || (n > 0 && (!x || !slip)))
+        return RWEDGE_ENULL;
+    const double b = rwedge_contact_half_width(contact);
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(x[i]) || fabs(x[i]) > b)
+            return RWEDGE_EDOMAIN;
+    for (size_t i = 0; i < n; i++)
+        slip[i] = rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i])) : 0;
+    return RWEDGE_OK;
+}

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The maximum of J2 over the half-plane under any history: a search, because the tractions of a
+ * history have no closed form for it, and J2 may have many maxima.
+ *
+ * Why the global one is not missed. G is analytic but for the marks on the surface: the edges of
+ * the patches, x = +-a and the centre. At a distance r from the nearest mark the fields vary
+ * over lengths of the order r: -Im G is positive and harmonic in the half-plane, so that y |G'|
+ * <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to the surface between marks
+ * they continue across it. In polar coordinates around each mark, with ln r, no maximum is
+ * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle,
+ * reaches from 3 b (beyond it J2 falls like r^-2) to 1e-9 of the distance to the next mark,
+ * however near that is, and has the marks themselves and the surface on it. Every maximum of the
+ * grid that is not far below the highest is then followed to its top. */
+#include "history/contact.h"
+
+#include "base/always.h"
+#include "stress/stress.h"
+#include "stress/von_mises.h"
+
+#include <float.h>
+
+enum { ANGLES = 17, RADII = 64, LINE = 7, CLIMB_MAX = 60 }; /* ANGLES, LINE <= RW_BLOCK */
+
+/* The ratio of neighbouring radii: RADII of them span 1e11. */
+static const double FALL = 0.67;
+
+/* A maximum of the grid is followed where it is above this fraction of the highest: the grid's
+ * steps cannot lose as much. */
+static const double WORTHWHILE = 0.25;
+
+/* Of a line's places, in radians and ln r: at first, at last when it is to be known which top it
+ * is, and at last; and the gain, relatively, that is none. */
+static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, ENOUGH = 4 * DBL_EPSILON;
+
+/* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
+static const double ROUGHLY = 0.05;
+
+/* The highest J2 so far, in (theta/A)^2 over the square of a power of two, and where. */
+typedef struct {
+    const rwedge_contact *contact;
+    double kappa, magnify;
+    double J2, x, y;
+    /* of the highest that was climbed; its distance from the mark, infinite before */
+    double top_x, top_y, top_radius;
+} search;
+
+/* The stresses of Hertz' contact are of the order b/a, whose square might underflow. */
+static int magnification(const rwedge_contact *contact)
+{
+    return ilogb(fmax(1, contact->geometry.a / rwedge_contact_half_width(contact)));
+}
+
+static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[])
+{
+    rw_contact_fields fields;
+    rw_contact_fields_at(s->contact, n, x, y, &fields);
+    for (size_t i = 0; i < n; i++) {
+        const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
+        const rw_stress_state state = rw_superpose(fields.normal[i], shear);
+        const double difference = s->magnify * state.difference, mean = s->magnify * state.mean;
+        const double in_shear = s->magnify * state.shear;
+        J2[i] = difference * difference + in_shear * in_shear + s->kappa * mean * mean;
+        if (J2[i] > s->J2) {
+            s->J2 = J2[i];
+            s->x = x[i];
+            s->y = y[i];
+        }
+    }
+}
+
+/* ---- The marks ---- */
+
+/* Mark 0 is the centre, then in pairs +-: the edges of the contact, +-a, and the patches' edges
+ * from outside inwards. */
+static double mark(const rwedge_contact *contact, size_t i)
+{
+    if (i == 0)
+        return 0;
+    const size_t pair = (i + 1) / 2, corners = contact->memory.count;
+    const double at =
+        pair == 2
+            ? fmin(contact->geometry.a, rwedge_contact_half_width(contact))
+            : contact->memory.corners[pair == 1 ? corners - 1 : corners + 1 - pair].half_width;
+    return i % 2 ? at : -at;
+}
+
+static size_t count_marks(const rwedge_contact *contact)
+{
+    return 1 + 2 * contact->memory.count;
+}
+
+/* How far the grid around a mark reaches: twice the distance to the nearest of the marks before
+ * it, whose grid takes over there. */
+static double reach(const rwedge_contact *contact, size_t i)
+{
+    double nearest = 1.5 * rwedge_contact_half_width(contact);
+    for (size_t j = 0; j < i; j++)
+        nearest = fmin(nearest, fabs(mark(contact, i) - mark(contact, j)));
+    return 2 * nearest;
+}
+
+/* Where it ends: well inside the distance to the next of all marks; under strong friction,
+ * inside the b/f^2 from an edge at which p falls to 1/f and J2 may have its maximum; not below
+ * the rounding of the mark itself. */
+static double innermost_radius(const rwedge_contact *contact, size_t i)
+{
+    double nearest = rwedge_contact_half_width(contact);
+    for (size_t j = 0; j < count_marks(contact); j++) {
+        const double distance = fabs(mark(contact, i) - mark(contact, j));
+        if (distance > 0)
+            nearest = fmin(nearest, distance);
+    }
+    const double f = fmax(1, 1e-3 * contact->f);
+    return fmax(fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i))), DBL_MIN);
+}
+
+/* ---- Climbing ---- */
+
+/* In polar coordinates around a mark. */
+typedef struct {
+    double angle, log_radius;
+} polar;
+
+typedef struct {
+    search *s;
+    double centre, innermost, outermost;
+    polar top;
+    double J2;
+} climb;
+
+/* Beyond the surface is the surface. */
+static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
+{
+    double x[LINE], y[LINE];
+    for (size_t i = 0; i < n; i++) {
+        const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
+                     angle = at[i].angle;
+        x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
+        y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
+        /* by rounding: the radius is the distance of the sharp wedge's apex, beside which there
+         * is no stress to speak of */
+        if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
+            y[i] = 1e-3 * r;
+    }
+    evaluate(c->s, n, x, y, J2);
+}
+
+/* To the highest place along a line, both ways: the span is doubled as long as the highest of
+ * its points is at an end (beyond the ends of angle and radius nothing is higher), and then
+ * narrowed to the points beside the highest. */
+static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
+{
+    const double length = hypot(to_angle, to_log_radius);
+    bool is_found = false; /* between two points of the line */
+    for (double span = FIRST_SPAN; length > 0 && span > last_span;) {
+        polar at[LINE];
+        double J2[LINE];
+        for (int i = 0; i < LINE; i++) {
+            const double t = span * (2.0 * (i + 1) / (LINE + 1) - 1) / length;
+            at[i] = (polar){c->top.angle + t * to_angle, c->top.log_radius + t * to_log_radius};
+        }
+        evaluate_places(c, LINE, at, J2);
+        int highest = 0;
+        for (int i = 1; i < LINE; i++)
+            if (J2[i] > J2[highest])
+                highest = i;
+        const bool is_higher = J2[highest] > c->J2;
+        if (is_higher) {
+            c->top = at[highest];
+            c->J2 = J2[highest];
+        }
+        is_found = is_found || !is_higher || (highest > 0 && highest < LINE - 1);
+        span *= is_found ? 2.0 / (LINE + 1) : 2;
+    }
+}
+
+/* Two places that are highest for their radius give a line to the next: it follows the ridges of
+ * J2, flat to 1e-9, that narrow roundings have, and is exact where J2 is quadratic (Powell's
+ * conjugate direction). */
+static void climb_to(climb *c, double last_span)
+{
+    for (int i = 0; ALWAYS(i < CLIMB_MAX); i++) { /* a few are enough */
+        const double before = c->J2;
+        climb_along(c, 1, 0, last_span);
+        const polar one = c->top;
+        climb_along(c, 0, 1, last_span);
+        climb_along(c, 1, 0, last_span);
+        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
+        if (c->J2 - before <= ENOUGH * before || last_span >= ROUGH_SPAN)
+            return;
+    }
+}
+
+/* Roughly first: not farther where it is a lower top, or the one that is known, and from no mark
+ * much farther away, which would have seen it in less detail. */
+static void climb_to_top(climb *c)
+{
+    search *s = c->s;
+    climb_to(c, ROUGH_SPAN);
+    const double r = exp(c->top.log_radius);
+    const double to_known =
+        hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
+    if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
+        return;
+    climb_to(c, LAST_SPAN);
+    if (c->J2 >= s->J2) {
+        s->top_x = s->x;
+        s->top_y = s->y;
+        s->top_radius = r;
+    }
+}
+
+/* ---- The grid around one mark ---- */
+
+/* As many radii as are kept at a time: those of one annulus, rows of them. */
+typedef struct {
+    double centre;
+    int rows;
+    double radius[RADII], cosine[ANGLES], sine[ANGLES];
+    double J2[RADII][ANGLES];
+} polar_grid;
+
+static void fill(search *s, polar_grid *grid, double centre, double outermost, double innermost)
+{
+    grid->centre = centre;
+    for (int j = 0; j < ANGLES; j++) {
+        grid->cosine[j] = cos(j * RW_PI / (ANGLES - 1));
+        grid->sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
+    }
+    double radius = outermost;
+    int i = 0;
+    for (; i < RADII && radius > innermost; i++) {
+        double x[ANGLES], y[ANGLES];
+        for (int j = 0; j < ANGLES; j++) {
+            x[j] = centre + radius * grid->cosine[j];
+            y[j] = radius * grid->sine[j];
+        }
+        evaluate(s, ANGLES, x, y, grid->J2[i]);
+        grid->radius[i] = radius;
+        radius *= FALL;
+    }
+    grid->rows = i;
+}
+
+/* On a plateau, the first of its points. */
+static bool is_maximum(const polar_grid *grid, int i, int j)
+{
+    for (int k = i > 0 ? i - 1 : 0; k <= i + 1 && k < grid->rows; k++)
+        for (int l = j > 0 ? j - 1 : 0; l <= j + 1 && l < ANGLES; l++)
+            if (grid->J2[k][l] > grid->J2[i][j] ||
+                (grid->J2[k][l] == grid->J2[i][j] && (k < i || (k == i && l < j))))
+                return false;
+    return true;
+}
+
+/* From the rows first ... end-1. */
+static void climb_from_grid(search *s, const polar_grid *grid, int first, int end)
+{
+    climb c = {.s = s,
+               .centre = grid->centre,
+               .innermost = 0.1 * grid->radius[end - 1],
+               .outermost = 10 * grid->radius[0]};
+    for (int i = first; i < end; i++)
+        for (int j = 0; j < ANGLES; j++)
+            if (grid->J2[i][j] >= WORTHWHILE * s->J2 && is_maximum(grid, i, j)) {
+                c.top = (polar){j * RW_PI / (ANGLES - 1), log(grid->radius[i])};
+                c.J2 = grid->J2[i][j];
+                climb_to_top(&c);
+            }
+}
+
+static void search_around(search *s, size_t i)
+{
+    const double outermost = reach(s->contact, i), innermost = innermost_radius(s->contact, i);
+    const double centre = mark(s->contact, i), surface = 0;
+    double J2;
+    if (centre != 0 || s->contact->geometry.a > 0)
+        evaluate(s, 1, &centre, &surface, &J2);
+    if (outermost <= innermost) /* the same as another mark, to rounding */
+        return;
+    polar_grid grid;
+    fill(s, &grid, centre, outermost, innermost);
+    int first = 0;
+    /* goes on: with its last two rows, so that each row has both its neighbours once */
+    while (grid.rows == RADII) {
+        climb_from_grid(s, &grid, first, RADII - 1);
+        fill(s, &grid, centre, grid.radius[RADII - 2], innermost);
+        first = 1;
+    }
+    climb_from_grid(s, &grid, first, grid.rows);
+}
+
+/* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the
+ * material yields by shape alone and the traction's infinity is stuck. */
+static bool is_infinite(const rwedge_contact *contact, double kappa)
+{
+    return contact->geometry.a == 0 &&
+           (kappa > 0 || contact->f * contact->memory.corners[1].ratio != 0);
+}
+
+int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
+                                    double *factor, double *x, double *y)
+{
+    if (!contact || !factor)
+        return RWEDGE_ENULL;
+    if (!rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
+        return RWEDGE_EDOMAIN;
+    if (contact->memory.count < 2)
+        return RWEDGE_EABSENT;
+    const int doublings = magnification(contact);
+    search s = {.contact = contact,
+                .kappa = rw_plane_strain_weight(nu),
+                .magnify = rw_power_of_two(doublings),
+                .top_radius = HUGE_VAL};
+    double found = 0;
+    if (!is_infinite(contact, s.kappa)) {
+        for (size_t i = 0; i < count_marks(contact); i++)
+            search_around(&s, i);
+        if (NEVER(!(s.J2 > 0))) /* the grid has points with stress */
+            return RWEDGE_ERANGE;
+        rw_scaled highest =
+            rw_scaled_times(rw_unit_stress(&contact->geometry), rw_scaled_from(sqrt(s.J2)));
+        highest.exponent -= doublings;
+        found = rw_scaled_value(rw_scaled_over(rw_scaled_from(k), highest));
+    }
+    if (!isfinite(found))
+        return RWEDGE_ERANGE;
+    *factor = found;
+    if (x)
+        *x = s.x;
+    if (y)
+        *y = s.y;
+    return RWEDGE_OK;
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1
+ * - D|, the shear traction changes by f w times that of a flat punch of half-width eta(s).
+ * Outside it the points slip by
+ *     |d slip| = (A f w/pi) arcosh(|x|/eta(s)) ds,
+ * and the pressure p = -int ds'/(pi sqrt(eta(s')^2 - x^2)) does the work
+ *     int f |p| |d slip| dx = (A f^2 w/pi) ds int_s^P ln(eta(s')/eta(s)) ds'
+ * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement
+ * ln(eta'/eta). Written as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged,
+ * a layer s1 < s < s0 of constant w, passed while the edge moves from P0 to P1, dissipates
+ *     (A f^2 w/pi) int B(u) du/(u m(u)),   B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
+ * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp
+ * wedge. */
+#include "history/dissipation.h"
+
+#include "base/always.h"
+#include "base/domain.h"
+#include "base/integral.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+/* A layer, in depths below the load `top` at the start of the step, because layers may be thin:
+ * the front goes from s0 to s1, the edge from p0 to p1, s0 <= s1, p <= s. */
+typedef struct {
+    double top, corner_load;
+    double s0, s1, p0, p1;
+} layer;
+
+/* ---- The integrand ---- */
+
+/* B at the depth d. P - u is linear in s: a trapezium, or what is left of it above 0. */
+static double overlap(const layer *l, double d)
+{
+    const double from = fmax(l->s0, d), length = l->s1 - from;
+    if (length <= 0)
+        return 0;
+    /* always: s1 - s0 is not less than the length */
+    const double slope = ALWAYS(l->s1 > l->s0) ? (l->p1 - l->p0) / (l->s1 - l->s0) : 0;
+    const double at_s1 = d - l->p1, at_from = d - (l->p0 + slope * (from - l->s0));
+    if (at_s1 >= 0 && at_from >= 0)
+        return length * (at_s1 + at_from) / 2;
+    const double above = fmax(at_s1, at_from), below = fmin(at_s1, at_from);
+    return above > 0 ? length * above / (above - below) * above / 2 : 0;
+}
+
+/* m(u) for a load u, which may be that at the end of the rounding. The half-width e = eta/a
+ * solves e load(1/e) = (pi/2) ratio; the left side is concave, so that Newton's steps from below
+ * stay below: at most 4 are needed. */
+static double logarithmic_slope(double u, double corner_load)
+{
+    if (u <= corner_load)
+        return 2;
+    if (u * DBL_EPSILON > corner_load) /* of the sharp wedge corner_load is 0 */
+        return 1;
+    const double ratio = u / corner_load;
+    double e = fmax(sqrt(ratio), RW_HALF_PI / 2 * ratio), rounded = 0, whole = 0;
+    for (int step = 0; ALWAYS(step < 8); step++) { /* 4 are enough */
+        rounded = asin(1 / e) * e;
+        whole = rounded + rw_cos_asin(1 / e);
+        const double change = (RW_HALF_PI * ratio - e * whole) / (2 * rounded);
+        e += change;
+        if (change < 1e-14 * e)
+            break;
+    }
+    return 2 * rounded / whole;
+}
+
+static double integrand(const layer *l, double d)
+{
+    const double u = l->top - d;
+    if (u <= 0) /* rounding of a depth next to the origin, where B/u is finite and without weight */
+        return 0;
+    return overlap(l, d) / (u * logarithmic_slope(u, l->corner_load));
+}
+
+/* ---- Its integral ---- */
+
+/* A panel in u in which the integrand is smooth, but for a square root of u - corner_load where
+ * that is near. */
+typedef struct {
+    const layer *l;
+    /* of hi; loads above that of the corner where they are replaced by their square root */
+    double depth, lo, hi;
+} panel;
+
+static double plain(double below, const void *context)
+{
+    const panel *p = context;
+    return integrand(p->l, p->depth + below);
+}
+
+/* u = corner_load + t^2. */
+static double square_root(double t, const void *context)
+{
+    const panel *p = context;
+    const double top = sqrt(p->hi);
+    return 2 * t * integrand(p->l, p->depth + (top - t) * (top + t));
+}
+
+static double panel_integral(const layer *l, double shallow, double deep)
+{
+    const panel p = {l, shallow, l->top - deep - l->corner_load, l->top - shallow - l->corner_load};
+    /* of a panel's end that was meant to be the corner, which may be far above the load */
+    const double rounding = rw_memory_tolerance(fmax(l->top, l->corner_load));
+    if (p.hi <= rounding || p.lo < -rounding ||
+        p.lo > deep - shallow) /* by rounding: panels are cut at the corner */
+        return rw_integral(plain, &p, 0, deep - shallow);
+    return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
+}
+
+/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for
+ * panels in geometric sequence; those that rounding would not separate from u = 0 add nothing,
+ * as B is of order u there. */
+static double smooth_integral(const layer *l, double shallow, double deep)
+{
+    double sum = 0;
+    while (shallow < deep && l->top - shallow > DBL_EPSILON * l->top) {
+        const double next = fmin(deep, l->top - (l->top - shallow) / 4);
+        sum += panel_integral(l, shallow, next);
+        shallow = next;
+    }
+    return sum;
+}
+
+static double layer_integral(const layer *l)
+{
+    const double corner = l->top - l->corner_load; /* the depth where m(u) has its corner */
+    double cut[5] = {l->p0, l->p1, l->s0, corner, l->s1};
+    for (int i = 1; i < 5; i++)
+        for (int j = i; j > 0 && cut[j] < cut[j - 1]; j--) {
+            const double swap = cut[j];
+            cut[j] = cut[j - 1];
+            cut[j - 1] = swap;
+        }
+    const double shallowest = fmin(l->p0, l->p1), deepest = l->s1;
+    double sum = 0;
+    for (int i = 1; i < 5; i++)
+        sum += smooth_integral(l, fmax(cut[i - 1], shallowest), fmin(cut[i], deepest));
+    return sum;
+}
+
+/* ---- The step ---- */
+
+/* Loads are over the unit. */
+typedef struct {
+    const rw_memory *memory;
+    double per_unit;
+    double top, run, rise; /* the step: t = 0 ... 1 */
+    double corner_load;
+} step;
+
+/* How far a corner of the path lies below its end. */
+static double depth_of(const step *s, size_t i)
+{
+    return s->top - s->memory->corners[i].load * s->per_unit;
+}
+
+/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load
+ * has climbed by t climb above that at t = 0, and the front is where the path has climbed as
+ * much: by 1 - slip D per depth. */
+static double sweep(const step *s, int slip, double start, double end)
+{
+    const double climb = slip * s->rise - s->run;
+    const rw_corner *corners = s->memory->corners;
+    double front = fmax(0, -s->run * start), t = start, sum = 0;
+    for (size_t i = s->memory->count - 1; i > 0 && t < end; i--) {
+        const double bottom = depth_of(s, i - 1);
+        const double weight = 1 - slip * corners[i].ratio;
+        if (bottom <= front || weight <= 0)
+            front = fmax(front, bottom);
+        if (bottom <= front)
+            continue;
+        const double t_bottom = t + weight * (bottom - front) / climb;
+        const double next =
+            t_bottom > end ? fmin(bottom, front + (end - t) * climb / weight) : bottom;
+        const double t_next = fmin(t_bottom, end);
+        const layer l = {s->top, s->corner_load, front, next, -s->run * t, -s->run * t_next};
+        sum += weight * layer_integral(&l);
+        front = next;
+        t = t_next;
+    }
+    return sum;
+}
+
+static int sign(double v)
+{
+    return (v > 0) - (v < 0);
+}
+
+/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead
+ * of the path's there. Where it changes sign the zone of slip has shrunk to nothing and begins
+ * anew with the other sign. */
+static double falling(const step *s)
+{
+    const rw_corner *corners = s->memory->corners;
+    double t = 0, start = 0, missing = 0, sum = 0;
+    int slip = 0;
+    for (size_t i = s->memory->count - 1; i > 0 && t < 1; i--) {
+        const double next = fmin(1, depth_of(s, i - 1) / -s->run);
+        const double rate = s->rise - corners[i].ratio * s->run;
+        const double then = missing + rate * (next - t);
+        if (slip != 0 && slip * then < 0) {
+            const double crossing = t + missing / -rate;
+            sum += sweep(s, slip, start, crossing);
+            start = crossing;
+            slip = -slip;
+        } else if (slip == 0) {
+            slip = sign(rate);
+            start = t;
+        }
+        missing = then;
+        t = next;
+    }
+    return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
+}
+
+double rw_dissipation(const rw_memory *memory, double load, double shear, double unit,
+                      double corner_load)
+{
+    const rw_corner *end = rw_memory_end(memory);
+    const double per_unit = 1 / unit;
+    const step s = {.memory = memory,
+                    .per_unit = per_unit,
+                    .top = end->load * per_unit,
+                    .run = (load - end->load) * per_unit,
+                    .rise = (shear - end->shear) * per_unit,
+                    .corner_load = corner_load};
+    if (s.run < 0)
+        return falling(&s);
+    if (fabs(s.rise) <= s.run + rw_memory_tolerance(load * per_unit))
+        return 0;
+    return sweep(&s, sign(s.rise), 0, 1);
+}

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The primitive of the potential on the surface, subtracted from the profile. With X =
+ * sqrt(x^2-1), L = arcosh x,
+ *
+ *     (pi/2) gap = x D - ((x-alpha)^2/(2 alpha)) M - (c0/2) L + (phi0/(2 alpha)) (x X - L),
+ *     D = atan(c0 X/(1 + alpha x)),   M = atan(alpha X/(c0 x)),
+ *
+ * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so
+ * that nothing is large for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha).
+ * Next to the edge the sum is of the order X^3 and its terms of the order c0 X: there its
+ * derivative is integrated instead. */
+#include "history/gap.h"
+
+#include "base/domain.h"
+#include "base/integral.h"
+
+#include <float.h>
+
+/* From here, |R| < 1/4 and the series in R is exact with RW_FAR_TERMS; the closed form cancels
+ * like 1/x. */
+static const double FAR = 2.25;
+
+/* x X - arcosh(x) = (sinh 2L - 2L)/2. */
+static double segment_area(double X)
+{
+    if (X > 0.5)
+        return sqrt(1 + X * X) * X - asinh(X);
+    /* int_0^X 2 t^2/sqrt(1+t^2) dt = 2 X^3 sum_k binom(-1/2, k) X^2k/(2k+3): 24 terms leave
+     * 0.25^24 = 4e-15 of a term that is itself below 2e-2 of the first */
+    double term = 1, sum = 1.0 / 3;
+    for (int k = 1; k < 25; k++) {
+        term *= -X * X * (2 * k - 1) / (2 * k);
+        sum += term / (2 * k + 3);
+    }
+    return 2 * X * X * X * sum;
+}
+
+/* M/alpha, whose limit for the sharp wedge is X/x. */
+static double arctangent_over_alpha(const rw_potential *p, double X, double x)
+{
+    const double argument = p->alpha * X / (p->c0 * x);
+    return argument < DBL_EPSILON ? X / (p->c0 * x) : atan(argument) / p->alpha;
+}
+
+static double closed_form(const rw_potential *p, double x, double X)
+{
+    const double from_alpha = x - p->alpha;
+    return 2 / RW_PI *
+           (x * atan(p->c0 * X / (1 + p->alpha * x)) -
+            from_alpha * from_alpha / 2 * arctangent_over_alpha(p, X, x) - p->c0 / 2 * asinh(X) +
+            p->phi0_over_alpha / 2 * segment_area(X));
+}
+
+/* d gap/dX = (g - G) X/x, with x = sqrt(1+X^2). */
+static double derivative(double X, const void *potential)
+{
+    const rw_potential *p = potential;
+    const double x = sqrt(1 + X * X);
+    const double slope = atan(p->c0 * X / (1 + p->alpha * x)) -
+                         (x - p->alpha) * arctangent_over_alpha(p, X, x) + p->phi0_over_alpha * X;
+    return 2 / RW_PI * slope * X / x;
+}
+
+/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the
+ * closed form at infinity. */
+static double far_primitive(const rw_potential *p, double x)
+{
+    const double R = 1 / (x + sqrt(x - 1) * sqrt(x + 1)), R2 = R * R; /* x^2 may overflow */
+    double far[RW_FAR_TERMS];
+    rw_potential_far_coefficients(p, far);
+    double power = 1, sum = far[0] * (R2 / 2 - log(R)); /* power is R^2n */
+    for (int n = 1; n < RW_FAR_TERMS; n++) {
+        power *= R2;
+        sum += far[n] * power * (R2 / (2 * n + 2) - 1.0 / (2 * n));
+    }
+    const double constant =
+        p->alpha >= 1 ? 1 / (4 * p->alpha)
+                      : 2 / RW_PI *
+                                (0.75 * p->c0 + p->alpha * p->alpha * p->phi0_over_alpha / 2 +
+                                 p->phi0_over_alpha / 4) -
+                            p->alpha / 2;
+    return constant + sum / 2;
+}
+
+double rw_profile(double a, double x)
+{
+    return x < a ? x / a * (x / 2) : x - a / 2;
+}
+
+double rw_gap(const rw_potential *potential, double x)
+{
+    if (x <= 1)
+        return 0;
+    if (x > FAR)
+        return rw_profile(potential->alpha, x) - far_primitive(potential, x);
+    const double X = sqrt((x - 1) * (x + 1));
+    if (potential->alpha >= 1) {
+        const double beyond = fmax(x - potential->alpha, 0);
+        return (segment_area(X) - beyond * beyond) / (2 * potential->alpha);
+    }
+    if (X > potential->c0)
+        return closed_form(potential, x, X);
+    return rw_integral(derivative, potential, 0, X);
+}

@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory diagram as a path in the plane of load and shear.
+ *
+ * Memory: a load adds two corners at most, where its line meets the path and where it ends, and
+ * a corner stays only until a later load's line passes beyond it. So the corners are what the
+ * state still depends on: rises of different slopes, and extremes of T + s or T - s that no
+ * later load has exceeded. They grow in number only with loads that curve, and with reversals
+ * each smaller than all that remain; nothing shorter would do for these. In a repeated cycle the
+ * lines meet the path at corners that are there already, and rounding must not leave a sliver at
+ * each pass: hence the tolerance. */
+#include "history/memory.h"
+
+#include "base/always.h"
+#include "base/domain.h"
+
+#include <float.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A corner is where two lines meet whose ends are rounded by epsilon/2 of the load: four
+ * roundings. */
+static const double ROUNDINGS = 4 * DBL_EPSILON;
+
+double rw_memory_tolerance(double load)
+{
+    return ROUNDINGS * load;
+}
+
+static const rw_corner ORIGIN = {.least = -HUGE_VAL, .most = HUGE_VAL};
+
+bool rw_memory_create(rw_memory *memory)
+{
+    *memory = (rw_memory){0};
+    if (!rw_memory_reserve(memory, 4))
+        return false;
+    memory->corners[memory->count++] = ORIGIN;
+    return true;
+}
+
+bool rw_memory_copy(const rw_memory *memory, rw_memory *copy)
+{
+    *copy = (rw_memory){0};
+    if (!rw_memory_reserve(copy, memory->count))
+        return false;
+    memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
+    copy->count = memory->count;
+    return true;
+}
+
+void rw_memory_destroy(rw_memory *memory)
+{
+    free(memory->corners);
+    *memory = (rw_memory){0};
+}
+
+bool rw_memory_reserve(rw_memory *memory, size_t more)
+{
+    if (memory->capacity - memory->count >= more)
+        return true;
+    if (NEVER(memory->count > SIZE_MAX / sizeof *memory->corners / 2 - more)) /* RAM ends before */
+        return false;
+    const size_t capacity = memory->count + memory->count / 2 + more;
+    rw_corner *corners = realloc(memory->corners, capacity * sizeof *corners);
+    if (!corners)
+        return false;
+    memory->corners = corners;
+    memory->capacity = capacity;
+    return true;
+}
+
+static double clipped(double ratio)
+{
+    return fmax(-1, fmin(1, ratio));
+}
+
+static double chord(const rw_corner *from, double load, double shear)
+{
+    return clipped((shear - from->shear) / (load - from->load));
+}
+
+/* Whether the path can go straight from the corner before its end to (load, shear). Every corner
+ * that was left out so has narrowed the slopes that remain; without that, a slow bend in many
+ * small steps would be straightened away. */
+static bool is_straight(const rw_memory *memory, double load, double shear, double *least,
+                        double *most)
+{
+    if (memory->count < 2)
+        return false;
+    const rw_corner *end = rw_memory_end(memory), *from = end - 1;
+    const double tolerance = rw_memory_tolerance(load);
+    const double run = end->load - from->load, rise = end->shear - from->shear;
+    *least = fmax(end->least, (rise - tolerance) / run);
+    *most = fmin(end->most, (rise + tolerance) / run);
+    const double slope = (shear - from->shear) / (load - from->load);
+    return *least <= slope && slope <= *most;
+}
+
+/* The slope of what is left of a corner between two slopes. Where the longer part slipped, all
+ * did: |D| = 1 tells the zone of slip from that of stick, and what a sliver of rounding adds to
+ * the other part must not hide it. */
+static double joint_ratio(const rw_memory *memory, double load, double shear, double ratio)
+{
+    const rw_corner *end = rw_memory_end(memory), *from = end - 1;
+    if (ratio == end->ratio)
+        return ratio;
+    const double longer = load - end->load > end->load - from->load ? ratio : end->ratio;
+    return fabs(longer) == 1 ? longer : chord(from, load, shear);
+}
+
+/* A new end of the path. */
+static void push(rw_memory *memory, double load, double shear, double ratio)
+{
+    rw_corner corner = {load, shear, ratio, -HUGE_VAL, HUGE_VAL, NAN};
+    rw_corner *end = &memory->corners[memory->count - 1];
+    if (load <= end->load) /* within rounding of the corner that is there */
+        return;
+    double least, most;
+    if (!is_straight(memory, load, shear, &least, &most)) {
+        memory->corners[memory->count++] = corner;
+        return;
+    }
+    corner.ratio = joint_ratio(memory, load, shear, ratio);
+    corner.least = least;
+    corner.most = most;
+    *end = corner;
+}
+
+double rw_memory_shear(const rw_memory *memory, double load)
+{
+    size_t low = 0, high = memory->count - 1;
+    while (low + 1 < high) { /* invariant: corners[low].load <= load <= corners[high].load */
+        const size_t middle = low + (high - low) / 2;
+        if (memory->corners[middle].load <= load)
+            low = middle;
+        else
+            high = middle;
+    }
+    const rw_corner *after = &memory->corners[high];
+    return after->shear - after->ratio * (after->load - load);
+}
+
+/* Which way the edge slips in the end on the way to (load, shear); 0 where it does not. */
+static int sign_of_slip(const rw_memory *memory, double load, double shear)
+{
+    const rw_corner *end = rw_memory_end(memory);
+    const double tolerance = rw_memory_tolerance(fmax(load, end->load));
+    const double rise =
+        load < end->load ? shear - rw_memory_shear(memory, load) : shear - end->shear;
+    const double shell = fmax(0, load - end->load); /* takes as much without slip */
+    if (fabs(rise) <= shell + tolerance)
+        return 0;
+    return rise > 0 ? 1 : -1;
+}
+
+/* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls
+ * along the path. */
+static double inside(const rw_corner *corner, int slip, double load, double shear)
+{
+    return (load - corner->load) - slip * (shear - corner->shear);
+}
+
+static rw_corner between(const rw_corner *before, const rw_corner *after, double fraction)
+{
+    const double run = fraction * (after->load - before->load);
+    return (rw_corner){.load = before->load + run,
+                       .shear = before->shear + run * after->ratio,
+                       .ratio = after->ratio,
+                       .least = after->least,
+                       .most = after->most,
+                       .half_width = NAN};
+}
+
+/* Where a path that does not slip is cut off, or goes on from. */
+static rw_departure stuck_departure(const rw_memory *memory, double load)
+{
+    size_t last = memory->count - 1;
+    while (memory->corners[last].load > load)
+        last--;
+    const rw_corner *before = &memory->corners[last];
+    if (last + 1 == memory->count || before->load == load)
+        return (rw_departure){*before, last + 1, 0};
+    const rw_corner *after = before + 1;
+    const double fraction = (load - before->load) / (after->load - before->load);
+    return (rw_departure){between(before, after, fraction), last + 1, 0};
+}
+
+rw_departure rw_memory_departure(const rw_memory *memory, double load, double shear)
+{
+    const int slip = sign_of_slip(memory, load, shear);
+    if (slip == 0)
+        return stuck_departure(memory, load);
+    const double tolerance = rw_memory_tolerance(fmax(load, rw_memory_end(memory)->load));
+    size_t last = memory->count - 1; /* the last corner inside the line; the origin always is */
+    while (last > 0 && (memory->corners[last].load > load ||
+                        inside(&memory->corners[last], slip, load, shear) < -tolerance))
+        last--;
+    const rw_corner *before = &memory->corners[last];
+    const rw_departure at_corner = {*before, last + 1, slip};
+    const double depth = inside(before, slip, load, shear);
+    /* never: the end of the path is outside the line, or nothing would slip */
+    if (NEVER(last + 1 == memory->count) || depth <= tolerance)
+        return at_corner;
+    const double beyond = inside(before + 1, slip, load, shear);
+    const rw_corner corner = between(before, before + 1, depth / (depth - beyond));
+    /* always: the line meets the path before it ends */
+    return ALWAYS(corner.load < load) ? (rw_departure){corner, last + 1, slip} : at_corner;
+}
+
+/* Where a step changes less than the tolerance the path stays as it is, and does not take over
+ * the new values: so that many small steps cannot shift it unnoticed. */
+void rw_memory_advance(rw_memory *memory, const rw_departure *departure, double load, double shear)
+{
+    const rw_corner end = *rw_memory_end(memory);
+    const int slip = departure->slip;
+    memory->count = departure->kept;
+    if (departure->corner.load > memory->corners[memory->count - 1].load)
+        memory->corners[memory->count++] = departure->corner;
+    if (slip != 0) {
+        push(memory, load, shear, slip);
+    } else if (load < end.load && load > 0) {
+        memory->corners[memory->count - 1].load = load; /* to the last bit */
+    } else if (load > end.load) {
+        const double rise = shear - end.shear, run = load - end.load;
+        const bool steepest = fabs(fabs(rise) - run) <= rw_memory_tolerance(load);
+        push(memory, load, shear, steepest ? (rise > 0 ? 1 : -1) : clipped(rise / run));
+    }
+}

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strength of the contact in full sliding: first yield and maximum tension. In natural units
+ * the load is A P/(theta b) and yield begins where max sqrt(J2) = A k/theta: P/(bk) is the
+ * quotient. */
+#include "rwedge.h"
+
+#include "base/domain.h"
+#include "base/root.h"
+#include "strength/subsurface.h"
+#include "strength/surface.h"
+#include "stress/von_mises.h"
+
+/* For alpha >= 1 load and stresses fall alike with 1/alpha: whatever is divided by the load
+ * is that of alpha = 1. */
+static double shape(double alpha)
+{
+    return fmin(alpha, 1);
+}
+
+double rwedge_max_tension(double alpha)
+{
+    if (!rw_is_nonnegative(alpha))
+        return NAN;
+    /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact
+     * half-width (E5). */
+    return 2 / rwedge_load(shape(alpha));
+}
+
+static bool is_case(double alpha, double f, double nu)
+{
+    return rw_is_tip(alpha) && rw_is_friction(f) && rw_is_poisson(nu);
+}
+
+static double limit_of(double alpha, rw_maximum maximum)
+{
+    return rwedge_load(shape(alpha)) / sqrt(maximum.J2);
+}
+
+/* The sharp wedge: stresses are infinite at the apex, but for a material that yields by shape
+ * alone and a normal load: there the deviator stays below 2/pi, and tends to it on the axis. */
+static double sharp_limit(double f, double nu)
+{
+    return f == 0 && nu == 0.5 ? RW_PI : 0;
+}
+
+static rw_maximum global_maximum(double alpha, double f, double nu)
+{
+    const double kappa = rw_plane_strain_weight(nu);
+    const rw_maximum surface = rw_surface_maximum(shape(alpha), f, kappa);
+    rw_maximum below;
+    if (rw_subsurface_maximum(shape(alpha), f, kappa, &below) && below.J2 >= surface.J2)
+        return below;
+    return surface;
+}
+
+static void yield_point(double alpha, double f, double nu, double *limit, double *x, double *y)
+{
+    if (alpha == 0) {
+        *limit = sharp_limit(rw_friction(f), nu);
+        *x = *y = 0;
+        return;
+    }
+    const rw_maximum maximum = global_maximum(alpha, rw_friction(f), nu);
+    *limit = limit_of(alpha, maximum);
+    *x = maximum.x;
+    *y = maximum.y;
+}
+
+double rwedge_elastic_limit(double alpha, double f, double nu)
+{
+    if (!is_case(alpha, f, nu))
+        return NAN;
+    double limit, x, y;
+    yield_point(alpha, f, nu, &limit, &x, &y);
+    return limit;
+}
+
+int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[], double nu,
+                              double limit[])
+{
+    if (n > 0 && (!alpha || !f || !limit))
+        return RWEDGE_ENULL;
+    if (!rw_is_poisson(nu))
+        return RWEDGE_EDOMAIN;
+    for (size_t i = 0; i < n; i++)
+        if (!is_case(alpha[i], f[i], nu))
+            return RWEDGE_EDOMAIN;
+    for (size_t i = 0; i < n; i++)
+        limit[i] = rwedge_elastic_limit(alpha[i], f[i], nu);
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_yield_point(double alpha, double f, double nu, double *limit, double *x, double *y)
+{
+    if (!limit || !x || !y)
+        return RWEDGE_ENULL;
+    if (!is_case(alpha, f, nu))
+        return RWEDGE_EDOMAIN;
+    yield_point(alpha, f, nu, limit, x, y);
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit, double *x,
+                                double *y)
+{
+    if (!limit || !x || !y)
+        return RWEDGE_ENULL;
+    if (!is_case(alpha, f, nu))
+        return RWEDGE_EDOMAIN;
+    rw_maximum below;
+    if (alpha == 0 ||
+        !rw_subsurface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu), &below))
+        return RWEDGE_EABSENT;
+    *limit = limit_of(alpha, below);
+    *x = below.x;
+    *y = below.y;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, double *x)
+{
+    if (!limit || !x)
+        return RWEDGE_ENULL;
+    if (!is_case(alpha, f, nu))
+        return RWEDGE_EDOMAIN;
+    if (rw_friction(f) == 0 && nu == 0.5)
+        return RWEDGE_EABSENT;
+    const rw_maximum surface =
+        alpha > 0 ? rw_surface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu))
+                  : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
+    *limit = limit_of(alpha, surface);
+    *x = surface.x;
+    return RWEDGE_OK;
+}
+
+typedef struct {
+    double alpha, kappa;
+} pair;
+
+/* How far the subsurface maximum exceeds that of the surface; -1 past its end, where the surface
+ * has long overtaken it. */
+static double excess_below(double f, const void *context)
+{
+    const pair *p = context;
+    rw_maximum below;
+    if (!rw_subsurface_maximum(p->alpha, f, p->kappa, &below))
+        return -1;
+    return 1 - rw_surface_maximum(p->alpha, f, p->kappa).J2 / below.J2;
+}
+
+double rwedge_critical_friction(double alpha, double nu)
+{
+    /* at f = 1 no subsurface maximum is left, for any alpha and nu */
+    static const double LARGEST = 1;
+    if (!rw_is_tip(alpha) || !rw_is_poisson(nu))
+        return NAN;
+    const pair p = {shape(alpha), rw_plane_strain_weight(nu)};
+    if (alpha == 0 || excess_below(0, &p) <= 0)
+        return 0;
+    return rw_root(excess_below, &p, 0, LARGEST, 1e-18);
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elliptic coordinates about the contact: z = sin(zeta), zeta = v + i w. The contact is w = 0,
+ * |v| <= pi/2. */
+#ifndef RW_ELLIPTIC_H
+#define RW_ELLIPTIC_H
+
+#include "base/inline.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+/* A point with x >= 0: all of these are nonnegative, and each is accurate relatively. */
+typedef struct {
+    double x, y;
+    double sin_v, cos_v, sinh_w, cosh_w;
+    double cos2; /* |cos(zeta)|^2, not 0 */
+} rw_elliptic;
+
+/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. sinh(w) cos(v) = y and sinh(w)^2 -
+ * cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m cancels
+ * (|z| near 1) its error is small beside 2 y. The root of its discriminant is |cos(zeta)|^2;
+ * next to the edge x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
+RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
+{
+    const double m = beyond * (x + 1) + y * y, size = m < 0 ? -m : m;
+    const double discriminant = m * m + 4 * y * y;
+    const double cos2 = sqrt(discriminant > DBL_MIN ? discriminant : DBL_MIN);
+    const double larger = sqrt((size + cos2) / 2), smaller = y / larger;
+    const double sinh_w = m < 0 ? smaller : larger, cosh_w = sqrt(1 + sinh_w * sinh_w);
+    return (rw_elliptic){.x = x,
+                         .y = y,
+                         .sin_v = x / cosh_w,
+                         .cos_v = m < 0 ? larger : smaller,
+                         .sinh_w = sinh_w,
+                         .cosh_w = cosh_w,
+                         .cos2 = cos2};
+}
+
+/* The same; false where the point cannot be told from the edge. */
+static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)
+{
+    *e = rw_elliptic_at(x, y, beyond);
+    return e->cos2 > 0x1p-511;
+}
+
+/* Beyond 1e8 R = 1/(2z) to the last bit. */
+static inline bool rw_is_remote(double x, double y)
+{
+    return x > 1e8 || y > 1e8;
+}
+
+/* A point that far, from any direction. */
+typedef struct {
+    double cosine, sine; /* of the angle of z */
+    double R_re, R_im;   /* 1/(2z) */
+} rw_ray;
+
+static inline rw_ray rw_ray_to(double x, double y)
+{
+    const double large = x > y ? x : y, u = x / large, v = y / large;
+    const double r = sqrt(u * u + v * v), cosine = u / r, sine = v / r;
+    return (rw_ray){cosine, sine, cosine / 2 / r / large, -sine / 2 / r / large};
+}
+
+/* |R| = exp(-w), where R = z - sqrt(z^2-1) = -i exp(i zeta). */
+RW_INLINE double rw_elliptic_shrink(const rw_elliptic *e)
+{
+    return 1 / (e->sinh_w + e->cosh_w);
+}
+
+/* The real part of R/X times |cos(zeta)|^2; the imaginary part is -sin(v) cos(v). */
+RW_INLINE double rw_elliptic_RX_re(const rw_elliptic *e, double shrink)
+{
+    return shrink * (e->sin_v * e->sin_v * e->sinh_w - e->cos_v * e->cos_v * e->cosh_w);
+}
+
+#endif

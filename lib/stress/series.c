@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The paper's route to the stresses: p = -sqrt(1-x^2) sum a_k U_k(x), whose potential is G = sum
+ * a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) = sin((k+1) t): a sine
+ * series, which is what is fitted and summed. */
+#include "rwedge.h"
+
+#include "base/always.h"
+#include "base/domain.h"
+#include "stress/elliptic.h"
+#include "base/least_squares.h"
+#include "base/scaled.h"
+#include "stress/stress.h"
+
+#include <stdlib.h>
+
+enum { MAX_TERMS = 1 << 24, MAX_ENTRIES = 1 << 27 };
+
+/* As a power of two, of the weighted coefficients: times f = 1e6 they are still finite. */
+enum { LARGEST_SUM = 1000 };
+
+struct rwedge_series {
+    double residual;
+    int32_t terms;
+    double a[];
+};
+
+static rwedge_series *allocate(int32_t terms)
+{
+    rwedge_series *series = malloc(sizeof *series + (size_t)terms * sizeof series->a[0]);
+    if (series)
+        series->terms = terms;
+    return series;
+}
+
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|,
+ * which is - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <=
+ * ln((n+1)/n)/2; - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which
+ * telescopes. */
+static double analytic_tail(double alpha, double N)
+{
+    if (alpha >= 1)
+        return 0;
+    if (alpha == 0)
+        return HUGE_VAL;
+    if (alpha < 1e-300) /* whose reciprocal may overflow: M is 1/(2 alpha) */
+        return 2 / RW_PI * ((1 + 0.5 / (N * (N + 1))) * (-log(alpha) - log(2 * N)) + 1);
+    const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
+    return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) +
+           (slope + 1 / (2 * M + 1)) / (RW_PI * M);
+}
+
+int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series)
+{
+    if (!series)
+        return RWEDGE_ENULL;
+    if (!rw_is_nonnegative(alpha))
+        return RWEDGE_EDOMAIN;
+    if (terms < 1 || terms > MAX_TERMS)
+        return RWEDGE_ERANGE;
+    rwedge_series *made = allocate(terms);
+    if (!made)
+        return RWEDGE_ENOMEM;
+    for (int32_t k = 0; k < terms; k++)
+        made->a[k] = k % 2 == 0 ? rwedge_coefficient(alpha, k / 2) : 0;
+    made->residual = analytic_tail(alpha, (terms + 1) / 2); /* the first b_n that is cut off */
+    *series = made;
+    return RWEDGE_OK;
+}
+
+/* -sqrt(1-x^2) U_k(x), all k, at the samples. */
+static void fill_columns(int32_t samples, int32_t terms, const double x[], double *A)
+{
+    for (int32_t i = 0; i < samples; i++) {
+        const double t = atan2(rw_cos_asin(x[i]), x[i]);
+        for (int32_t k = 0; k < terms; k++)
+            A[(size_t)k * (size_t)samples + (size_t)i] = -sin((k + 1) * t);
+    }
+}
+
+/* Of the samples times `scale`. */
+static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples,
+                                         const double x[], const double p[], double scale)
+{
+    double sum = 0;
+    for (size_t i = 0; i < samples; i++) {
+        const double misfit = rwedge_series_pressure(series, x[i]) - scale * p[i];
+        sum += misfit * misfit;
+    }
+    return sqrt(sum / (double)samples);
+}
+
+/* The power of two that is next to the largest sample: over it, no sum or square overflows or
+ * underflows. */
+static int magnitude(size_t samples, const double p[])
+{
+    double largest = 0;
+    for (size_t i = 0; i < samples; i++)
+        largest = fmax(largest, fabs(p[i]));
+    return largest > 0 ? (int)fmax(-1000, fmin(1000, ilogb(largest))) : 0;
+}
+
+/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow
+ * then. */
+static bool enlarge(rwedge_series *made, int doublings)
+{
+    double sum = made->residual;
+    for (int32_t k = 0; k < made->terms; k++)
+        sum += (k + 1) * fabs(made->a[k]);
+    /* never: the samples are of the order 1, and the rank is checked */
+    if (NEVER(!isfinite(sum)) || (sum > 0 && ilogb(sum) + doublings > LARGEST_SUM))
+        return false;
+    for (int32_t k = 0; k < made->terms; k++)
+        made->a[k] *= rw_power_of_two(doublings);
+    made->residual *= rw_power_of_two(doublings);
+    return true;
+}
+
+/* Solves for made->a. work holds the matrix and the right-hand side. */
+static int32_t fit(size_t samples, const double x[], const double p[], double *work,
+                   rwedge_series *made)
+{
+    const size_t entries = samples * (size_t)made->terms;
+    const int doublings = magnitude(samples, p);
+    const double scale = rw_power_of_two(-doublings);
+    double *v = work + entries;
+    fill_columns((int32_t)samples, made->terms, x, work);
+    for (size_t i = 0; i < samples; i++)
+        v[i] = scale * p[i];
+    const int32_t status = rw_least_squares((int32_t)samples, made->terms, work, v);
+    if (status != RWEDGE_OK)
+        return status;
+    for (int32_t k = 0; k < made->terms; k++)
+        made->a[k] = v[k];
+    made->residual = root_mean_square_of_misfit(made, samples, x, p, scale);
+    return enlarge(made, doublings) ? RWEDGE_OK : RWEDGE_ENOCONV;
+}
+
+static bool are_samples(size_t samples, const double x[], const double p[])
+{
+    for (size_t i = 0; i < samples; i++)
+        if (!isfinite(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
+            return false;
+    return true;
+}
+
+int32_t rwedge_series_fit(size_t samples, const double x[], const double p[], int32_t terms,
+                          rwedge_series **series)
+{
+    if (!series || (samples > 0 && (!x || !p)))
+        return RWEDGE_ENULL;
+    if (terms < 1 || terms > MAX_TERMS || samples > (size_t)MAX_ENTRIES / (size_t)terms)
+        return RWEDGE_ERANGE;
+    if (!are_samples(samples, x, p))
+        return RWEDGE_EDOMAIN;
+    if (samples < (size_t)terms)
+        return RWEDGE_ERANK;
+    rwedge_series *made = allocate(terms);
+    double *work = malloc((samples * (size_t)terms + samples) * sizeof *work);
+    const int32_t status = made && work ? fit(samples, x, p, work, made) : RWEDGE_ENOMEM;
+    free(work);
+    if (status == RWEDGE_OK)
+        *series = made;
+    else
+        free(made);
+    return status;
+}
+
+void rwedge_series_destroy(rwedge_series *series)
+{
+    free(series);
+}
+
+int32_t rwedge_series_terms(const rwedge_series *series)
+{
+    return series ? series->terms : 0;
+}
+
+double rwedge_series_coefficient(const rwedge_series *series, int32_t k)
+{
+    if (!series || k < 0)
+        return NAN;
+    return k < series->terms ? series->a[k] : 0;
+}
+
+double rwedge_series_residual(const rwedge_series *series)
+{
+    return series ? series->residual : NAN;
+}
+
+/* sum a_k R^(k+1) and, with the weights k+1, -X dG/dz, by Horner. */
+typedef struct {
+    double G_re, G_im, weighted_re, weighted_im;
+} sums;
+
+static sums sum_powers(const rwedge_series *series, double R_re, double R_im)
+{
+    sums s = {0, 0, 0, 0};
+    for (int32_t k = series->terms - 1; k >= 0; k--) {
+        const double G = s.G_re + series->a[k], weighted = s.weighted_re + (k + 1) * series->a[k];
+        s.G_re = G * R_re - s.G_im * R_im;
+        s.G_im = G * R_im + s.G_im * R_re;
+        s.weighted_re = weighted * R_re - s.weighted_im * R_im;
+        s.weighted_im = weighted * R_im + s.weighted_im * R_re;
+    }
+    return s;
+}
+
+double rwedge_series_pressure(const rwedge_series *series, double x)
+{
+    if (!series || !isfinite(x))
+        return NAN;
+    if (fabs(x) >= 1)
+        return 0;
+    /* R_n = T_n - i sqrt(1-x^2) U_(n-1) on y = 0 (E3) */
+    return sum_powers(series, x, -rw_cos_asin(x)).G_im;
+}
+
+/* G and y G' = -y (weighted sum)/X at any point of the half-plane; the left half mirrors the
+ * right one in R and X. */
+static rw_field field_at(const rwedge_series *series, double x, double y)
+{
+    const double right = fabs(x), sign = x < 0 ? -1 : 1;
+    double R_re, R_im, y_per_X_re, y_per_X_im;
+    rw_elliptic e;
+    if (rw_is_remote(right, y)) { /* X = z */
+        const rw_ray ray = rw_ray_to(right, y);
+        R_re = ray.R_re;
+        R_im = ray.R_im;
+        y_per_X_re = ray.sine * ray.cosine;
+        y_per_X_im = -ray.sine * ray.sine;
+    } else {
+        const bool apart = rw_elliptic_coordinates(right, y, right - 1, &e);
+        const double shrink = rw_elliptic_shrink(&e);
+        const double scale = apart ? y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w) : 0;
+        R_re = shrink * e.sin_v;
+        R_im = -shrink * e.cos_v;
+        y_per_X_re = scale * e.sin_v * e.sinh_w;
+        y_per_X_im = -scale * e.cos_v * e.cosh_w;
+    }
+    const sums s = sum_powers(series, sign * R_re, R_im);
+    y_per_X_re *= sign;
+    return (rw_field){s.G_re, s.G_im, -(s.weighted_re * y_per_X_re - s.weighted_im * y_per_X_im),
+                      -(s.weighted_re * y_per_X_im + s.weighted_im * y_per_X_re)};
+}
+
+static int32_t check(const rwedge_series *series, double f, double x, double y)
+{
+    if (!series)
+        return RWEDGE_ENULL;
+    return rw_is_friction(f) && isfinite(x) && rw_is_nonnegative(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
+}
+
+int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y,
+                                double *re, double *im)
+{
+    if (!re || !im)
+        return RWEDGE_ENULL;
+    const int32_t status = check(series, f, x, y);
+    if (status != RWEDGE_OK)
+        return status;
+    const rw_field field = field_at(series, x, y);
+    *re = (field.G_im - f * field.G_re) / 2;
+    *im = -(field.G_re + f * field.G_im) / 2;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_series_stress(const rwedge_series *series, double f, double x, double y, double *sxx,
+                             double *syy, double *txy)
+{
+    if (!sxx || !syy || !txy)
+        return RWEDGE_ENULL;
+    const int32_t status = check(series, f, x, y);
+    if (status != RWEDGE_OK)
+        return status;
+    const rw_field field = field_at(series, x, y);
+    const rw_stress_state s = rw_superpose(field, rw_field_multiple(f, field));
+    *sxx = s.mean - s.difference;
+    *syy = s.mean + s.difference;
+    *txy = s.shear;
+    return RWEDGE_OK;
+}

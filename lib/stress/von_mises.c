@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "stress/von_mises.h"
+
+#include <complex.h>
+
+double rw_plane_strain_weight(double nu)
+{
+    return (1 - 2 * nu) * (1 - 2 * nu) / 3;
+}
+
+static double dot(double complex a, double complex b)
+{
+    return creal(a) * creal(b) + cimag(a) * cimag(b);
+}
+
+static double complex number(double re, double im)
+{
+    return re + im * I;
+}
+
+/* i a; a product with the constant I would go through the general multiplication. */
+static double complex turned(double complex a)
+{
+    return number(-cimag(a), creal(a));
+}
+
+/* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f -
+ * i,  H = y G'. The potentials are analytic: d/dy is i d/dx but for the explicit y. Each
+ * derivative carries the power of y that makes it a number of the order of J2, at the surface
+ * and at the apex of the smallest tip. */
+rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
+                             double y)
+{
+    rw_curvature bend;
+    const rw_field field = rw_potential_with_curvature(potential, x, y, &bend);
+    const double complex G = number(field.G_re, field.G_im), H = number(field.H_re, field.H_im);
+    const double complex K = number(bend.K_re, bend.K_im), L = number(bend.L_re, bend.L_im);
+    const double complex mu = number(-1, f), sigma = number(-f, -1);
+
+    const double complex D = f * G + mu * H;
+    const double complex Dx = f * H + mu * K;
+    const double complex Dy = turned(Dx) + mu * H;
+    const double complex Dxx = f * K + mu * L;
+    const double complex Dxy = turned(Dxx) + mu * K;
+    const double complex Dyy = -Dxx + 2 * turned(mu * K);
+
+    const double s = creal(sigma * G), sx = creal(sigma * H), sy = -cimag(sigma * H);
+    const double sxx = creal(sigma * K), sxy = -cimag(sigma * K);
+
+    const double complex Df = G + turned(H), Dfx = H + turned(K), Dfy = 2 * turned(H) - K;
+    const double sf = -creal(G), sfx = -creal(H), sfy = cimag(H);
+
+    return (rw_von_mises){
+        .J2 = dot(D, D) + kappa * s * s,
+        .x = 2 * (dot(D, Dx) + kappa * s * sx),
+        .y = 2 * (dot(D, Dy) + kappa * s * sy),
+        .xx = 2 * (dot(Dx, Dx) + dot(D, Dxx) + kappa * (sx * sx + s * sxx)),
+        .xy = 2 * (dot(Dx, Dy) + dot(D, Dxy) + kappa * (sx * sy + s * sxy)),
+        .yy = 2 * (dot(Dy, Dy) + dot(D, Dyy) + kappa * (sy * sy - s * sxx)),
+        .f_x = 2 * (dot(Df, Dx) + dot(D, Dfx) + kappa * (sf * sx + s * sfx)),
+        .f_y = 2 * (dot(Df, Dy) + dot(D, Dfy) + kappa * (sf * sy + s * sfy)),
+        .kappa_x = 2 * s * sx,
+        .kappa_y = 2 * s * sy,
+    };
+}

@@ -1,0 +1,41 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The rooms of cli/ use only what their README allows, and what stands above them.    rooms.sh PROGRAM DATA
+set -eu
+cd "$(dirname "$0")/../../cli"
+rooms=$(sed -n 's|^    \([a-z]*\)/.*|\1|p' CMakeLists.txt | uniq)
+bad=0
+wrong()
+{
+    echo "FAILED: $*"
+    bad=1
+}
+above=nothing
+for room in $rooms; do
+    uses=$(sed -n 's/^Uses: \(.*\)\.$/\1/p' "$room/README.md" | tr -d ,)
+    [ -n "$uses" ] || wrong "cli/$room/README.md does not say which rooms it uses"
+    for other in $uses; do
+        case " $above " in
+        *" $other "*) ;;
+        *) wrong "cli/$room uses $other, which is not above it in cli/CMakeLists.txt" ;;
+        esac
+    done
+    for other in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$room"/*.[ch] | sort -u); do
+        case " $uses " in
+        *" $other "*) ;;
+        *) wrong "cli/$room includes a header of $other, which its README does not allow" ;;
+        esac
+    done
+    for header in "$room"/*.h; do
+        [ -e "${header%.h}.c" ] || ! grep -q '^extern\|^[a-z][a-z_0-9 *]*(' "$header" ||
+            wrong "cli/$header declares what another file defines"
+    done
+    above="$above $room"
+done
+for folder in */; do
+    case " $above " in
+    *" ${folder%/} "*) ;;
+    *) wrong "cli/$folder is no room of cli/CMakeLists.txt" ;;
+    esac
+done
+[ "$bad" -eq 0 ] && echo "ok: $(echo $rooms | wc -w) rooms, each above those that use it"

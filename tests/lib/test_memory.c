@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory diagram, apart from any geometry, and the displacement of a patch. */
+#include "claims.h"
+#include "history/memory.h"
+#include "quadrature.h"
+#include "rwedge.h"
+#include "history/gap.h"
+
+#include <float.h>
+
+static void advance(rw_memory *path, double load, double shear)
+{
+    assert_true(rw_memory_reserve(path, 2));
+    const rw_departure departure = rw_memory_departure(path, load, shear);
+    rw_memory_advance(path, &departure, load, shear);
+}
+
+static void assert_corner(const rw_memory *path, size_t i, double load, double shear)
+{
+    assert_true(i < path->count);
+    assert_within(path->corners[i].load, load, 1e-15);
+    assert_within(path->corners[i].shear, shear, 1e-15);
+}
+
+/* Mindlin: under a constant load each reversal adds a layer half as thick as the change of
+ * shear. */
+static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 1, 0);
+    advance(&path, 1, 0.5);
+    assert_corner(&path, 1, 0.5, 0);
+    advance(&path, 1, 0.1); /* back by 0.4 */
+    assert_corner(&path, 2, 0.8, 0.3);
+    advance(&path, 1, 0.2); /* forth by 0.1 */
+    assert_corner(&path, 3, 0.95, 0.15);
+    assert_int_equal(path.count, 5);
+    advance(&path, 1, 0.1); /* closes the inner loop */
+    assert_int_equal(path.count, 4);
+    advance(&path, 1, -0.5); /* and the outer one */
+    assert_int_equal(path.count, 3);
+    assert_corner(&path, 1, 0.5, 0);
+    advance(&path, 1, -1); /* slides: nothing is left */
+    assert_int_equal(path.count, 2);
+    assert_true(path.corners[1].ratio == -1);
+    rw_memory_destroy(&path);
+}
+
+/* A cycle of Q under a P that is constant but for rounding, after a first load in proportion:
+ * what slips has |D| = 1 to the last bit, or the stick zone would end at the edge. */
+static void rounding_of_the_load_hides_no_slip(void **state)
+{
+    (void)state;
+    static const double ROUNDINGS[][8] = {
+        {17, 0, -8, -3, 0, 19, 0, 0}, {0, -8, -16, -1, 3, 0, -11, 2}, {0, 5, -7, 0, 0, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
+        for (double T = 0.0131; T < 1; T += 0.0131) {
+            rw_memory path;
+            assert_true(rw_memory_create(&path));
+            for (int j = 0; j < 40; j++) {
+                const double *of = &ROUNDINGS[i][j % 4], shear = T * (1 + of[4] * DBL_EPSILON);
+                advance(&path, 1 + of[0] * DBL_EPSILON, j % 2 ? shear : -shear);
+                if (j == 0)
+                    continue;
+                assert_true(rw_memory_end(&path)->ratio == (j % 2 ? 1 : -1));
+                assert_true(path.corners[path.count - 2].load <= 1 - T + 1e-14);
+            }
+            rw_memory_destroy(&path);
+        }
+}
+
+/* A load that slips by no more than rounding, back to where the path has a corner, leaves that
+ * corner the end. */
+static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 0.5, 0.5);
+    advance(&path, 0.99999999999999911, 0);
+    advance(&path, 0.5, 0.5);
+    assert_int_equal(path.count, 2);
+    assert_corner(&path, 1, 0.5, 0.5);
+    rw_memory_destroy(&path);
+}
+
+static void a_rising_load_sticks_where_it_can(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 1, 0.25);
+    advance(&path, 2, -0.25);
+    assert_int_equal(path.count, 3);
+    assert_close(path.corners[2].ratio, -0.5, 1e-15);
+    /* steeper than friction: the line of slope 1 goes back to where it meets the path */
+    advance(&path, 3, 1.75);
+    assert_corner(&path, 2, 1 + 1.0 / 3, 0.25 - 0.5 / 3);
+    assert_true(path.corners[3].ratio == 1);
+    rw_memory_destroy(&path);
+}
+
+static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 1, 0.25);
+    advance(&path, 2, -0.25);
+    advance(&path, 1.5, 0);
+    assert_int_equal(path.count, 3);
+    assert_corner(&path, 2, 1.5, 0);
+    advance(&path, 0, 0);
+    assert_int_equal(path.count, 1);
+    rw_memory_destroy(&path);
+}
+
+static void collinear_steps_are_one(void **state)
+{
+    (void)state;
+    rw_memory line, steep;
+    assert_true(rw_memory_create(&line) && rw_memory_create(&steep));
+    advance(&steep, 0.3, 0.1);
+    const int steps = 30000;
+    for (int i = 1; i <= steps; i++) {
+        const double load = (double)i / steps;
+        advance(&line, load, 0.3 * load);
+        advance(&steep, 0.3 + load, 0.1 - load);
+        /* exactly: it says where friction is exhausted */
+        assert_true(rw_memory_end(&steep)->ratio == -1);
+    }
+    assert_int_equal(line.count, 2);
+    assert_int_equal(steep.count, 3);
+    rw_memory_destroy(&line);
+    rw_memory_destroy(&steep);
+}
+
+/* Each step differs from a straight one by less than rounding; all together do not. */
+static void a_slow_bend_is_not_straightened(void **state)
+{
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        rw_memory bend;
+        assert_true(rw_memory_create(&bend));
+        advance(&bend, 1, 0);
+        const int steps = 30000;
+        for (int i = 1; i <= steps; i++)
+            advance(&bend, 1 + 1e-9 * i, sign * 0.5e-18 * i * (double)i);
+        assert_true(bend.count < 1000);
+        for (int i = 1; i <= steps; i += 7)
+            assert_within(rw_memory_shear(&bend, 1 + 1e-9 * i), sign * 0.5e-18 * i * (double)i,
+                          8 * DBL_EPSILON);
+        rw_memory_destroy(&bend);
+    }
+}
+
+/* 1e6 steps of half an epsilon each: none may be lost, nor may they pile up. */
+static void creep_below_rounding_is_not_lost(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 1, 0);
+    for (int i = 1; i <= 1000000; i++)
+        advance(&path, 1, i * DBL_EPSILON / 2);
+    double shear = 0;
+    for (size_t i = 1; i < path.count; i++)
+        shear += path.corners[i].ratio * (path.corners[i].load - path.corners[i - 1].load);
+    assert_within(shear, 1e6 * DBL_EPSILON / 2, 8 * DBL_EPSILON);
+    assert_true(path.count <= 4);
+    rw_memory_destroy(&path);
+}
+
+static void random_load(uint64_t *seed, double *load, double *shear)
+{
+    if (random_fraction(seed) < 0.7)
+        *load = 0.1 + 0.9 * random_fraction(seed);
+    const double kind = random_fraction(seed);
+    *shear = kind < 0.1 ? *load : kind < 0.2 ? -*load : *load * (2 * random_fraction(seed) - 1);
+}
+
+static void a_million_equal_cycles_keep_the_size_of_one(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int kind = 0; kind < 6; kind++) {
+        enum { LOADS = 6 };
+        double load[LOADS], shear[LOADS], P = 1;
+        for (int i = 0; i < LOADS; i++) {
+            random_load(&seed, &P, &shear[i]);
+            load[i] = P;
+        }
+        rw_memory path;
+        assert_true(rw_memory_create(&path));
+        size_t largest = 0;
+        for (int cycle = 0; cycle < 1000000; cycle++)
+            for (int i = 0; i < LOADS; i++) {
+                advance(&path, load[i], shear[i]);
+                if (cycle < 2 && path.count > largest)
+                    largest = path.count;
+                assert_true(path.count <= largest);
+            }
+        rw_memory_destroy(&path);
+    }
+}
+
+static void each_load_adds_two_corners_at_most(void **state)
+{
+    (void)state;
+    rw_memory path;
+    assert_true(rw_memory_create(&path));
+    advance(&path, 1, 0);
+    for (int i = 1; i < 1000; i++) { /* ever smaller reversals: the worst there is */
+        const size_t before = path.count;
+        advance(&path, 1, (i % 2 ? 0.9 : -0.9) * (1 - i / 1001.0));
+        assert_true(path.count <= before + 1); /* two with the load itself rising */
+    }
+    assert_int_equal(path.count, 1001);
+    advance(&path, 1, 0.95);
+    assert_int_equal(path.count, 3);
+    rw_memory_destroy(&path);
+}
+
+/* A step may be taken in parts: the sign of slip can change inside it without a trace. */
+static void a_step_is_the_sum_of_its_parts(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int history = 0; history < 300; history++) {
+        rw_memory whole, parts;
+        assert_true(rw_memory_create(&whole) && rw_memory_create(&parts));
+        double load = 0, shear = 0;
+        for (int leg = 0; leg < 20; leg++) {
+            const double from_load = load, from_shear = shear;
+            random_load(&seed, &load, &shear);
+            if (load == 0)
+                continue;
+            advance(&whole, load, shear);
+            for (int i = 1; i < 8; i++)
+                advance(&parts, from_load + i * (load - from_load) / 8,
+                        from_shear + i * (shear - from_shear) / 8);
+            advance(&parts, load, shear);
+            assert_true(rw_memory_end(&whole)->load == load && rw_memory_end(&parts)->load == load);
+            for (int i = 0; i <= 20; i++)
+                assert_within(rw_memory_shear(&whole, load * i / 20),
+                              rw_memory_shear(&parts, load * i / 20), 1e-13);
+            for (size_t i = 1; i < whole.count; i++)
+                assert_true(fabs(whole.corners[i].ratio) <= 1 &&
+                            whole.corners[i].load > whole.corners[i - 1].load);
+        }
+        rw_memory_destroy(&whole);
+        rw_memory_destroy(&parts);
+    }
+}
+
+/* ---- The displacement of a patch ---- */
+
+typedef struct {
+    double alpha, x;
+} gap_case;
+
+static double load_of(double alpha, double half_width)
+{
+    return half_width * rwedge_load(alpha / half_width);
+}
+
+/* Flat punches of growing half-width t add up to the patch; each displaces by arcosh(x/t)/pi. By
+ * parts, with t^2 = x^2 - w^2. */
+static double punches(double w, const void *context)
+{
+    const gap_case *g = context;
+    const double t = sqrt((g->x - w) * (g->x + w));
+    return (load_of(g->alpha, t) - load_of(g->alpha, 1)) * g->x / (t * t * acos(-1));
+}
+
+static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {0, 1e-8, 1e-3, 0.1, 0.5, 0.99, 0.999999, 1, 1.001, 1.5, 3, 100};
+    static const double XS[] = {1.001, 1.1, 1.4, 2, 2.24, 2.26, 5, 50, 1e3};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
+            const gap_case g = {ALPHAS[i], XS[j]};
+            const double end = sqrt((g.x - 1) * (g.x + 1));
+            const bool corner = g.alpha > 1 && g.alpha < g.x;
+            const double points[] = {0, corner ? sqrt((g.x - g.alpha) * (g.x + g.alpha)) : end / 2,
+                                     end};
+            rw_potential patch;
+            rw_potential_init(&patch, g.alpha);
+            assert_close(rw_gap(&patch, g.x), integral(punches, &g, 2, points), 1e-11);
+        }
+}
+
+/* Next to the edge the gap is (2/(3 pi)) (phi0/alpha) X^3, which the closed form loses to
+ * cancellation. */
+static void the_gap_opens_with_the_power_three_halves(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {0, 1e-8, 0.1, 0.5, 0.9, 2};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++) {
+        const double alpha = ALPHAS[i], x = 1 + 1e-9, X = sqrt((x - 1) * (x + 1));
+        rw_potential patch;
+        rw_potential_init(&patch, alpha);
+        const double angle = alpha > 0 ? asin(fmin(1, alpha)) / alpha : 1;
+        assert_close(rw_gap(&patch, x), 2 / (3 * acos(-1)) * angle * X * X * X, 2e-8);
+    }
+}
+
+static void inside_its_patch_the_gap_is_closed(void **state)
+{
+    (void)state;
+    rw_potential patch;
+    rw_potential_init(&patch, 0.3);
+    assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
+}
+
+/* Where the patch is a point, what it deforms is a part log(x)/x of the profile, and x^2
+ * overflows. */
+static void far_from_its_patch_the_gap_is_the_profile(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250},
+                        XS[] = {1e20, 1e154, 1e200, 1e280};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
+            rw_potential patch;
+            rw_potential_init(&patch, ALPHAS[i]);
+            assert_close(rw_gap(&patch, XS[j]), rw_profile(ALPHAS[i], XS[j]), 1e-15);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reversals_add_layers_that_larger_ones_wipe_out),
+        cmocka_unit_test(rounding_of_the_load_hides_no_slip),
+        cmocka_unit_test(a_slip_of_a_rounding_ends_at_the_corner),
+        cmocka_unit_test(a_rising_load_sticks_where_it_can),
+        cmocka_unit_test(a_falling_load_cuts_off_what_it_need_not_slip),
+        cmocka_unit_test(collinear_steps_are_one),
+        cmocka_unit_test(a_slow_bend_is_not_straightened),
+        cmocka_unit_test(creep_below_rounding_is_not_lost),
+        cmocka_unit_test(a_million_equal_cycles_keep_the_size_of_one),
+        cmocka_unit_test(each_load_adds_two_corners_at_most),
+        cmocka_unit_test(a_step_is_the_sum_of_its_parts),
+        cmocka_unit_test(the_gap_beside_a_patch_is_that_of_its_flat_punches),
+        cmocka_unit_test(the_gap_opens_with_the_power_three_halves),
+        cmocka_unit_test(inside_its_patch_the_gap_is_closed),
+        cmocka_unit_test(far_from_its_patch_the_gap_is_the_profile),
+    };
+    return RUN_CLAIMS("history", tests);
+}

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The rooms behind the physics: roots, quadrature, least squares. */
+#include "claims.h"
+#include "base/integral.h"
+#include "base/least_squares.h"
+#include "rwedge.h"
+#include "base/root.h"
+
+#include <float.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- Roots ---- */
+
+static double power_less_two(double x, const void *exponent)
+{
+    return pow(x, *(const double *)exponent) - 2;
+}
+
+static void roots_are_found_to_the_last_bits(void **state)
+{
+    (void)state;
+    for (double exponent = 1; exponent < 60; exponent += 3.7)
+        assert_close(rw_root(power_less_two, &exponent, 0, 3, 0), pow(2, 1 / exponent),
+                     4 * DBL_EPSILON);
+    const double square = 2;
+    assert_close(rw_root(power_less_two, &square, 0, 3, 0.01), sqrt(2), 0.01);
+}
+
+static double line(double x, const void *root)
+{
+    return x - *(const double *)root;
+}
+
+static void a_root_may_be_at_an_end(void **state)
+{
+    (void)state;
+    const double lo = -1, hi = 0.3;
+    assert_true(rw_root(line, &lo, lo, hi, 0) == lo);
+    assert_true(rw_root(line, &hi, lo, hi, 0) == hi);
+}
+
+static double inverse_of_line(double x, const void *pole)
+{
+    return 1 / line(x, pole);
+}
+
+static void what_brackets_no_root_is_refused(void **state)
+{
+    (void)state;
+    const double below = -2, above = 2, lo = -1, hi = 1, not_a_number = NAN;
+    assert_nan(rw_root(line, &below, lo, hi, 0));
+    assert_nan(rw_root(line, &above, lo, hi, 0));
+    assert_nan(rw_root(inverse_of_line, &lo, lo, hi, 0));
+    assert_nan(rw_root(inverse_of_line, &hi, lo, hi, 0));
+    assert_nan(rw_root(line, &not_a_number, lo, hi, 0));
+}
+
+static double jump(double x, const void *context)
+{
+    (void)context;
+    return x > 0 ? 1 : -1;
+}
+
+/* At 0 no error is small beside the root: without an absolute one the search has no end, and
+ * gives up. */
+static void a_search_ends(void **state)
+{
+    (void)state;
+    assert_nan(rw_root(jump, NULL, -1, 2, 0));
+    assert_within(rw_root(jump, NULL, -1, 2, 1e-12), 0, 1e-12);
+}
+
+/* ---- Quadrature ---- */
+
+static double power(double x, const void *exponent)
+{
+    return pow(x, *(const int *)exponent);
+}
+
+/* The square of Legendre's polynomial, by its recurrence; its integral over [-1, 1] is 2/(2n+1). */
+static double squared_legendre(double x, const void *degree)
+{
+    double before = 1, P = x;
+    for (int n = 2; n <= *(const int *)degree; n++) {
+        const double next = ((2 * n - 1) * x * P - (n - 1) * before) / n;
+        before = P;
+        P = next;
+    }
+    return P * P;
+}
+
+/* The nodes are the zeros of P_16: the rule sees nothing of its square, whose degree is the
+ * first that is not exact. */
+static void the_rule_is_exact_to_degree_31(void **state)
+{
+    (void)state;
+    for (int degree = 0; degree <= 31; degree++) {
+        assert_close(rw_integral(power, &degree, 0, 1), 1.0 / (degree + 1), 4 * DBL_EPSILON);
+        assert_close(rw_integral(power, &degree, 1, 2), (ldexp(1, degree + 1) - 1) / (degree + 1),
+                     32 * DBL_EPSILON);
+    }
+    for (int n = 1; n <= 16; n++)
+        assert_within(rw_integral(squared_legendre, &n, -1, 1), n < 16 ? 2.0 / (2 * n + 1) : 0,
+                      1e-15);
+}
+
+/* ---- Least squares ---- */
+
+enum { ROWS = 12 };
+
+/* Of points on a parabola, and beside it by +-1 in a pattern that is orthogonal to it. */
+static void a_parabola_is_fitted(void **state)
+{
+    (void)state;
+    double A[3 * ROWS], v[ROWS];
+    for (int i = 0; i < ROWS; i++) {
+        const double x = i < 4 ? -1 : i < 8 ? 0 : 1;
+        A[i] = 1;
+        A[ROWS + i] = x;
+        A[2 * ROWS + i] = x * x;
+        v[i] = 3 - 2 * x + 5 * x * x + (i % 2 ? 1 : -1);
+    }
+    assert_int_equal(rw_least_squares(ROWS, 3, A, v), RWEDGE_OK);
+    assert_close(v[0], 3, 1e-14);
+    assert_close(v[1], -2, 1e-14);
+    assert_close(v[2], 5, 1e-14);
+}
+
+/* Two columns under an angle have the condition number cot(angle/2). */
+static void columns_that_are_nearly_one_are_refused(void **state)
+{
+    (void)state;
+    for (double angle = 0.1; angle > 1e-15; angle /= 10) {
+        double A[4] = {1, 0, cos(angle), sin(angle)}, v[2] = {1, PI};
+        const int32_t status = rw_least_squares(2, 2, A, v);
+        assert_int_equal(status, 2 / angle < 1 / sqrt(DBL_EPSILON) ? RWEDGE_OK : RWEDGE_ERANK);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(roots_are_found_to_the_last_bits),
+        cmocka_unit_test(a_root_may_be_at_an_end),
+        cmocka_unit_test(what_brackets_no_root_is_refused),
+        cmocka_unit_test(a_search_ends),
+        cmocka_unit_test(the_rule_is_exact_to_degree_31),
+        cmocka_unit_test(a_parabola_is_fitted),
+        cmocka_unit_test(columns_that_are_nearly_one_are_refused),
+    };
+    return RUN_CLAIMS("solve", tests);
+}

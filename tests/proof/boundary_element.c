@@ -2,9 +2,8 @@
 #include "boundary_element.h"
 
 #include <math.h>
-#include <stdbool.h>
 
-enum { SIZE = BOUNDARY_ELEMENTS_MAX + 1, ITERATIONS_MAX = 200 };
+enum { SIZE = BOUNDARY_ELEMENTS_MAX + 2, ITERATIONS_MAX = 500 };
 
 typedef struct {
     size_t n;
@@ -52,101 +51,161 @@ static double logarithm_integral(double t)
     return t == 0 ? 0 : t * log(fabs(t)) - t;
 }
 
-/* The displacement at element i from a unit traction on element j and its mirror image, Eq. (1)
- * and (17) integrated. */
+/* The displacement at element i from a unit traction on element j, and on its mirror image where
+ * the elements are even, Eq. (1) and (17) integrated. */
 static double influence(const boundary_element *s, size_t i, size_t j)
 {
     const double half = s->width / 2, near = s->x[i] - s->x[j], far = s->x[i] + s->x[j];
-    return s->A / acos(-1) *
-           (logarithm_integral(near + half) - logarithm_integral(near - half) +
-            logarithm_integral(far + half) - logarithm_integral(far - half));
+    double sum = logarithm_integral(near + half) - logarithm_integral(near - half);
+    if (s->even)
+        sum += logarithm_integral(far + half) - logarithm_integral(far - half);
+    return s->A / acos(-1) * sum;
 }
 
-static double profile(const boundary_element *s, double x)
+static double displaced(const boundary_element *s, size_t i, size_t first, size_t end,
+                        const double traction[])
 {
+    double sum = 0;
+    for (size_t j = first; j < end; j++)
+        sum += influence(s, i, j) * traction[j];
+    return sum;
+}
+
+static double profile(const boundary_element *s, double signed_x)
+{
+    const double x = fabs(signed_x);
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 
+static void start(boundary_element *solver, const boundary_element *made)
+{
+    *solver = *made;
+    solver->width = (made->even ? 1 : 2) * made->width / (double)made->n;
+    const double left = made->even ? 0 : -made->width;
+    for (size_t i = 0; i < made->n; i++)
+        solver->x[i] = left + ((double)i + 0.5) * solver->width;
+}
+
 void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
-                            size_t n, double width)
+                            size_t n, double half)
 {
-    *solver = (boundary_element){
-        .theta = theta, .a = a, .A = A, .f = f, .n = n, .width = width / (double)n};
-    for (size_t i = 0; i < n; i++)
-        solver->x[i] = ((double)i + 0.5) * solver->width;
+    const boundary_element made = {
+        .theta = theta, .a = a, .A = A, .f = f, .n = n, .end = n, .width = half};
+    start(solver, &made);
 }
 
-/* The last row: what the tractions of the first m elements add up to. */
-static void balance(const boundary_element *s, size_t m, double force)
+void boundary_element_start_even(boundary_element *solver, double theta, double a, double A,
+                                 double f, size_t n, double half)
 {
+    const boundary_element made = {
+        .theta = theta, .a = a, .A = A, .f = f, .even = true, .n = n, .end = 1, .width = half};
+    start(solver, &made);
+}
+
+/* A row of the equations: what m tractions add up to, each weighted by its place or not. */
+static void balance(const boundary_element *s, size_t row, size_t first, size_t m, bool by_place,
+                    double sum)
+{
+    for (size_t j = 0; j < equations.n; j++)
+        equations.row[row][j] = 0;
     for (size_t j = 0; j < m; j++)
-        equations.row[m][j] = -2 * s->width;
-    equations.row[m][m] = 0;
-    equations.row[m][m + 1] = force;
-    equations.n = m + 1;
+        equations.row[row][j] = -(s->even ? 2 : 1) * s->width * (by_place ? s->x[first + j] : 1);
+    equations.row[row][equations.n] = sum;
 }
 
-/* The pressure of m elements in contact under P; whether all are pressed. */
-static bool press(const boundary_element *s, size_t m, double P, double p[])
+/* Where the wedge comes to, as a function of x: depth + tilt x - profile. */
+typedef struct {
+    double depth, tilt;
+} position;
+
+/* The pressure of the elements from `first` to end - 1 in contact, under P and M. */
+static position press(const boundary_element *s, size_t first, size_t end, boundary_loads to,
+                      double p[])
 {
+    const size_t m = end - first;
+    equations.n = m + (s->even ? 1 : 2);
     for (size_t i = 0; i < m; i++) {
         for (size_t j = 0; j < m; j++)
-            equations.row[i][j] = influence(s, i, j);
+            equations.row[i][j] = influence(s, first + i, first + j);
         equations.row[i][m] = -1;
-        equations.row[i][m + 1] = -profile(s, s->x[i]);
+        equations.row[i][m + 1] = -s->x[first + i]; /* the last column where they are even */
+        equations.row[i][equations.n] = -profile(s, s->x[first + i]);
     }
-    balance(s, m, P);
+    balance(s, m, first, m, false, to.P);
+    if (!s->even)
+        balance(s, m + 1, first, m, true, to.M);
     solve();
     for (size_t i = 0; i < m; i++)
-        p[i] = equations.row[i][m + 1];
-    return p[m - 1] < 0;
+        p[first + i] = equations.row[i][equations.n];
+    return (position){equations.row[m][equations.n],
+                      s->even ? 0 : equations.row[m + 1][equations.n]};
 }
 
-/* The widest contact that has no tension at its edge. */
-static size_t find_contact(const boundary_element *s, double P, double p[])
+static bool overlaps(const boundary_element *s, size_t i, size_t first, size_t end,
+                     const double p[], position at)
 {
-    size_t m = s->touching > 0 ? s->touching : 1;
-    while (m < s->n && press(s, m, P, p))
-        m++;
-    while (m > 1 && !press(s, m, P, p))
-        m--;
-    return m;
+    return displaced(s, i, first, end, p) < at.depth + at.tilt * s->x[i] - profile(s, s->x[i]);
 }
 
-typedef enum { STICKS, FORWARD, BACKWARD } motion;
-
-/* Displacements of the first n elements from the tractions of the first m. */
-static void displace(const boundary_element *s, size_t m, const double q[], double displacement[])
+/* Moves the edges until no element in contact is pulled, and none beside it overlaps; whether it
+ * came to an end. */
+static bool find_contact(boundary_element *s, boundary_loads to, double p[])
 {
-    for (size_t i = 0; i < s->n; i++) {
-        displacement[i] = 0;
-        for (size_t j = 0; j < m; j++)
-            displacement[i] += influence(s, i, j) * q[j];
+    size_t first = s->first, end = s->end;
+    for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
+        const position at = press(s, first, end, to, p);
+        const bool left = !s->even && first > 0 && overlaps(s, first - 1, first, end, p, at);
+        const bool right = end < s->n && overlaps(s, end, first, end, p, at);
+        const size_t before = end - first;
+        while (end - first > 3 && !s->even && p[first] >= 0)
+            first++;
+        while (end - first > (s->even ? 1 : 3) && p[end - 1] >= 0)
+            end--;
+        if (end - first < before)
+            continue;
+        if (left || right) {
+            first -= left;
+            end += right;
+        } else {
+            s->first = first;
+            s->end = end;
+            s->tilt = at.tilt;
+            return true;
+        }
     }
+    return false;
 }
 
-static void solve_tangential(const boundary_element *s, size_t m, const double p[],
-                             const motion moves[], double Q)
+/* The shear traction of the elements in contact, in their present motion; the rigid displacement. */
+static double solve_tangential(const boundary_element *s, const double p[], const motion moves[],
+                               boundary_loads to, double q[])
 {
+    const size_t m = s->end - s->first;
+    equations.n = m + 1;
     for (size_t i = 0; i < m; i++) {
+        const size_t e = s->first + i;
+        const bool sticks = moves[e] == STICKS;
         for (size_t j = 0; j < m; j++)
-            equations.row[i][j] = moves[i] == STICKS ? influence(s, i, j) : i == j;
-        equations.row[i][m] = moves[i] == STICKS ? -1 : 0;
-        equations.row[i][m + 1] = moves[i] == STICKS    ? s->displacement[i]
-                                  : moves[i] == FORWARD ? -s->f * p[i]
-                                                        : s->f * p[i];
+            equations.row[i][j] = sticks ? influence(s, e, s->first + j) : i == j;
+        equations.row[i][m] = sticks ? -1 : 0;
+        equations.row[i][m + 1] = sticks ? s->displacement[e] - s->A * to.sigma / 4 * s->x[e]
+                                  : moves[e] == FORWARD ? -s->f * p[e]
+                                                        : s->f * p[e];
     }
-    balance(s, m, Q);
+    balance(s, m, s->first, m, false, to.Q);
     solve();
+    for (size_t i = 0; i < m; i++)
+        q[s->first + i] = equations.row[i][m + 1];
+    return equations.row[m][m + 1];
 }
 
 /* Whether Coulomb's law holds everywhere; where it does not the element sticks or slips instead. */
-static bool obeys_friction(const boundary_element *s, size_t m, const double p[], const double q[],
+static bool obeys_friction(const boundary_element *s, const double p[], const double q[],
                            const double moved[], motion moves[])
 {
     bool obeys = true;
     const double noise = 1e-12;
-    for (size_t i = 0; i < m; i++) {
+    for (size_t i = s->first; i < s->end; i++) {
         const double slip = moved[i] - s->displacement[i];
         if (moves[i] == STICKS && fabs(q[i]) > -s->f * p[i] * (1 + noise)) {
             moves[i] = q[i] > 0 ? FORWARD : BACKWARD;
@@ -159,41 +218,36 @@ static bool obeys_friction(const boundary_element *s, size_t m, const double p[]
     return obeys;
 }
 
-static void accept(boundary_element *s, size_t m, const double p[], const double q[],
-                   const double moved[])
+static void accept(boundary_element *s, const double p[], const double q[], const double moved[],
+                   const motion moves[])
 {
     for (size_t i = 0; i < s->n; i++) {
-        const double slip = i < m ? moved[i] - s->displacement[i] : 0;
-        /* both halves, mean traction */
-        s->energy += i < m ? s->width * slip * (s->q[i] + q[i]) : 0;
-        s->slip[i] = i < m ? s->slip[i] + slip : 0;
-        s->p[i] = i < m ? p[i] : 0;
-        s->q[i] = i < m ? q[i] : 0;
+        const bool touches = i >= s->first && i < s->end;
+        const double slip = touches ? moved[i] - s->displacement[i] : 0;
+        const double mean = touches ? (s->q[i] + q[i]) / 2 : 0;
+        s->energy += (s->even ? 2 : 1) * s->width * slip * mean;
+        s->slip[i] = touches ? s->slip[i] + slip : 0;
+        s->p[i] = touches ? p[i] : 0;
+        s->q[i] = touches ? q[i] : 0;
+        s->moves[i] = moves[i];
         s->displacement[i] = moved[i];
     }
-    s->touching = m;
 }
 
-int boundary_element_step(boundary_element *s, double P, double Q)
+int boundary_element_step(boundary_element *s, boundary_loads to)
 {
     double p[SIZE], q[SIZE], moved[SIZE];
-    motion moves[SIZE];
-    const size_t m = find_contact(s, P, p);
-    for (size_t i = 0; i < m; i++)
-        moves[i] = STICKS;
+    motion moves[SIZE] = {STICKS};
+    if (!find_contact(s, to, p))
+        return 1;
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        solve_tangential(s, m, p, moves, Q);
-        for (size_t i = 0; i < m; i++)
-            q[i] = equations.row[i][m + 1];
-        const double rigid = equations.row[m][m + 1];
-        displace(s, m, q, moved);
+        const double rigid = solve_tangential(s, p, moves, to, q);
         for (size_t i = 0; i < s->n; i++)
-            moved[i] -= rigid;
-        if (obeys_friction(s, m, p, q, moved, moves)) {
-            accept(s, m, p, q, moved);
+            moved[i] = displaced(s, i, s->first, s->end, q) + s->A * to.sigma / 4 * s->x[i] - rigid;
+        if (obeys_friction(s, p, q, moved, moves)) {
+            accept(s, p, q, moved, moves);
             s->rigid = rigid;
-            s->P = P;
-            s->Q = Q;
+            s->loads = to;
             return 0;
         }
     }

@@ -1,31 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A small incremental boundary-element solver of the same contact, to check the library's closed
  * forms with: it knows Eq. (1) and (17), Coulomb's law and nothing else. The pressure and the
- * shear traction are constant over each of n equal elements of 0 < x < width, and even.
- * Everything is first order in the elements' width and in the step. */
+ * shear traction are constant over each of n equal elements. Everything is first order in the
+ * elements' width and in the step. */
 #ifndef BOUNDARY_ELEMENT_H
 #define BOUNDARY_ELEMENT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
-enum { BOUNDARY_ELEMENTS_MAX = 160 };
+enum { BOUNDARY_ELEMENTS_MAX = 200 };
+
+/* Per unit thickness: forces, the moment about x = 0, positive where it presses the right side;
+ * the bulk tension in the half-plane, a stress. */
+typedef struct {
+    double P, M, Q, sigma;
+} boundary_loads;
+
+typedef enum { STICKS, FORWARD, BACKWARD } motion;
 
 typedef struct {
     double theta, a, A, f;
-    size_t n, touching; /* the first `touching` elements are in contact */
+    bool even;            /* the elements are those of x > 0, and have their mirror images */
+    size_t n, first, end; /* elements `first` to `end` - 1 are in contact */
     double width;
     double x[BOUNDARY_ELEMENTS_MAX], p[BOUNDARY_ELEMENTS_MAX], q[BOUNDARY_ELEMENTS_MAX];
     double displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid one */
     double slip[BOUNDARY_ELEMENTS_MAX];         /* since the element came into contact */
+    motion moves[BOUNDARY_ELEMENTS_MAX];        /* in the last step */
+    double tilt;                                /* rad, positive lowers the right side */
     double rigid;                               /* tangential displacement */
-    double energy, P, Q;
+    double energy;
+    boundary_loads loads;
 } boundary_element;
 
+/* The elements of -half < x < half; for even loads those of 0 < x < half are enough. */
 void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
-                            size_t n, double width);
+                            size_t n, double half);
+void boundary_element_start_even(boundary_element *solver, double theta, double a, double A,
+                                 double f, size_t n, double half);
 
-/* One straight step of the load; |Q| < f P. 0, or 1 where the iteration for the zones of slip
- * did not end. */
-int boundary_element_step(boundary_element *solver, double P, double Q);
+/* One straight step of the loads; |Q| < f P; M and sigma are 0 where the elements are even. 0, or
+ * 1 where the iteration for the edges or the zones of slip did not end. */
+int boundary_element_step(boundary_element *solver, boundary_loads to);
 
 #endif

@@ -5,17 +5,17 @@
 #include "field/field.h"
 #include "figure/figure.h"
 #include "text/invocation.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "field/profile.h"
 #include "system/signals.h"
+#include "system/streams.h"
 #include "solve/solve.h"
 #include "table/table.h"
 #include "workbook/workbook.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <rwedge.h>
 
@@ -25,7 +25,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
 static const struct poptOption options[] = {
-    OPTION_HELP_ENTRY,
+    {HELP_OPTION},
     {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION,
      "Print the completion of a shell, and end", "bash|zsh|fish"},
     {"version", 'V', POPT_ARG_NONE, NULL, OPTION_VERSION, "Show the version, and end", NULL},
@@ -47,11 +47,8 @@ static void list_commands(FILE *stream)
 static int unknown_command(const char *name)
 {
     char allowed[200] = "";
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        const size_t used = strlen(allowed);
-        snprintf(allowed + used, sizeof allowed - used, "%s%s", used > 0 ? ", " : "",
-                 commands[i]->name);
-    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        list_add(allowed, sizeof allowed, ", ", "%s", commands[i]->name);
     if (name == NULL)
         return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
     return usage_error("%s: unknown command; allowed: %s", name, allowed);
@@ -83,22 +80,11 @@ static int without_command(int argc, const char **argv)
     return status;
 }
 
-/* A file must not get the number of a standard stream that was closed: messages would be written
- * into it. The stand-in for standard output refuses to be written to, as the closed one would. */
-static bool fill_standard_streams(void)
-{
-    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
-        if (fcntl(stream, F_GETFD) < 0 &&
-            open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
-            return false;
-    return true;
-}
-
 int main(int argc, char **argv)
 {
     const char *no_arguments[] = {"rwedge", NULL};
     const char **words = argc > 0 ? (const char **)argv : no_arguments;
-    if (!fill_standard_streams())
+    if (!streams_fill_closed())
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);

@@ -71,7 +71,8 @@ enum {
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
 RWEDGE_API const char *rwedge_version(void);
 
-/* What a status means, in English. Static text, never NULL, for any integer. */
+/* What a status means, in English. Static text, never NULL.
+ *   status  any integer */
 RWEDGE_API const char *rwedge_strerror(int32_t status);
 
 /* ---- Materials ------------------------------------------------------------------------------- */
@@ -207,7 +208,7 @@ RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, doubl
 /* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the
  * surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for
  * an interval of f: lib/README.md).                                                     Fig. 4; new
- *   alpha  at least 1e-14 (the sharp wedge yields at its apex: 0)
+ *   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
  * NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
  * like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
@@ -466,6 +467,7 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
  *   samples  number of samples, >= terms, samples * terms <= 2^27
  *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
  *            equally spaced) fit best
+ *   terms    >= 1
  * RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where
  * the samples do not determine the coefficients to half the digits of a double (repeated or
  * clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
@@ -479,7 +481,8 @@ RWEDGE_API void rwedge_series_destroy(rwedge_series *series);
 /* How many coefficients it holds; 0 for NULL. */
 RWEDGE_API int32_t rwedge_series_terms(const rwedge_series *series);
 
-/* a_k; 0 for k >= terms; NaN for k < 0 or NULL. */
+/* a_k; 0 for k >= terms; NaN outside the domain or NULL.
+ *   k  index of the coefficient, >= 0 */
 RWEDGE_API double rwedge_series_coefficient(const rwedge_series *series, int32_t k);
 
 /* Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus
@@ -492,7 +495,8 @@ RWEDGE_API double rwedge_series_residual(const rwedge_series *series);
 RWEDGE_API double rwedge_series_pressure(const rwedge_series *series, double x);
 
 /* Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z -
- * sqrt(z^2-1).  Eq. (30), (34), E2, E3 RWEDGE_EDOMAIN, RWEDGE_ENULL. */
+ * sqrt(z^2-1).                                                           Eq. (30), (34), E2, E3
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_series_potential(const rwedge_series *series, double f, double x,
                                            double y, double *re, double *im);
 

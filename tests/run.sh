@@ -3,24 +3,29 @@
 # Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
 #
 #     ./tests/run.sh              the everyday run, three minutes or so
-#     ./tests/run.sh --compilers  also: no warning from gcc and clang
+#     ./tests/run.sh --compilers  also: each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
-#     ./tests/run.sh --all        all of these, as the CI does
+#     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
+#     ./tests/run.sh --all        all of these
+#     ./tests/run.sh --strict     a skip is a failure, where this machine could have had what is missing; the CI runs --all --strict
 #
 # The last line says how many passed, failed and were skipped; each skip says why in its own output.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 . tests/support/install.sh
+. tests/support/compilers.sh
 
-compilers=no sanitize=no campaign=no
+compilers=no sanitize=no campaign=no elsewhere=no strict=no
 for option; do
     case $option in
     --compilers) compilers=yes ;;
     --sanitize) sanitize=yes ;;
     --campaign) campaign=yes ;;
-    --all) compilers=yes sanitize=yes campaign=yes ;;
+    --elsewhere) elsewhere=yes ;;
+    --strict) strict=yes ;;
+    --all) compilers=yes sanitize=yes campaign=yes elsewhere=yes ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -29,18 +34,21 @@ done
 require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++
 wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
-    command:zsh=zsh command:fish=fish command:mandoc=mandoc library:xlsxwriter=libxlsxwriter-dev library:zlib=zlib1g-dev \
-    file:/usr/share/i18n/locales/de_DE=locales command:python3=python3 python:ensurepip=python3-venv "command:soffice=libreoffice-calc-nogui python3-uno"
+    command:zsh=zsh command:fish=fish command:mandoc=mandoc header:xlsxwriter.h=libxlsxwriter-dev \
+    file:/usr/share/i18n/locales/de_DE=locales command:python3=python3 python:ensurepip=python3-venv \
+    command:soffice=libreoffice-calc-nogui,python3-uno
 # the languages that the library is called from
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
 # libFuzzer, Debian's gcc has none
-wish command:clang=clang
+wish command:clang=clang command:clang-format=clang-format
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
     file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
+# ball arithmetic: in FLINT 3, beside FLINT 2
+have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
 [ $compilers = no ] || wish command:gcc=gcc
 
@@ -70,7 +78,7 @@ build_and_test()
         ended=well || ended=badly
     before=$failed
     count "$folder/results.xml"
-    awk -F'"' '/<testcase name=/ { name = $2 } /SKIPPED/ { sub(/.*SKIPPED/, "SKIPPED"); print name ": " $0 }' "$folder/results.xml" \
+    awk -F'"' '/<testcase name=/ { name = $2 } /SKIPPED: / { sub(/.*SKIPPED: /, "SKIPPED: "); print name ": " $0 }' "$folder/results.xml" \
         >>"$skips"
     # ctest itself may fail with no test that did
     if [ $ended = badly ] && [ "$failed" -eq "$before" ]; then
@@ -91,25 +99,43 @@ step()
         passed=$((passed + 1))
     elif [ $ended = 77 ]; then
         skipped=$((skipped + 1))
-        grep SKIPPED "$output" | sed "s/^/$name: /" >>"$skips"
+        grep 'SKIPPED: ' "$output" | sed "s/^/$name: /" >>"$skips"
     else
         echo "== FAILED: $name"
         failed=$((failed + 1))
     fi
 }
 
+# What has no language but C, and does not build again.
+of_another_compiler='^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$'
+
 without_warnings()
 {
-    CC=$1 cmake -S . -B "build/$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
+    cmake -S . -B "build/$1" -DCMAKE_C_COMPILER="$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
         -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON >/dev/null &&
         cmake --build "build/$1" --parallel "$(processors)" >/dev/null
+}
+
+the_same_tables()
+{
+    rm -rf "build/$1/tables"
+    mkdir -p "build/$1/tables"
+    ./tables/generate.sh "build/$1/tables" "build/$1/cli/rwedge" >/dev/null || return 1
+    for table in tables/*.csv; do
+        cmp "$table" "build/$1/$table" || return 1
+    done
 }
 
 none='^$'
 build_and_test build "$none" -DCMAKE_BUILD_TYPE=Release
 if [ $compilers = yes ]; then
-    step "no warning from gcc" without_warnings gcc
-    step "no warning from clang" without_warnings clang
+    for compiler in $(compilers_here); do
+        step "no warning from $compiler" without_warnings "$compiler"
+        step "the tests as $compiler builds them" ctest --test-dir "build/$compiler" --exclude-regex "$of_another_compiler" \
+            --output-on-failure --parallel "$(processors)"
+        step "the tables from what $compiler built" the_same_tables "$compiler"
+    done
+    step "no exception but inexact and underflow" sh tests/host/exceptions.sh .
 fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
@@ -130,7 +156,22 @@ if [ $campaign = yes ]; then
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
     step "fuzzing" sh tests/random/long.sh 240 build/tests/random/libfuzzer
 fi
+if [ $elsewhere = yes ]; then
+    step "the two commands on Debian stable" sh tests/elsewhere.sh stable
+fi
+
+# Good reasons to skip: the processor, the rights that this machine gives, what its distribution has no package of, or no longer.
+beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
+beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found"
+for need in $not_in_distribution; do
+    beyond_us="$beyond_us|$(basename "${need#*:}")"
+done
 
 cat "$skips"
+if [ $strict = yes ] && grep -vE "$beyond_us" "$skips" >"$output"; then
+    echo "== FAILED: skipped, where nothing on this machine stands in the way:"
+    cat "$output"
+    failed=$((failed + 1))
+fi
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

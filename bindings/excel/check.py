@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Holds the module for Excel against the library: check.py rwedge.bas PROTOTYPES EXPORTS
+"""Holds the module for Excel against the library: check.py rwedge.bas HEADER PROTOTYPES EXPORTS
 
 PROTOTYPES is what the C compiler itself makes of the header (gcc -aux-info), EXPORTS what the DLL's export table says
-(objdump -p): neither comes from the generator, whose mistakes are to be found.
+(objdump -p): neither comes from the generator, whose mistakes are to be found. The names and the order of the arguments,
+which these do not have, come from the reader of the header.
 """
 import re
 import sys
+from pathlib import Path
 
-from generate import NOT_DECLARED
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "interface"))
+
+from header import read  # noqa: E402
+from write_excel import NOT_DECLARED, name_of  # noqa: E402
 
 # C's type, the names of rwedge's structures left out: how Basic passes the same.
 PASSED = {
@@ -43,8 +48,8 @@ def parameters(text):
     return [(f"{m[1]} {m[3]}", m[2]) for m in re.finditer(r"(ByVal|ByRef) (\w+)(?:\(\))? As (\w+)", text)]
 
 
-def check_declarations(module, declared_in_c, exported):
-    """name in Basic: number of arguments."""
+def check_declarations(module, interface, declared_in_c, exported):
+    """name in Basic: the names of its arguments."""
     declared = {}
     for line in re.findall(r"^.*\bDeclare\b.*$", module, re.M):
         match = re.fullmatch(DECLARATION, line)
@@ -60,31 +65,40 @@ def check_declarations(module, declared_in_c, exported):
         expect((returned, [p for p, _ in passed]) == wanted, f"{alias}: {returned} {passed}, but C has {wanted}")
         expect((what == "Sub") == (returned is None), f"{alias}: {what} with result {returned}")
         expect(arguments.count(" As ") == len(passed), f"{alias}: {arguments}: not understood")
-        declared[name] = len(passed)
+        declared[name] = [n for _, n in passed]
+        names = [name_of(p) for p in interface[alias[7:]].parameters] if alias[7:] in interface else []
+        expect(declared[name] == names, f"{alias}: {declared[name]}, but the header has {names}")
     missing = {n.replace("rwedge_", "") for n in declared_in_c} - {n.replace("c_", "", 1) for n in declared}
     expect(missing == NOT_DECLARED, f"not declared: {missing}, but meant is {NOT_DECLARED}")
     return declared
 
 
 def arguments_of_call(text):
-    """How many arguments stand between the parenthesis that text begins with and its partner."""
-    depth = count = 0
-    for i, letter in enumerate(text):
+    """What stands between the parenthesis that text begins with and its partner: the names of variables, without what says
+    which element of an array is meant."""
+    depth, found, word = 0, [], ""
+    for letter in text:
         depth += {"(": 1, ")": -1}.get(letter, 0)
-        count += letter == "," and depth == 1
+        if depth == 0 or letter == "," and depth == 1:
+            found.append(re.sub(r"(_list)?\(.*", "", word.strip(" (")))
+            word = ""
+        else:
+            word += letter
         if depth == 0:
-            return count + 1 if text[1:i].strip() else 0
-    return -1
+            return [w for w in found if w]
+    return []
 
 
-def check_code(module, declared):
-    """The calls have as many arguments as the declaration, and no two names of a procedure differ by case alone."""
+def check_code(module, interface, declared):
+    """The calls pass what the declaration names, in its order, and no two names of a procedure differ by case alone."""
     code = re.sub(r"(?m)^ *'.*$|^.*\bDeclare\b.*$|^Attribute.*$", "", module)
     called = set()
-    for match in re.finditer(r"\b(c_\w+)( \w+$|\()", code, re.M):
-        count = arguments_of_call(code[match.end() - 1:]) if match[2] == "(" else 1
-        wanted = declared.get(match[1])
-        expect(wanted == count, f"{match[1]}: called with {count} arguments, declared with {wanted}")
+    for match in re.finditer(r"\b(c_\w+)( (\w+)$|\()", code, re.M):
+        given = arguments_of_call(code[match.end() - 1:]) if match[2] == "(" else [match[3]]
+        wanted = declared.get(match[1], [])
+        sizes = {name_of(p) for p in interface[match[1][2:]].of("size")} if match[1][2:] in interface else set()
+        fits = len(given) == len(wanted) and all(g == w or w in sizes and g == "n" for g, w in zip(given, wanted))
+        expect(fits, f"{match[1]}: called with {given}, declared with {wanted}")
         called.add(match[1])
     expect(called == set(declared), f"declared but never called: {set(declared) - called}")
     for name, body in re.findall(r"^(?:Public|Private) (?:Function|Sub) (\w+)(.*?)^End (?:Function|Sub)", code, re.S | re.M):
@@ -97,16 +111,17 @@ def check_code(module, declared):
 
 def main():
     raw = open(sys.argv[1], "rb").read()
-    declared_in_c = prototypes(open(sys.argv[2], encoding="ascii").read())
-    export_table = open(sys.argv[3], encoding="ascii").read().split("[Ordinal/Name Pointer] Table")[1].split("\n\n")[0]
+    interface = read(sys.argv[2])
+    declared_in_c = prototypes(open(sys.argv[3], encoding="ascii").read())
+    export_table = open(sys.argv[4], encoding="ascii").read().split("[Ordinal/Name Pointer] Table")[1].split("\n\n")[0]
     exported = set(re.findall(r"\[ *\d+\] (\w+)$", export_table, re.M))
     expect(raw.count(b"\r\n") == raw.count(b"\n") == raw.count(b"\r"), "lines do not end as Basic's editor wants: CR, LF")
     expect(raw.isascii(), "not ASCII")
     expect(max(map(len, raw.split(b"\r\n"))) < 1000, "a line longer than Basic's editor takes")
     expect(exported == set(declared_in_c), f"the DLL and the header differ in {exported ^ set(declared_in_c)}")
     module = re.sub(r" _\n\s*", "", raw.decode("ascii", "replace").replace("\r\n", "\n"))
-    declared = check_declarations(module, declared_in_c, exported)
-    check_code(module, declared)
+    declared = check_declarations(module, interface, declared_in_c, exported)
+    check_code(module, interface, declared)
     for problem in problems:
         print(f"{sys.argv[1]}: {problem}")
     if not problems:

@@ -1,6 +1,6 @@
 Attribute VB_Name = "rwedge"
 ' SPDX-License-Identifier: GPL-3.0-or-later
-' Written by generate.py from include/rwedge.h and template.bas: change those, not this.
+' Written by bindings/interface/generate.py from include/rwedge.h and template.bas: change those, not this.
 '
 ' rwedge for Excel, 64-bit, on Windows: worksheet functions RWEDGE_..., which call rwedge.dll. It is looked for in the folder
 ' of the workbook or add-in that holds this module, and nowhere else.
@@ -16,32 +16,38 @@ Attribute VB_Name = "rwedge"
 '
 ' rwedge: the contact of a wedge with a rounded apex and an elastically similar half-plane.
 '
-' Source: M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded apex",
-' Int. J. Mech. Sci. 40 (1998) 977-988. "Eq. (n)" is that paper's numbering, "E1" ... its errata as listed in
-' lib/README.md, where every formula is written out; "new" marks what the paper does not have.
+' Source: M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
+' apex", Int. J. Mech. Sci. 40 (1998) 977-988. "Eq. (n)" is that paper's numbering, "E1" ... its
+' errata as listed in lib/README.md, where every formula is written out; "new" marks what the
+' paper does not have.
 '
-' Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge leaves the surface at the
-' small angle theta, its apex is rounded over |x| < a with radius R = a/theta, and the contact is |x| < b. The functions
-' of a/b use natural units: lengths in b, stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and
-' pressures are negative in compression; P, Q are positive forces per unit length; k is the yield stress in pure shear.
-' In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x = -b.
+' Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge
+' leaves the surface at the small angle theta, its apex is rounded over |x| < a with radius R =
+' a/theta, and the contact is |x| < b. The functions of a/b use natural units: lengths in b,
+' stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and pressures are
+' negative in compression; P, Q are positive forces per unit length; k is the yield stress in
+' pure shear. In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x =
+' -b.
 '
 ' Arguments that return everywhere, with their domain:
-'   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
+'   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
+'          Hertz' contact
 '   f      coefficient of friction, 0 <= f <= 1e6
 '   nu     Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 '   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
 '   x      place along the surface, in b, finite
 '   y      depth below it, in b, finite, >= 0
-' What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in magnitude.
+' What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in
+' magnitude.
 '
-' Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt(). Whatever iterates,
-' allocates or has several results returns a status, RWEDGE_OK or a reason, and leaves its outputs untouched on failure;
-' RWEDGE_OK implies finite outputs. Nothing prints, exits, aborts, allocates (but _create, _fit, _copy and _load), sets
-' errno or keeps state between calls.
+' Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt().
+' Whatever iterates, allocates or has several results returns a status, RWEDGE_OK or a reason,
+' and leaves its outputs untouched on failure; RWEDGE_OK implies finite outputs. Nothing prints,
+' exits, aborts, allocates (but _create, _fit, _copy and _load), sets errno or keeps state
+' between calls.
 '
-' Threads: every function may be called from any number of threads; a handle may be read by many at a time.
-' Output arrays may be the same as input arrays, but may not overlap them in part.
+' Threads: every function may be called from any number of threads; a handle may be read by many
+' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
 '
 ' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
 Option Explicit
@@ -328,9 +334,9 @@ Attribute RWEDGE_CONTACT_HISTORY.VB_Description = "Half-width, half-width of the
     RWEDGE_CONTACT_HISTORY = table
 End Function
 
-' ---- Materials ----------------------------------------------------------------------------------------------------
+' ---- Materials ---------------------------------------------------------------------------------
 
-' Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                                       Eq. (2)
+' Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                   Eq. (2)
 '   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
 '   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
 ' NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
@@ -345,9 +351,11 @@ Attribute RWEDGE_COMPLIANCE.VB_Description = "Composite compliance A = 2(1-nu1^2
     End If
 End Function
 
-' Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is
-' exact where it is 0 (elastically similar bodies).                               Dundurs (1969), see lib/README.md
-'   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged; |beta| <= 1/2 for nu >= 0
+' Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The
+' theory with friction is exact where it is 0 (elastically similar bodies).
+'                                                                 Dundurs (1969), see lib/README.md
+'   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
+'   |beta| <= 1/2 for nu >= 0
 ' NaN outside the domain. Error below 4 epsilon, absolutely.
 Public Function RWEDGE_DUNDURS_BETA(ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Variant
 Attribute RWEDGE_DUNDURS_BETA.VB_Description = "Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is exact where it is 0 (elastically similar bodies)."
@@ -360,10 +368,10 @@ Attribute RWEDGE_DUNDURS_BETA.VB_Description = "Dundurs' second constant for pla
     End If
 End Function
 
-' ---- Contact law --------------------------------------------------------------------------------------------------
+' ---- Contact law -------------------------------------------------------------------------------
 
-' Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz.
-'                                                                                                Eq. (7), (11), (13), (15)
+' Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for
+' Hertz.                                                                  Eq. (7), (11), (13), (15)
 ' NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b().
 Public Function RWEDGE_LOAD(ByVal alpha As Double) As Variant
 Attribute RWEDGE_LOAD.VB_Description = "Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz. NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b()."
@@ -376,8 +384,8 @@ Attribute RWEDGE_LOAD.VB_Description = "Load of a contact of half-width b, as A 
     End If
 End Function
 
-' The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included.
-'                                                                                                   Eq. (7), (11), inverse
+' The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
+' (a/b >= 1) included.                                                       Eq. (7), (11), inverse
 '   AP_over_theta_a  > 0, finite
 ' NaN outside the domain. Relative error below 1e-14.
 Public Function RWEDGE_A_OVER_B(ByVal AP_over_theta_a As Double) As Variant
@@ -391,11 +399,11 @@ Attribute RWEDGE_A_OVER_B.VB_Description = "The contact law solved for its half-
     End If
 End Function
 
-' ---- Pressure -----------------------------------------------------------------------------------------------------
+' ---- Pressure ----------------------------------------------------------------------------------
 
-' Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.                              Eq. (8), (12), (14)
-' NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite.
-' Relative error below 1e-12, up to the zeros at x = +-1.
+' Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.        Eq. (8), (12), (14)
+' NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is
+' infinite. Relative error below 1e-12, up to the zeros at x = +-1.
 Public Function RWEDGE_PRESSURE(ByVal alpha As Double, ByVal x As Double) As Variant
 Attribute RWEDGE_PRESSURE.VB_Description = "Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1. NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite. Relative error below 1e-12, up to the zeros at x = +-1."
     Dim status As Long
@@ -407,7 +415,7 @@ Attribute RWEDGE_PRESSURE.VB_Description = "Contact pressure A p/theta at x, com
     End If
 End Function
 
-' Magnitude of the peak pressure, at x = 0, as A p0/theta.                                                 Eq. (10), (16)
+' Magnitude of the peak pressure, at x = 0, as A p0/theta.                           Eq. (10), (16)
 ' NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
 Public Function RWEDGE_PEAK_PRESSURE(ByVal alpha As Double) As Variant
 Attribute RWEDGE_PEAK_PRESSURE.VB_Description = "Magnitude of the peak pressure, at x = 0, as A p0/theta. NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14."
@@ -420,8 +428,8 @@ Attribute RWEDGE_PEAK_PRESSURE.VB_Description = "Magnitude of the peak pressure,
     End If
 End Function
 
-' Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is
-' not inside the contact.                                                                                          Eq. (9)
+' Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for
+' alpha >= 1, where x = a is not inside the contact.                                        Eq. (9)
 ' NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
 Public Function RWEDGE_TRANSITION_PRESSURE(ByVal alpha As Double) As Variant
 Attribute RWEDGE_TRANSITION_PRESSURE.VB_Description = "Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is not inside the contact. NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14."
@@ -434,10 +442,11 @@ Attribute RWEDGE_TRANSITION_PRESSURE.VB_Description = "Magnitude of the pressure
     End If
 End Function
 
-' Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).                        Eq. (29), (31) with E1; new
+' Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).
+'                                                                       Eq. (29), (31) with E1; new
 '   n  index of the coefficient, >= 0
-' NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
-' (relatively) of a zero of b_n, below 1e-22 of the values around.
+' NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n;
+' where alpha is within 1e-9 (relatively) of a zero of b_n, below 1e-22 of the values around.
 Public Function RWEDGE_COEFFICIENT(ByVal alpha As Double, ByVal n As Long) As Variant
 Attribute RWEDGE_COEFFICIENT.VB_Description = "Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x)."
     Dim status As Long
@@ -449,9 +458,10 @@ Attribute RWEDGE_COEFFICIENT.VB_Description = "Coefficient b_n of the paper's se
     End If
 End Function
 
-' ---- Partial slip -------------------------------------------------------------------------------------------------
+' ---- Partial slip ------------------------------------------------------------------------------
 
-' Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P.           Eq. (25)
+' Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under
+' constant P.                                                                              Eq. (25)
 '   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
 ' NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
 Public Function RWEDGE_STICK_WIDTH(ByVal alpha As Double, ByVal Q_over_fP As Double) As Variant
@@ -465,7 +475,7 @@ Attribute RWEDGE_STICK_WIDTH.VB_Description = "Half-width of the stick zone c/b 
     End If
 End Function
 
-' Q/(fP) from the half-width of the stick zone.                                                                  Eq. (25)
+' Q/(fP) from the half-width of the stick zone.                                            Eq. (25)
 ' NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1).
 Public Function RWEDGE_SHEAR_RATIO(ByVal alpha As Double, ByVal c As Double) As Variant
 Attribute RWEDGE_SHEAR_RATIO.VB_Description = "Q/(fP) from the half-width of the stick zone. NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1)."
@@ -478,8 +488,8 @@ Attribute RWEDGE_SHEAR_RATIO.VB_Description = "Q/(fP) from the half-width of the
     End If
 End Function
 
-' Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips);
-' 0 for |x| >= 1.                                                                                      Eq. (23), (26), (27)
+' Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure
+' (q = f p where it slips); 0 for |x| >= 1.                                    Eq. (23), (26), (27)
 ' NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|).
 Public Function RWEDGE_SHEAR(ByVal alpha As Double, ByVal c As Double, ByVal x As Double) As Variant
 Attribute RWEDGE_SHEAR.VB_Description = "Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips); 0 for |x| >= 1. NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|)."
@@ -492,9 +502,10 @@ Attribute RWEDGE_SHEAR.VB_Description = "Shear traction A q/(f theta) at x, with
     End If
 End Function
 
-' ---- Interior stresses --------------------------------------------------------------------------------------------
+' ---- Interior stresses -------------------------------------------------------------------------
 
-' Stresses at the point (x, y), in theta/A, tension positive; closed form.           Eq. (28), (32), (33) with E4, E8; new
+' Stresses at the point (x, y), in theta/A, tension positive; closed form.
+'                                                             Eq. (28), (32), (33) with E4, E8; new
 '   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
 '   sxx, syy, txy  each receives one number
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL.
@@ -513,7 +524,8 @@ Attribute RWEDGE_STRESS.VB_Description = "Stresses at the point (x, y), in theta
     End If
 End Function
 
-' The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain.
+' The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every
+' point is in the domain.
 ' In a cell: a row for each point: sxx, syy, txy.
 Public Function RWEDGE_STRESSES( _
         ByVal alpha As Double, ByVal f As Double, ByVal c As Double, ByVal x As Variant, ByVal y As Variant) As Variant
@@ -533,9 +545,10 @@ Attribute RWEDGE_STRESSES.VB_Description = "As RWEDGE_STRESS at n points: x[i], 
     End If
 End Function
 
-' ---- Strength -----------------------------------------------------------------------------------------------------
+' ---- Strength ----------------------------------------------------------------------------------
 
-' Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz.   Eq. (38); new
+' Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi
+' for Hertz.                                                                          Eq. (38); new
 ' NaN outside the domain. Relative error below 1e-14.
 Public Function RWEDGE_MAX_TENSION(ByVal alpha As Double) As Variant
 Attribute RWEDGE_MAX_TENSION.VB_Description = "Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz. NaN outside the domain. Relative error below 1e-14."
@@ -548,10 +561,10 @@ Attribute RWEDGE_MAX_TENSION.VB_Description = "Maximum tension b s1/(fP), at the
     End If
 End Function
 
-' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
-'                                                                                                             Figs. 3 to 5
-' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0 (or below
-' 1e-100, which counts as 0): pi.
+' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
+' under a normal load (f = 0).                                                         Figs. 3 to 5
+' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu
+' = 0.5 and f = 0 (or below 1e-100, which counts as 0): pi.
 '   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
 ' NaN outside the domain. Relative error below 1e-12.
 Public Function RWEDGE_ELASTIC_LIMIT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
@@ -584,10 +597,11 @@ Attribute RWEDGE_ELASTIC_LIMITS.VB_Description = "As RWEDGE_ELASTIC_LIMIT for n 
     End If
 End Function
 
-' The elastic limit and where it yields: y = 0 is at the surface.                                                  Fig. 5
+' The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
 '   alpha  0, or at least 1e-14
-' For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
-' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
+' For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the
+' contact is equally stressed. RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12
+' where the maximum is not flat.
 ' In a cell: the row limit, x, y.
 Public Function RWEDGE_YIELD_POINT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yields: y = 0 is at the surface."
@@ -601,11 +615,12 @@ Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yi
     End If
 End Function
 
-' Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
-' is smooth in alpha, f and nu, so that each can be interpolated.                                            Fig. 4; new
+' Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4
+' are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated.
+'                                                                                       Fig. 4; new
 '
-' Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
-' RWEDGE_EABSENT beyond.
+' Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in
+' f, and for small alpha: RWEDGE_EABSENT beyond.
 '   alpha  0, or at least 1e-14
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 ' In a cell: the row limit, x, y.
@@ -621,11 +636,10 @@ Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the 
     End If
 End Function
 
-' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
-' 1e-100, which counts as 0), where J2 is 0 on the surface.
+' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for
+' nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface.
 '   alpha  0, or at least 1e-14
-' RWEDGE_EDOMAIN, RWEDGE_ENULL.
-'                                                                                                             Fig. 4; new
+' RWEDGE_EDOMAIN, RWEDGE_ENULL.                                                      Fig. 4; new
 ' In a cell: the row limit, x.
 Public Function RWEDGE_SURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface."
@@ -639,10 +653,12 @@ Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of 
     End If
 End Function
 
-' Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
-' (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).         Fig. 4; new
-'   alpha  at least 1e-14 (the sharp wedge yields at its apex: 0)
-' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root.
+' Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the
+' surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for
+' an interval of f: lib/README.md).                                                     Fig. 4; new
+'   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
+' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
+' like a square root.
 Public Function RWEDGE_CRITICAL_FRICTION(ByVal alpha As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md)."
     Dim status As Long
@@ -654,18 +670,20 @@ Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at
     End If
 End Function
 
-' ---- Dimensional quantities ---------------------------------------------------------------------------------------
+' ---- Dimensional quantities --------------------------------------------------------------------
 
 ' From here to the series, any consistent set of units. Arguments that return:
-'   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+'   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small
+'          angles
 '   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 '   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
 '   f      coefficient of friction, 0 <= f <= 1e6
 '   k      yield stress in pure shear, stress, finite, > 0
 '   P, Q   normal and tangential force per unit length
-' The functions that return a double give NaN outside the domain, and where the result is too large for a double.
+' The functions that return a double give NaN outside the domain, and where the result is too
+' large for a double.
 
-' Radius of the rounding, R = a/theta, length.                                                                  Sec. 2
+' Radius of the rounding, R = a/theta, length.                                            Sec. 2
 Public Function RWEDGE_RADIUS(ByVal theta As Double, ByVal a As Double) As Variant
 Attribute RWEDGE_RADIUS.VB_Description = "Radius of the rounding, R = a/theta, length."
     Dim status As Long
@@ -677,7 +695,7 @@ Attribute RWEDGE_RADIUS.VB_Description = "Radius of the rounding, R = a/theta, l
     End If
 End Function
 
-' Half-width of the rounding from its radius, a = R theta, length.                                              Sec. 2
+' Half-width of the rounding from its radius, a = R theta, length.                           Sec. 2
 '   R  radius, length, finite, >= 0
 Public Function RWEDGE_ROUNDING(ByVal theta As Double, ByVal R As Double) As Variant
 Attribute RWEDGE_ROUNDING.VB_Description = "Half-width of the rounding from its radius, a = R theta, length."
@@ -690,7 +708,7 @@ Attribute RWEDGE_ROUNDING.VB_Description = "Half-width of the rounding from its 
     End If
 End Function
 
-' Half-width b of the contact under the load P, length.                                       Eq. (7), (11), (15), inverse
+' Half-width b of the contact under the load P, length.                Eq. (7), (11), (15), inverse
 '   P  finite, >= 0; 0 gives 0
 ' Relative error below 1e-14. Inverse: rwedge_normal_load().
 Public Function RWEDGE_HALF_WIDTH( _
@@ -705,7 +723,7 @@ Attribute RWEDGE_HALF_WIDTH.VB_Description = "Half-width b of the contact under 
     End If
 End Function
 
-' The load P whose contact has the half-width b, force/length.                                        Eq. (7), (11), (15)
+' The load P whose contact has the half-width b, force/length.                  Eq. (7), (11), (15)
 '   b  length, finite, >= 0; 0 gives 0
 ' Relative error below 1e-14. Inverse: rwedge_half_width().
 Public Function RWEDGE_NORMAL_LOAD( _
@@ -720,12 +738,14 @@ Attribute RWEDGE_NORMAL_LOAD.VB_Description = "The load P whose contact has the 
     End If
 End Function
 
-' The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
-' contact grows with P, so that a/b in the elastic limit depends on it: a root.                             Figs. 3 to 5
+' The load P at which a given contact first yields in full sliding, or under a normal load (f =
+' 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a
+' root.                                                                                Figs. 3 to 5
 '   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 (or below
-' 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
-' Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
+' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14
+' a wide: for f = 0 (or below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the
+' deviator stays bounded however large the load. Relative error below 1e-11, and 1e-15
+' dlnP/dlnk, which is large for f = 0 and nu near 0.5.
 Public Function RWEDGE_YIELD_LOAD( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
         ByVal k As Double) As Variant
@@ -739,7 +759,10 @@ Attribute RWEDGE_YIELD_LOAD.VB_Description = "The load P at which a given contac
     End If
 End Function
 
-' Half-width b of the contact, length; 0 when separated; NaN for NULL.                         Eq. (7), (11), (15), inverse
+' ---- A contact with a load history -------------------------------------------------------------
+
+' Half-width b of the contact, length; 0 when separated; NaN for NULL.
+'                                                                   Eq. (7), (11), (15), inverse
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -755,8 +778,9 @@ Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contac
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
-' where there is no such zone, 0 in full sliding and when separated; NaN for NULL.                          Eq. (25); new
+' Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is
+' exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when
+' separated; NaN for NULL.                                                         Eq. (25); new
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_STICK_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -772,8 +796,8 @@ Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the 
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
-' Q > 0. Both are 0 for |x| >= b.                                                        Eq. (8), (12), (14), (22) to (27)
+' Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
+' f p where it slips under Q > 0. Both are 0 for |x| >= b.        Eq. (8), (12), (14), (22) to (27)
 '   x     length, finite; not the apex 0 of a loaded sharp wedge
 '   p, q  each receives n numbers
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
@@ -799,8 +823,9 @@ Attribute RWEDGE_CONTACT_TRACTIONS.VB_Description = "Pressure p and shear tracti
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Stresses at n points (x, y) of the half-plane, tension positive.                         Eq. (28), (32), (33); new
-'   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b
+' Stresses at n points (x, y) of the half-plane, tension positive.        Eq. (28), (32), (33); new
+'   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor
+'                  nearer to it than 2.2e-308 b
 '   sxx, syy, txy  each receives n numbers
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
 ' Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
@@ -827,10 +852,12 @@ Attribute RWEDGE_CONTACT_STRESSES.VB_Description = "Stresses at n points (x, y) 
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
-' since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat. 0 where a
-' point has stuck ever since. In full sliding the rigid displacement is not determined by the loads; the slip is then the
-' least that the loads need, with which the centre of the contact is on the verge of slip.        Eq. (17) to (21); new
+' Slip at n points of the surface, length: the tangential displacement of the half-plane's
+' surface relative to the wedge's since the point last came into contact. It has the sign of q
+' while it grows, so that q d(slip) is the heat. 0 where a point has stuck ever since. In full
+' sliding the rigid displacement is not determined by the loads; the slip is then the least that
+' the loads need, with which the centre of the contact is on the verge of slip.
+'                                                                             Eq. (17) to (21); new
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
@@ -856,11 +883,12 @@ Attribute RWEDGE_CONTACT_SLIP.VB_Description = "Slip at n points of the surface,
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
-' integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
-' falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.                     new
-' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the change of Q/f where that
-' slip reaches an older layer.
+' Energy dissipated by friction since the contact was created, per unit thickness (a force): the
+' time integral of the traction times the rate of slip over the contact, without the rigid
+' displacement in full sliding. Never falls. In a cycle under constant P it is the area of the
+' loop of Q over the rigid displacement.                                                        new
+' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
+' change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -876,15 +904,18 @@ Attribute RWEDGE_CONTACT_DISSIPATED_ENERGY.VB_Description = "Energy dissipated b
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
-' half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load().
+' How far the present state is from first yield (von Mises, plane strain): k over the maximum of
+' sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact
+' grows: see rwedge_yield_load().
 '   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-'   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
+'   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
+'           apex of the sharp wedge
 '   x, y    where the maximum is, length; each may be NULL
-' It is the global maximum that is searched for, from each edge of slip that is remembered, at every scale; a millisecond
-' for a first load, and its time grows with the square of rwedge_contact_memory().
-' RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
-' finite number. Relative error below 1e-12.
+' It is the global maximum that is searched for, from each edge of slip that is remembered, at
+' every scale; a millisecond for a first load, and its time grows with the square of
+' rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
+' RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a finite number. Relative error below
+' 1e-12.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row factor, x, y.
 Public Function RWEDGE_CONTACT_YIELD_FACTOR( _
@@ -902,11 +933,14 @@ Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present stat
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' a_k; 0 for k >= terms; NaN for k < 0 or NULL.
+' ---- The paper's series ------------------------------------------------------------------------
+
+' a_k; 0 for k >= terms; NaN outside the domain or NULL.
+'   k  index of the coefficient, >= 0
 ' In a cell: the series is made of x_samples, p_samples, terms.
 Public Function RWEDGE_SERIES_COEFFICIENT( _
         ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal k As Long) As Variant
-Attribute RWEDGE_SERIES_COEFFICIENT.VB_Description = "a_k; 0 for k >= terms; NaN for k < 0 or NULL."
+Attribute RWEDGE_SERIES_COEFFICIENT.VB_Description = "a_k; 0 for k >= terms; NaN outside the domain or NULL."
     Dim series As LongPtr, status As Long
     status = series_through(x_samples, p_samples, terms, series)
     If status = RWEDGE_OK Then
@@ -917,9 +951,10 @@ Attribute RWEDGE_SERIES_COEFFICIENT.VB_Description = "a_k; 0 for k >= terms; NaN
     If series <> 0 Then c_series_destroy series
 End Function
 
-' Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample. From
-' rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G|
-' anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum). NaN for NULL.
+' Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus
+' sample. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >=
+' terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose
+' coefficients have no finite sum). NaN for NULL.
 ' In a cell: the series is made of x_samples, p_samples, terms.
 Public Function RWEDGE_SERIES_RESIDUAL(ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long) As Variant
 Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample."
@@ -933,7 +968,7 @@ Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pres
     If series <> 0 Then c_series_destroy series
 End Function
 
-' The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                                               Eq. (29)
+' The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                      Eq. (29)
 ' In a cell: the series is made of x_samples, p_samples, terms.
 Public Function RWEDGE_SERIES_PRESSURE( _
         ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal x As Double) As Variant
@@ -948,7 +983,8 @@ Attribute RWEDGE_SERIES_PRESSURE.VB_Description = "The pressure at x; 0 for |x| 
     If series <> 0 Then c_series_destroy series
 End Function
 
-' Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1).  Eq. (30), (34), E2, E3
+' Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z -
+' sqrt(z^2-1).                                                           Eq. (30), (34), E2, E3
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 ' In a cell: the series is made of x_samples, p_samples, terms.
 ' In a cell: the row re, im.
@@ -967,8 +1003,9 @@ Attribute RWEDGE_SERIES_POTENTIAL.VB_Description = "Muskhelishvili's potential P
     If series <> 0 Then c_series_destroy series
 End Function
 
-' Stresses for q = f p.                                                                                    Eq. (32), (33)
-' RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges: slowly.
+' Stresses for q = f p.                                                              Eq. (32), (33)
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges:
+' slowly.
 ' In a cell: the series is made of x_samples, p_samples, terms.
 ' In a cell: the row sxx, syy, txy.
 Public Function RWEDGE_SERIES_STRESS( _

@@ -1,6 +1,6 @@
 Attribute VB_Name = "rwedge"
 ' SPDX-License-Identifier: GPL-3.0-or-later
-' Written by generate.py from include/rwedge.h and template.bas: change those, not this.
+' Written by bindings/interface/generate.py from include/rwedge.h and template.bas: change those, not this.
 '
 ' rwedge for Excel, 64-bit, on Windows: worksheet functions RWEDGE_..., which call rwedge.dll. It is looked for in the folder
 ' of the workbook or add-in that holds this module, and nowhere else.

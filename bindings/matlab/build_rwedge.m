@@ -1,8 +1,8 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
 function folder = build_rwedge(prefix, folder)
 %BUILD_RWEDGE  Builds rwedge for this MATLAB or GNU Octave.
-%   build_rwedge(PREFIX, FOLDER) compiles rwedge_mex.c and writes the functions and classes, with help texts from rwedge.h,
-%   into FOLDER, which is all that need be on the path. PREFIX is where rwedge is installed, built with
+%   build_rwedge(PREFIX, FOLDER) compiles rwedge_mex.c and puts it and the functions and classes into FOLDER, which is all
+%   that need be on the path. PREFIX is where rwedge is installed, built with
 %   RWEDGE_PRIVATE_DEPS=ON (so that its static library needs no other): include/rwedge.h and librwedge.a, in lib, lib64 or a
 %   folder of lib, such as lib/x86_64-linux-gnu.
 %   The default of PREFIX is three folders up, where an installed copy of this file finds it; of FOLDER, ./rwedge.
@@ -14,9 +14,9 @@ end
 if nargin < 2
     folder = fullfile(pwd, 'rwedge');
 end
-header = fullfile(prefix, 'include', 'rwedge.h');
+include = {fullfile(prefix, 'include'), here, fullfile(here, '..', 'interface')}; % entries.h: installed, or in a clone
 library = find_library(prefix);
-for needed = {header, library}
+for needed = {fullfile(prefix, 'include', 'rwedge.h'), library}
     if ~exist(needed{1}, 'file')
         error('rwedge:build', '%s is missing: is rwedge installed at %s?', needed{1}, prefix);
     end
@@ -25,8 +25,8 @@ end
 made = [regexprep(folder, '[/\\]+$', '') '-' unique]; % beside FOLDER, and moved into it when all is well
 make_folder(made);
 gone = onCleanup(@() remove_folder(made)); %#ok<NASGU>
-compile(fullfile(here, 'rwedge_mex.c'), fullfile(prefix, 'include'), library, made);
-write_functions(header, here, made);
+compile(fullfile(here, 'rwedge_mex.c'), include, library, made);
+copyfile(fullfile(here, 'functions', '*.m'), made);
 try_out(made, library);
 make_folder(folder);
 [moved, reason] = movefile(fullfile(made, '*'), folder, 'f');
@@ -90,12 +90,15 @@ end
 function compile(source, include, library, folder)
 if exist('OCTAVE_VERSION', 'builtin')
     go = {'cd', 'cd /d'}; % mkoctfile would take a space in the path of its result for the end of it
-    status = system(sprintf('%s "%s" && mkoctfile --mex -I"%s" "%s" "%s" -o rwedge_mex.%s', go{1 + ispc()}, folder, ...
-        make_absolute_filename(include), make_absolute_filename(source), make_absolute_filename(library), mexext()));
+    include = cellfun(@make_absolute_filename, include, 'UniformOutput', false);
+    from = sprintf(' -I"%s"', include{:});
+    status = system(sprintf('%s "%s" && mkoctfile --mex%s "%s" "%s" -o rwedge_mex.%s', go{1 + ispc()}, folder, from, ...
+        make_absolute_filename(source), make_absolute_filename(library), mexext()));
     if status ~= 0
         error('rwedge:build', 'mkoctfile failed');
     end
 else
-    mex(['-I' include], source, library, '-outdir', folder, '-output', 'rwedge_mex');
+    from = strcat('-I', include);
+    mex(from{:}, source, library, '-outdir', folder, '-output', 'rwedge_mex');
 end
 end

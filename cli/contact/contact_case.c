@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact_case.h"
 
+#include "loads.h"
+
 #include "text/number.h"
 
-#include <float.h>
 #include <math.h>
 
 #include <rwedge.h>
 
 static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.7320508075688772;
-
-/* As the library has it: f, P and Q are rounded, and so is their product. */
-static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
 /* Two ways to give the same; the second is -1 where there is one way only. */
 typedef struct {
@@ -98,15 +96,21 @@ static void fill(const double value[INPUT_COUNT], contact_case *what)
     what->beta = rwedge_dundurs_beta(what->E1, what->nu1, what->E2, what->nu2);
 }
 
-bool slides_away(double P, double Q, double f)
+/* The library knows, as it would have to apply them. */
+static bool slides_away(const contact_case *what)
 {
-    return fabs(Q) > f * P * (1 + SLIDING_ROUNDING);
+    rwedge_contact *contact = NULL;
+    int32_t status = rwedge_contact_create(what->theta, what->a, what->A, what->f, &contact);
+    if (status == RWEDGE_OK)
+        status = loads_apply_monotonic(what->P, what->Q, contact);
+    rwedge_contact_destroy(contact);
+    return status == RWEDGE_ESLIDING;
 }
 
 static bool has_equilibrium(const input_texts *given, const contact_case *what,
                             char complaint[COMPLAINT_SIZE])
 {
-    if (!slides_away(what->P, what->Q, what->f))
+    if (!slides_away(what))
         return true;
     char name[INPUT_NAME_SIZE], limit[NUMBER_SIZE];
     number_write(what->f * what->P, 6, '.', limit);
@@ -130,8 +134,9 @@ bool case_read(const input_texts *given, bool needs_load, contact_case *what,
     }
     fill(value, what);
     if (!isnormal(what->A) || !isnormal(what->theta / what->A) || !isfinite(what->a)) {
-        snprintf(complaint, COMPLAINT_SIZE,
-                 "the moduli and the rounding are so large or small that numbers overflow");
+        snprintf(
+            complaint, COMPLAINT_SIZE,
+            "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
         return false;
     }
     return has_equilibrium(given, what, complaint);

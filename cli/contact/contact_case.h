@@ -24,7 +24,4 @@ bool case_read(const input_texts *given, bool needs_load, contact_case *what,
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *what);
 
-/* Whether |Q| exceeds f P by more than rounding. */
-bool slides_away(double P, double Q, double f);
-
 #endif

@@ -7,31 +7,28 @@
 #include <string.h>
 #include <strings.h>
 
-#define INPUT(option, input, help, unit)                                                           \
-    {                                                                                              \
-        option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input), help, unit                    \
-    }
+#define INPUT(option, input) option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input)
 
 struct poptOption input_option_table[] = {
-    INPUT("E1", INPUT_E1, "Young's modulus of body 1, whose stresses are computed", "STRESS"),
-    INPUT("nu1", INPUT_NU1, "Poisson's ratio of body 1, 0 to 0.5", "NUMBER"),
-    INPUT("E2", INPUT_E2, "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
-          "STRESS"),
-    INPUT("nu2", INPUT_NU2, "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER"),
-    INPUT("theta", INPUT_THETA, "Angle between flank and surface, in radians", "ANGLE"),
-    INPUT("theta-deg", INPUT_THETA_DEG, "The same in degrees", "ANGLE"),
-    INPUT("a", INPUT_A, "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"),
-    INPUT("radius", INPUT_RADIUS, "Radius of the rounding instead, a/theta", "LENGTH"),
-    INPUT("P", INPUT_P, "Normal force per unit length", "FORCE"),
-    INPUT("Q", INPUT_Q, "Tangential force per unit length (default 0)", "FORCE"),
-    INPUT("f", INPUT_F, "Coefficient of friction (default 0)", "NUMBER"),
+    {INPUT("E1", INPUT_E1), "Young's modulus of body 1, whose stresses are computed", "STRESS"},
+    {INPUT("nu1", INPUT_NU1), "Poisson's ratio of body 1, 0 to 0.5", "NUMBER"},
+    {INPUT("E2", INPUT_E2), "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
+     "STRESS"},
+    {INPUT("nu2", INPUT_NU2), "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER"},
+    {INPUT("theta", INPUT_THETA), "Angle between flank and surface, in radians", "ANGLE"},
+    {INPUT("theta-deg", INPUT_THETA_DEG), "The same in degrees", "ANGLE"},
+    {INPUT("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
+    {INPUT("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
+    {INPUT("P", INPUT_P), "Normal force per unit length", "FORCE"},
+    {INPUT("Q", INPUT_Q), "Tangential force per unit length (default 0)", "FORCE"},
+    {INPUT("f", INPUT_F), "Coefficient of friction (default 0)", "NUMBER"},
     POPT_TABLEEND,
 };
 
 struct poptOption strength_option_table[] = {
-    INPUT("k", INPUT_K, "Yield stress of body 1 in pure shear", "STRESS"),
-    INPUT("yield-stress", INPUT_YIELD_STRESS, "Yield stress in tension instead, sqrt(3) k",
-          "STRESS"),
+    {INPUT("k", INPUT_K), "Yield stress of body 1 in pure shear", "STRESS"},
+    {INPUT("yield-stress", INPUT_YIELD_STRESS), "Yield stress in tension instead, sqrt(3) k",
+     "STRESS"},
     POPT_TABLEEND,
 };
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a contact is given by, one at a time: its names as option and as column, its domain, and
- * how its text is read.
- * */
+ * how its text is read. */
 #ifndef CLI_INPUTS_H
 #define CLI_INPUTS_H
 

@@ -8,6 +8,12 @@
 #include <inttypes.h>
 #include <string.h>
 
+int32_t loads_apply_monotonic(double P, double Q, rwedge_contact *contact)
+{
+    const int32_t status = rwedge_contact_load(contact, P, 0);
+    return status == RWEDGE_OK ? rwedge_contact_load(contact, P, Q) : status;
+}
+
 /* The next load; what is wrong with it goes to the complaint. */
 static bool apply(double P, double Q, double f, rwedge_contact *contact,
                   char complaint[COMPLAINT_SIZE])

@@ -5,6 +5,9 @@
 
 #include <rwedge.h>
 
+/* Applies P, then Q under constant P; returns the library's status. */
+int32_t loads_apply_monotonic(double P, double Q, rwedge_contact *contact);
+
 /* Applies "P,Q" after "P,Q", one to a line, as --load gave them; returns the exit status. */
 int loads_apply_list(const char *lines, double f, rwedge_contact *contact);
 

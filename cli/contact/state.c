@@ -84,9 +84,7 @@ static int read_shear_ratio(const arguments *given, double alpha, double *ratio)
 
 static int load_monotonic(double P, double Q, contact_state *state)
 {
-    int32_t status = rwedge_contact_load(state->contact, P, 0);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_load(state->contact, P, Q);
+    const int32_t status = loads_apply_monotonic(P, Q, state->contact);
     return status == RWEDGE_OK
                ? STATUS_DONE
                : failure("the loads cannot be applied: %s", rwedge_strerror(status));

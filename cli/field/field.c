@@ -10,7 +10,11 @@
 
 enum { OPTION_X = OPTION_AFTER_STATE, OPTION_Y };
 
-static struct poptOption field_output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json|xlsx|vtk")};
+static struct poptOption field_output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
+};
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},

@@ -6,6 +6,7 @@
 #include "figures_strength.h"
 #include "figures_traction.h"
 #include "picture/gnuplot.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
@@ -54,7 +55,7 @@ static const struct poptOption options[] = {
      "With --data: write 1,5 for 1.5, with ';' between the columns of csv", NULL},
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all (default: standard output)", "FILE"},
-    OPTION_HELP_ENTRY,
+    {HELP_OPTION},
     POPT_TABLEEND,
 };
 
@@ -91,17 +92,11 @@ static void describe_figures(FILE *stream)
           stream);
 }
 
-static void append(char *text, size_t size, const char *before, const char *word)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s%s", used > 0 ? ", " : "", before, word);
-}
-
 static int choose_figure(const arguments *given, const figure **which)
 {
     char allowed[120] = "";
     for (int i = 0; i < FIGURE_COUNT; i++)
-        append(allowed, sizeof allowed, "", figures[i]->name);
+        list_add(allowed, sizeof allowed, ", ", "%s", figures[i]->name);
     if (given->operand == NULL || given->operand[0] == NULL)
         return usage_error("which figure must follow; allowed: %s", allowed);
     for (int i = 0; i < FIGURE_COUNT; i++)
@@ -119,7 +114,7 @@ static int refuse_variable(const figure *which, int variable, const char *text)
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (which->use[i].usual != NULL)
-            append(allowed, sizeof allowed, "--", variable_of(i)->option);
+            list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
     return usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
                        variable_of(variable)->option, text, which->name,
                        allowed[0] != '\0' ? allowed : "none of the variables");
@@ -217,7 +212,6 @@ static bool compute(work *what)
 static bool draw(const work *what, output *out)
 {
     drawing *on = calloc(1, sizeof *on);
-    bytes picture = {0};
     bool drawn = false;
     if (on == NULL)
         failure("out of memory");
@@ -228,12 +222,9 @@ static bool draw(const work *what, output *out)
         if (on->outlines.failed)
             failure("out of memory");
         else
-            drawn = gnuplot_draw(on, what->format, &picture);
+            drawn = gnuplot_draw(on, what->format, out);
     }
-    if (drawn)
-        output_write(out, picture.data, picture.length);
     drawing_free(on);
-    bytes_free(&picture);
     return drawn;
 }
 

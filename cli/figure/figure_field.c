@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of von Mises' stress below the contact. */
+#include "contact/loads.h"
 #include "picture/contour.h"
 #include "figure_field.h"
 
@@ -240,11 +241,8 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top,
     rwedge_contact *contact = NULL;
     double factor = 0;
     int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
-    if (status ==
-        RWEDGE_OK) /* Q grows under constant P: the straight line from 0 to both would give other tractions */
-        status = rwedge_contact_load(contact, load, 0);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_load(contact, load, Q);
+        status = loads_apply_monotonic(load, Q, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);

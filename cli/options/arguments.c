@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "arguments.h"
 
+#include "text/list.h"
 #include "text/message.h"
 
 #include <errno.h>
@@ -27,9 +28,8 @@ void options_list(const struct poptOption *options, char *text, size_t size)
     text[0] = '\0';
     for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
         const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
-        const size_t used = strlen(text);
         if (option != NULL)
-            snprintf(text + used, size - used, "%s--%s", used > 0 ? ", " : "", option->longName);
+            list_add(text, size, ", ", "--%s", option->longName);
     }
 }
 

@@ -53,9 +53,7 @@ int arguments_no_operand(const arguments *given);
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);
 
-#define OPTION_HELP_ENTRY                                                                          \
-    {                                                                                              \
-        "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL             \
-    }
+/* An entry of a table. */
+#define HELP_OPTION "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL
 
 #endif

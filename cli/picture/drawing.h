@@ -7,6 +7,8 @@
 
 #include "dataset.h"
 
+#include "text/printf_like.h"
+
 enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
@@ -65,11 +67,7 @@ typedef struct {
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
 
 /* The next label, its text made as by printf. */
-#ifdef __GNUC__
-__attribute__((format(printf, 4, 5)))
-#endif
-label *
-drawing_label(drawing *on, double x, double y, const char *format, ...);
+label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 
 /* NULL is allowed. */
 void drawing_free(drawing *on);

@@ -7,8 +7,10 @@
 
 #include "gnuplot_script.h"
 
-/* Has gnuplot draw: the picture's bytes. False, with the reason said, where it is missing or
- * fails. */
-bool gnuplot_draw(const drawing *what, const picture_format *format, bytes *picture);
+#include "system/output.h"
+
+/* Has gnuplot draw the picture into the output. False, with the reason said and nothing written,
+ * where gnuplot is missing or fails. */
+bool gnuplot_draw(const drawing *what, const picture_format *format, output *out);
 
 #endif

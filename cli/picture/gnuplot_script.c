@@ -14,13 +14,11 @@ const picture_format picture_formats[PICTURE_FORMATS] = {
      480, 480, "<?xml", "</svg>", 5, 6, true},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
-     "3.5 dashlength 1.6 "
-     "background '#ffffff' butt",
+     "3.5 dashlength 1.6 background '#ffffff' butt",
      1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
-     "pointscale 0.9 background '#ffffff' "
-     "butt",
+     "pointscale 0.9 background '#ffffff' butt",
      8.5, 8.5, "%PDF-", "%%EOF", 5, 5, false},
 };
 
@@ -31,153 +29,152 @@ static const char *const colours[PALETTE_SIZE] = {
 static const char *const dashes[DASHES] = {"solid", "(9,4)", "(3,3)", "(9,3,2,3)", "(15,4)"};
 
 /* *a* -> {/:Italic a}; an underscore means the same in both. */
-static void put_words(bytes *script, const char *text)
+static void put_words(FILE *script, const char *text)
 {
     bool italic = false;
     for (const char *c = text; *c != '\0'; c++)
         if (*c == '*') {
-            bytes_text(script, italic ? "}" : "{/:Italic ");
+            fputs(italic ? "}" : "{/:Italic ", script);
             italic = !italic;
         } else {
             if (*c == '"' || *c == '\\')
-                bytes_text(script, "\\");
-            bytes_add(script, c, 1);
+                fputs("\\", script);
+            putc(*c, script);
         }
 }
 
-static void put_text(bytes *script, const char *text)
+static void put_text(FILE *script, const char *text)
 {
-    bytes_text(script, "\"");
+    fputs("\"", script);
     put_words(script, text);
-    bytes_text(script, "\"");
+    fputs("\"", script);
 }
 
-static void put_axis(bytes *script, const char *name, const axis *which)
+static void put_axis(FILE *script, const char *name, const axis *which)
 {
-    bytes_format(script, "set %slabel ", name);
+    fprintf(script, "set %slabel ", name);
     put_text(script, which->text);
-    bytes_format(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from,
-                 which->to, name);
+    fprintf(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from,
+            which->to, name);
     if (which->tic_end != 0)
-        bytes_format(script, "set %stics 0,%.9g,%.9g\n", name, which->tic, which->tic_end);
+        fprintf(script, "set %stics 0,%.9g,%.9g\n", name, which->tic, which->tic_end);
     else
-        bytes_format(script, "set %stics %.9g\n", name, which->tic);
+        fprintf(script, "set %stics %.9g\n", name, which->tic);
 }
 
-static void put_caption(bytes *script, const drawing *what)
+static void put_caption(FILE *script, const drawing *what)
 {
     if (what->caption[0] == '\0')
         return;
-    bytes_text(script, "set xlabel \"");
+    fputs("set xlabel \"", script);
     put_words(script, what->x.text);
-    bytes_text(script, "\\n");
+    fputs("\\n", script);
     put_words(script, what->caption);
-    bytes_text(script, "\"\n");
+    fputs("\"\n", script);
 }
 
-static void put_legend(bytes *script, const drawing *what)
+static void put_legend(FILE *script, const drawing *what)
 {
     if (what->legend_at == NULL) {
-        bytes_text(script, "unset key\n");
+        fputs("unset key\n", script);
         return;
     }
-    bytes_format(script, "set key %s reverse Left samplen 2.5 spacing 1.1 noautotitle\n",
-                 what->legend_at);
+    fprintf(script, "set key %s reverse Left samplen 2.5 spacing 1.1 noautotitle\n",
+            what->legend_at);
 }
 
-static void put_frame(bytes *script, const drawing *what)
+static void put_frame(FILE *script, const drawing *what)
 {
     put_axis(script, "x", &what->x);
     put_axis(script, "y", &what->y);
     put_caption(script, what);
-    bytes_text(script, "set xtics nomirror\nset ytics nomirror\n");
+    fputs("set xtics nomirror\nset ytics nomirror\n", script);
     if (what->second.text[0] != '\0') {
         put_axis(script, "y2", &what->second);
-        bytes_text(script, "set border 11\n");
+        fputs("set border 11\n", script);
     } else
-        bytes_text(script, "set border 3\n");
-    bytes_text(script,
-               "set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
-               "set title offset 0,-0.5\nset tics scale 0.6\n");
+        fputs("set border 3\n", script);
+    fputs("set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
+          "set title offset 0,-0.5\nset tics scale 0.6\n",
+          script);
     if (what->equal_scale)
-        bytes_text(script, "set size ratio -1\n");
-    bytes_format(script, "set tmargin %s\nset rmargin %s\nset title ",
-                 what->title[0] != '\0' ? "2" : "0.7", what->second.text[0] != '\0' ? "7.5" : "2");
+        fputs("set size ratio -1\n", script);
+    fprintf(script, "set tmargin %s\nset rmargin %s\nset title ",
+            what->title[0] != '\0' ? "2" : "0.7", what->second.text[0] != '\0' ? "7.5" : "2");
     put_text(script, what->title);
-    bytes_text(script, "\n");
+    fputs("\n", script);
     put_legend(script, what);
 }
 
-static void put_label(bytes *script, const label *one)
+static void put_label(FILE *script, const label *one)
 {
     static const char *const sides[] = {
         [ALIGN_LEFT] = "left", [ALIGN_CENTRE] = "center", [ALIGN_RIGHT] = "right"};
-    bytes_text(script, "set label ");
+    fputs("set label ", script);
     put_text(script, one->text);
-    bytes_format(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n",
-                 one->second_axis ? "second" : "first", one->x, one->y, sides[one->align],
-                 colours[one->colour], one->boxed ? " boxed" : "");
+    fprintf(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n",
+            one->second_axis ? "second" : "first", one->x, one->y, sides[one->align],
+            colours[one->colour], one->boxed ? " boxed" : "");
 }
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries
  * does not show. */
-static void put_data(bytes *script, const curve *one, int number)
+static void put_data(FILE *script, const curve *one, int number)
 {
-    bytes_format(script, "$c%d << EOD\n", number);
+    fprintf(script, "$c%d << EOD\n", number);
     for (size_t i = 0; i < one->count; i++) {
         const double *row = one->from->row[one->first + i].number;
         if (isfinite(row[one->x]) && isfinite(row[one->y]))
-            bytes_format(script, "%.7g %.7g\n", row[one->x] + 0, row[one->y] + 0);
+            fprintf(script, "%.7g %.7g\n", row[one->x] + 0, row[one->y] + 0);
         else
-            bytes_text(script, "\n");
+            fputs("\n", script);
     }
-    bytes_text(script, "EOD\n");
+    fputs("EOD\n", script);
 }
 
-static void put_style(bytes *script, const curve *one)
+static void put_style(FILE *script, const curve *one)
 {
     const char *colour = colours[one->colour];
     const int level = (int)floor(255 * one->grey + 0.5);
     switch (one->style) {
     case STYLE_LINE:
-        bytes_format(script, "lines linewidth %.3g dashtype %s linecolor rgb '%s'", one->width,
-                     dashes[one->dash], colour);
+        fprintf(script, "lines linewidth %.3g dashtype %s linecolor rgb '%s'", one->width,
+                dashes[one->dash], colour);
         break;
     case STYLE_CROSSES:
-        bytes_format(script, "points pointtype 2 pointsize 0.35 linewidth 0.7 linecolor rgb '%s'",
-                     colour);
+        fprintf(script, "points pointtype 2 pointsize 0.35 linewidth 0.7 linecolor rgb '%s'",
+                colour);
         break;
     case STYLE_CIRCLES:
-        bytes_format(script, "points pointtype 6 pointsize 0.7 linewidth 1.2 linecolor rgb '%s'",
-                     colour);
+        fprintf(script, "points pointtype 6 pointsize 0.7 linewidth 1.2 linecolor rgb '%s'",
+                colour);
         break;
     case STYLE_AREA:
-        bytes_format(script,
-                     "filledcurves closed fillstyle solid 1 noborder linecolor rgb '#%02x%02x%02x'",
-                     level, level, level);
+        fprintf(script,
+                "filledcurves closed fillstyle solid 1 noborder linecolor rgb '#%02x%02x%02x'",
+                level, level, level);
         break;
     }
 }
 
-static void put_curve(bytes *script, const curve *one, int number)
+static void put_curve(FILE *script, const curve *one, int number)
 {
-    bytes_format(script, "%s$c%d using 1:2 axes x1y%d with ", number > 0 ? ", \\\n    " : "plot ",
-                 number, one->second_axis ? 2 : 1);
+    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", number > 0 ? ", \\\n    " : "plot ",
+            number, one->second_axis ? 2 : 1);
     put_style(script, one);
     if (one->legend[0] != '\0') {
-        bytes_text(script, " title ");
+        fputs(" title ", script);
         put_text(script, one->legend);
     } else
-        bytes_text(script, " notitle");
+        fputs(" notitle", script);
 }
 
-void gnuplot_script(const drawing *what, const picture_format *format, bytes *script)
+void gnuplot_script(const drawing *what, const picture_format *format, FILE *script)
 {
-    bytes_text(script, "set terminal ");
-    bytes_format(script, format->terminal, format->width, format->height * what->height);
-    bytes_text(
-        script,
-        "\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n");
+    fputs("set terminal ", script);
+    fprintf(script, format->terminal, format->width, format->height * what->height);
+    fputs("\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n",
+          script);
     put_frame(script, what);
     for (int i = 0; i < what->label_count; i++)
         put_label(script, &what->label[i]);
@@ -185,5 +182,5 @@ void gnuplot_script(const drawing *what, const picture_format *format, bytes *sc
         put_data(script, &what->curve[i], i);
     for (int i = 0; i < what->curve_count; i++)
         put_curve(script, &what->curve[i], i);
-    bytes_text(script, "\nunset output\n");
+    fputs("\nunset output\n", script);
 }

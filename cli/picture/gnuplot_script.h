@@ -4,7 +4,9 @@
 #define CLI_GNUPLOT_SCRIPT_H
 
 #include "drawing.h"
-#include "system/bytes.h"
+
+#include <stdbool.h>
+#include <stdio.h>
 
 typedef struct {
     const char *name; /* of the format, and of the file's extension */
@@ -20,7 +22,7 @@ typedef struct {
 enum { PICTURE_FORMATS = 3 };
 extern const picture_format picture_formats[PICTURE_FORMATS];
 
-/* The drawing in gnuplot's language. */
-void gnuplot_script(const drawing *what, const picture_format *format, bytes *script);
+/* Writes the drawing in gnuplot's language. */
+void gnuplot_script(const drawing *what, const picture_format *format, FILE *script);
 
 #endif

@@ -6,12 +6,10 @@
 #include "text/message.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <csv.h>
 
@@ -19,7 +17,7 @@ enum { BLOCK = 1 << 16 };
 
 struct csv_input {
     const char *name;
-    int descriptor;
+    FILE *file;
     struct csv_parser parser;
     unsigned char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
@@ -95,15 +93,12 @@ csv_input *csv_input_open(const char *path, char separator)
         failure("out of memory");
         return NULL;
     }
-    struct stat about;
     in->name = name;
     in->at_start = true;
     in->line = 1;
-    in->descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY);
-    const bool folder =
-        in->descriptor >= 0 && fstat(in->descriptor, &about) == 0 && S_ISDIR(about.st_mode);
-    if (in->descriptor < 0 || folder) {
-        failure("%s: %s", name, strerror(folder ? EISDIR : errno));
+    in->file = standard ? stdin : fopen(path, "rb");
+    if (in->file == NULL) {
+        failure("%s: %s", name, strerror(errno));
         csv_input_close(in);
         return NULL;
     }
@@ -124,20 +119,18 @@ static void skip_mark(csv_input *in)
     in->at_start = false;
 }
 
-/* Fills the block; a pipe may give less than the mark at first. */
+/* Fills the block, unless the file ends before. */
 static bool fill(csv_input *in)
 {
     in->begin = in->end = 0;
-    while (in->end < (in->at_start ? 3 : 1) && !in->at_end) {
-        const ssize_t count = read(in->descriptor, in->block + in->end, BLOCK - in->end);
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0) {
-            failure("%s: %s", in->name, strerror(errno));
-            return false;
-        }
-        in->end += (size_t)count;
-        in->at_end = count == 0;
+    do {
+        clearerr(in->file);
+        in->end += fread(in->block + in->end, 1, BLOCK - in->end, in->file);
+    } while (ferror(in->file) && errno == EINTR);
+    in->at_end = in->end < BLOCK;
+    if (ferror(in->file)) {
+        failure("%s: %s", in->name, strerror(errno));
+        return false;
     }
     skip_mark(in);
     return true;
@@ -278,8 +271,8 @@ void csv_input_close(csv_input *in)
     if (in == NULL)
         return;
     csv_free(&in->parser);
-    if (in->descriptor > STDIN_FILENO)
-        close(in->descriptor);
+    if (in->file != NULL && in->file != stdin)
+        fclose(in->file);
     free(in->text);
     free(in);
 }

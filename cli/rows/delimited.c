@@ -62,4 +62,5 @@ static void nothing(records *rows)
     (void)rows;
 }
 
-const record_format delimited_format = {nothing, put_name, end_row, put_value, end_row, nothing};
+const record_format delimited_format = {nothing, put_name, end_row, put_value,
+                                        end_row, nothing,  nothing};

@@ -6,12 +6,28 @@
 #include "spreadsheet.h"
 #include "text/message.h"
 #include "system/progress.h"
+#include "system/streams.h"
 #include "sheet/xlsx.h"
 
 #include <string.h>
-#include <unistd.h>
 
-struct poptOption output_option_table[] = {OUTPUT_OPTIONS("csv|tsv|json|xlsx")};
+struct poptOption output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx")},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
+};
+
+struct poptOption other_output_option_table[] = {
+    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
+     "Significant digits, 1 to 17 (default 17: numbers read back to the same bits)", "N"},
+    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+     "In files 1,5 for 1.5, with ';' between the columns of csv", NULL},
+    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
+     "Write to FILE, whole or not at all (default: standard output)", "FILE"},
+    {"quiet", 'q', POPT_ARG_NONE, NULL, OPTION_QUIET, "No progress on the terminal", NULL},
+    {HELP_OPTION},
+    POPT_TABLEEND,
+};
 
 /* The formats of rows. */
 static const struct {
@@ -26,9 +42,9 @@ enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
 
 static int check_spreadsheet(const output_options *how)
 {
-    if (!xlsx_available())
-        return usage_error("--format xlsx: " XLSX_MISSING);
-    if ((how->path == NULL || strcmp(how->path, "-") == 0) && isatty(STDOUT_FILENO))
+    if (xlsx_missing() != NULL)
+        return usage_error("--format xlsx: %s", xlsx_missing());
+    if ((how->path == NULL || strcmp(how->path, "-") == 0) && stream_is_terminal(stdout))
         return usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
     return STATUS_DONE;
 }
@@ -109,7 +125,8 @@ int output_options_write(const output_options *how, rows_writer *write_rows, voi
     records rows = records_for(how, &out);
     const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
     if (!write_rows(context, &rows, show_progress)) {
-        xlsx_discard(rows.book);
+        if (rows.format != NULL)
+            rows.format->discard(&rows);
         output_discard(&out);
         return STATUS_FAILED;
     }

@@ -15,23 +15,13 @@ typedef struct {
     bool quiet;
 } output_options;
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
-extern struct poptOption output_option_table[];
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE; and what is in it beside --format, for a
+ * command that has a format of its own. */
+extern struct poptOption output_option_table[], other_output_option_table[];
 
-/* The entries of such a table, for a command that has a format of its own. */
-/* clang-format off */
-#define OUTPUT_OPTIONS(formats)                                                                                        \
-    {"format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", formats},          \
-    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,                                                             \
-     "Significant digits, 1 to 17 (default 17: numbers read back to the same bits)", "N"},                             \
-    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,                                                 \
-     "In files 1,5 for 1.5, with ';' between the columns of csv", NULL},                                               \
-    {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,                                                              \
-     "Write to FILE, whole or not at all (default: standard output)", "FILE"},                                         \
-    {"quiet", 'q', POPT_ARG_NONE, NULL, OPTION_QUIET, "No progress on the terminal", NULL},                            \
-    OPTION_HELP_ENTRY,                                                                                                 \
-    POPT_TABLEEND
-/* clang-format on */
+#define FORMAT_OPTION(formats)                                                                     \
+    "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \
+        formats
 
 /* STATUS_DONE, or what to leave with. */
 int output_options_read(const arguments *given, output_options *how);

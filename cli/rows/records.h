@@ -38,6 +38,7 @@ typedef struct {
     void (*value)(records *rows, const char *name, cell value);
     void (*end_row)(records *rows);
     void (*end)(records *rows);
+    void (*discard)(records *rows); /* instead of the end, where something went wrong */
 } record_format;
 
 struct records {
@@ -55,8 +56,7 @@ struct records {
 bool records_go_on(const records *rows);
 
 /* False, with the reason said, where a format could not write a text; what an output could not,
- * output_finish() says.
- * */
+ * output_finish() says. */
 bool records_are_sound(const records *rows);
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "xlsx.h"
 
+#include "system/streams.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,9 +27,9 @@ struct xlsx {
     lxw_error error;
 };
 
-bool xlsx_available(void)
+const char *xlsx_missing(void)
 {
-    return true;
+    return NULL;
 }
 
 /* Where memory is short, or the folder of its temporary files full, the library leaves things
@@ -131,11 +133,10 @@ static void set_properties(xlsx *book, const char *title)
 
 static bool open_workbook(xlsx *book, bool in_order)
 {
-    char name[40];
-    book->spool = tmpfile();
+    char name[STREAM_NAME_SIZE];
+    book->spool = stream_with_name(name);
     if (book->spool == NULL)
         return false;
-    snprintf(name, sizeof name, "/dev/fd/%d", fileno(book->spool));
     lxw_workbook_options options = {.constant_memory = in_order};
     book->workbook = workbook_new_opt(name, &options);
     return book->workbook != NULL && make_styles(book);

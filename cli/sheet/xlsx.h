@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spreadsheet files, by libxlsxwriter, which xlsx.c alone sees. A build without that library has
- * xlsx_absent.c in its place. What goes wrong on the way is remembered, and said at the end. */
+/* Spreadsheet files, by libxlsxwriter, which xlsx.c alone sees. What goes wrong on the way is
+ * remembered, and said at the end. */
 #ifndef CLI_XLSX_H
 #define CLI_XLSX_H
 
@@ -36,12 +36,9 @@ typedef enum {
 
 enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 };
 
-/* Whether this build can write such files; what it lacks. */
-bool xlsx_available(void);
-#define XLSX_MISSING                                                                               \
-    "this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the "   \
-    "package "                                                                                     \
-    "libxlsxwriter-dev)"
+/* NULL; or why this build cannot write such files. */
+const char *xlsx_missing(void);
+
 #define XLSX_NOT_BEGUN "a temporary file for the spreadsheet cannot be made"
 
 /* With in_order, cells come row by row from the left, and take no memory. NULL where it cannot

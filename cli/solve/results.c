@@ -3,6 +3,9 @@
 
 #include "warnings.h"
 
+#include "contact/loads.h"
+#include "text/list.h"
+
 #include <math.h>
 
 #include <rwedge.h>
@@ -120,9 +123,7 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
     double factor;
     int32_t status = rwedge_contact_create(what->theta, what->a, what->A, what->f, &contact);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_load(contact, what->P, 0);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_load(contact, what->P, what->Q);
+        status = loads_apply_monotonic(what->P, what->Q, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, what->nu1, what->k, &factor, NULL, NULL);
     rwedge_contact_destroy(contact);
@@ -139,7 +140,7 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
         found->value[i] = cell_empty();
     const double b = rwedge_half_width(what->theta, what->a, what->A, what->P);
     if (!isnormal(b) || !isfinite(what->a / b))
-        return not_computed("b", "so large or small that numbers overflow", complaint);
+        return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
     geometry(what, b, found->value);
     if (!friction(what, b, found->value, complaint) || !strength(what, b, found->value, complaint))
         return false;
@@ -153,5 +154,5 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
 
 void results_warn(results *found, const char *warning)
 {
-    warnings_add(warning, found->warnings, sizeof found->warnings);
+    list_add(found->warnings, sizeof found->warnings, "; ", "%s", warning);
 }

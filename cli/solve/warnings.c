@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "warnings.h"
 
+#include "text/list.h"
+
 #include <math.h>
-#include <stdarg.h>
-#include <string.h>
 
 #include <rwedge.h>
 
@@ -20,52 +20,27 @@ static const double BETA_ROUNDING = 1e-12;
  * contact, as mm for um, or MPa for GPa, would make it. */
 static const double STRENGTH_RATIO_LOW = 1e-5, STRENGTH_RATIO_HIGH = 0.1, ROUNDING_RATIO = 1e4;
 
-typedef struct {
-    char *text;
-    size_t size, used;
-} list;
-
-static void add(list *warnings, const char *format, ...)
-{
-    if (warnings->used > 0 && warnings->used + 3 < warnings->size) {
-        strcpy(warnings->text + warnings->used, "; ");
-        warnings->used += 2;
-    }
-    va_list values;
-    va_start(values, format);
-    const int length =
-        vsnprintf(warnings->text + warnings->used, warnings->size - warnings->used, format, values);
-    va_end(values);
-    if (length > 0)
-        warnings->used += strlen(warnings->text + warnings->used);
-}
-
-static void check_units(const contact_case *what, list *warnings)
+static void check_units(const contact_case *what, char *text, size_t size)
 {
     const double b = rwedge_half_width(what->theta, what->a, what->A, what->P);
     const double rounding = what->a / b, strength = what->k / what->E1;
     if (rounding > 0 && (rounding > ROUNDING_RATIO || rounding < 1 / ROUNDING_RATIO))
-        add(warnings, "a_over_b = %.3g: are a, P and E1 in consistent units?", rounding);
+        list_add(text, size, "; ", "a_over_b = %.3g: are a, P and E1 in consistent units?",
+                 rounding);
     if (strength > STRENGTH_RATIO_HIGH || strength < STRENGTH_RATIO_LOW)
-        add(warnings, "k/E1 = %.3g: are the stresses in one unit?", strength);
+        list_add(text, size, "; ", "k/E1 = %.3g: are the stresses in one unit?", strength);
 }
 
 void warnings_write(const contact_case *what, double safety, char *text, size_t size)
 {
-    list warnings = {text, size, 0};
     text[0] = '\0';
     if (what->theta > THETA_DOUBTFUL)
-        add(&warnings, "theta = %.3g rad: above %g the wedge is hardly a half-plane", what->theta,
-            THETA_DOUBTFUL);
+        list_add(text, size, "; ", "theta = %.3g rad: above %g the wedge is hardly a half-plane",
+                 what->theta, THETA_DOUBTFUL);
     if (what->f > 0 && fabs(what->beta) > BETA_ROUNDING)
-        add(&warnings, "dundurs_beta = %.3g: with friction its coupling is neglected", what->beta);
+        list_add(text, size, "; ", "dundurs_beta = %.3g: with friction its coupling is neglected",
+                 what->beta);
     if (!isnan(what->k) && safety < 1)
-        add(&warnings, "P is above P_yield: the contact yields in full sliding");
-    check_units(what, &warnings);
-}
-
-void warnings_add(const char *warning, char *text, size_t size)
-{
-    list warnings = {text, size, strlen(text)};
-    add(&warnings, "%s", warning);
+        list_add(text, size, "; ", "P is above P_yield: the contact yields in full sliding");
+    check_units(what, text, size);
 }

@@ -9,7 +9,4 @@
  * is given. */
 void warnings_write(const contact_case *what, double safety, char *text, size_t size);
 
-/* Adds one to those in the text. */
-void warnings_add(const char *warning, char *text, size_t size);
-
 #endif

@@ -3,10 +3,11 @@
  * caller empties the ring. Without threads the caller computes each block when it comes to it. */
 #include "ahead.h"
 
+#include "signals.h"
+
 #include "text/message.h"
 
 #include <pthread.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -85,21 +86,13 @@ static void *run_thread(void *context)
     return NULL;
 }
 
-/* Signals are for the caller's thread: threads inherit what is blocked. Not so a crash: it
- * belongs to the thread that it is in, and one that is blocked ends the process without the
- * handler, which removes the unfinished file. */
 static void start_threads(ahead *work, int threads)
 {
-    static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
-    sigset_t blocked, before;
-    sigfillset(&blocked);
-    for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++)
-        sigdelset(&blocked, crashes[i]);
-    pthread_sigmask(SIG_SETMASK, &blocked, &before);
+    signals_before_threads();
     while (work->threads < threads &&
            pthread_create(&work->thread[work->threads], NULL, run_thread, work) == 0)
         work->threads++;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    signals_after_threads();
 }
 
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,

@@ -113,8 +113,8 @@ static void remember(output *out, int reason)
 /* A disk may report at close() what it did not at write(). */
 static void close_checked(output *out)
 {
-    if (out->unfinished != NULL && out->error == 0 && fsync(out->descriptor) != 0)
-        remember(out, errno);
+    if (out->unfinished != NULL && out->error == 0)
+        remember(out, target_sync(out->descriptor));
     if (close(out->descriptor) != 0)
         remember(out, errno);
     out->descriptor = -1;
@@ -124,14 +124,10 @@ static void close_checked(output *out)
 static void settle(output *out)
 {
     signals_hold();
-    if (out->unfinished != NULL) {
-        if (out->error == 0 && rename(out->unfinished, out->target) != 0)
-            remember(out, errno);
-        if (out->error != 0)
-            unlink(out->unfinished);
-        else
-            out->error = target_sync_folder(out->target);
-    }
+    if (out->unfinished != NULL && out->error != 0)
+        remove(out->unfinished);
+    else if (out->unfinished != NULL)
+        out->error = target_replace(out->target, out->unfinished);
     signals_on_end(NULL, NULL);
     signals_release();
     free(out->unfinished);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "progress.h"
 
+#include "streams.h"
 #include "text/message.h"
 
 #include <inttypes.h>
@@ -23,7 +24,7 @@ static volatile sig_atomic_t line_shown;
 
 bool progress_wanted(bool rows_to_stdout)
 {
-    return isatty(STDERR_FILENO) && !(rows_to_stdout && isatty(STDOUT_FILENO));
+    return stream_is_terminal(stderr) && !(rows_to_stdout && stream_is_terminal(stdout));
 }
 
 static double seconds(void)

@@ -106,6 +106,23 @@ void signals_release(void)
     sigprocmask(SIG_UNBLOCK, &set, NULL);
 }
 
+/* Blocked in a thread, a crash would end the process without the handler. */
+static sigset_t before_threads;
+
+void signals_before_threads(void)
+{
+    sigset_t held;
+    sigfillset(&held);
+    for (int i = 0; i < CRASH_COUNT; i++)
+        sigdelset(&held, crashes[i]);
+    pthread_sigmask(SIG_SETMASK, &held, &before_threads);
+}
+
+void signals_after_threads(void)
+{
+    pthread_sigmask(SIG_SETMASK, &before_threads, NULL);
+}
+
 void signals_on_end(const char *unfinished_file, const char *message)
 {
     file_to_remove = unfinished_file;

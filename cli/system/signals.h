@@ -12,6 +12,11 @@ void signals_install(void);
  * Both are kept, not copied. */
 void signals_on_end(const char *unfinished_file, const char *message);
 
+/* Threads begun in between leave signals to the one that begins them. Not so a crash: it belongs to
+ * the thread that it is in. */
+void signals_before_threads(void);
+void signals_after_threads(void);
+
 /* Hold signals back while a file and what is known of it change together. */
 void signals_hold(void);
 void signals_release(void);

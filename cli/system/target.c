@@ -10,8 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { LINKS_MAX = 40 };
-
 /* "folder/" + name, or just name. Free it. */
 static char *in_folder_of(const char *path, const char *name)
 {
@@ -37,23 +35,19 @@ static char *one_link(const char *path)
     return says[0] == '/' ? strdup(says) : in_folder_of(path, says);
 }
 
+/* realpath() does not know a file that is not there yet: a link to one is followed by hand. */
 char *target_of_links(const char *path)
 {
-    char *target = strdup(path);
-    for (int links = 0; target != NULL; links++) {
-        char *next = one_link(target);
-        if (next == NULL && (errno == EINVAL || errno == ENOENT))
-            return target; /* no link, or nothing there yet */
-        const int reason = next == NULL ? errno : ELOOP;
-        free(target);
-        target = next;
-        if (next == NULL || links == LINKS_MAX) {
-            free(next);
-            errno = reason;
-            return NULL;
-        }
-    }
-    return NULL;
+    char *next = one_link(path);
+    if (next == NULL)
+        return errno == EINVAL || errno == ENOENT ? strdup(path) : NULL;
+    char *target = realpath(path, NULL);
+    if (target == NULL && errno == ENOENT)
+        target = target_of_links(next);
+    const int reason = errno;
+    free(next);
+    errno = reason;
+    return target;
 }
 
 /* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that
@@ -95,7 +89,7 @@ int target_open_beside(const char *target, char **unfinished)
 
 /* A folder that cannot be opened or synced, for lack of permission or on a file system without
  * it, is no failure. */
-int target_sync_folder(const char *target)
+static int sync_folder(const char *target)
 {
     char *folder = in_folder_of(target, ".");
     if (folder == NULL)
@@ -107,4 +101,18 @@ int target_sync_folder(const char *target)
     const int reason = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
     close(descriptor);
     return reason;
+}
+
+int target_replace(const char *target, const char *unfinished)
+{
+    if (rename(unfinished, target) == 0)
+        return sync_folder(target);
+    const int reason = errno;
+    remove(unfinished);
+    return reason;
+}
+
+int target_sync(int descriptor)
+{
+    return fsync(descriptor) == 0 ? 0 : errno;
 }

@@ -11,7 +11,11 @@ char *target_of_links(const char *path);
  * and its name in *unfinished. Returns the descriptor; -1 with errno, and nothing left behind. */
 int target_open_beside(const char *target, char **unfinished);
 
-/* Writes the name's change to the disk. 0, or errno. */
-int target_sync_folder(const char *target);
+/* Writes what the file holds to the disk. 0, or errno. */
+int target_sync(int descriptor);
+
+/* The unfinished file, closed, takes the place of the target, also on the disk. 0, or errno; it is
+ * removed where it cannot. */
+int target_replace(const char *target, const char *unfinished);
 
 #endif

@@ -2,10 +2,9 @@
 #include "layout.h"
 
 #include "system/ahead.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "system/progress.h"
-
-#include <stdio.h>
 
 #include <rwedge.h>
 
@@ -20,13 +19,11 @@ int64_t plan_size(const plan *what)
 static bool not_computed(const table *which, const double value[], int32_t status)
 {
     char where[160] = "";
-    size_t used = 0;
     for (int i = 0; i < which->axis_count; i++) {
         char text[NUMBER_SIZE];
         const int variable = which->axis[i];
         number_write(value[variable], NUMBER_DIGITS, '.', text);
-        used += (size_t)snprintf(where + used, sizeof where - used, "%s%s = %s", i > 0 ? ", " : "",
-                                 variables[variable].column, text);
+        list_add(where, sizeof where, ", ", "%s = %s", variables[variable].column, text);
     }
     progress_erase();
     failure("%s at %s: %s", which->name, where, rwedge_strerror(status));

@@ -3,11 +3,15 @@
 
 #include "system/ahead.h"
 #include "layout.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <rwedge.h>
 
 enum {
     OPTION_VARIABLE = OPTION_OWN,
@@ -73,17 +77,11 @@ static void describe_tables(FILE *stream)
           stream);
 }
 
-static void append(char *text, size_t size, const char *word)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s", used > 0 ? ", " : "", word);
-}
-
 static int choose_table(const arguments *given, plan *what)
 {
     char allowed[160] = "";
     for (int i = 0; i < TABLE_COUNT; i++)
-        append(allowed, sizeof allowed, tables[i].name);
+        list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (given->operand == NULL || given->operand[0] == NULL)
         return usage_error("the name of a table must follow; allowed: %s", allowed);
     what->table = table_named(given->operand[0]);
@@ -97,10 +95,8 @@ static int choose_table(const arguments *given, plan *what)
 static int refuse_variable(const table *which, int variable, const char *text)
 {
     char allowed[160] = "";
-    for (int i = which->axis_count - 1; i >= 0; i--) {
-        append(allowed, sizeof allowed, "--");
-        strcat(allowed, variables[which->axis[i]].option);
-    }
+    for (int i = which->axis_count - 1; i >= 0; i--)
+        list_add(allowed, sizeof allowed, ", ", "--%s", variables[which->axis[i]].option);
     return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option,
                        text, which->name, allowed);
 }
@@ -120,23 +116,32 @@ static int read_variables(const arguments *given, plan *what)
     return STATUS_DONE;
 }
 
-/* The strength, whose tables are those with Poisson's ratio, has no tips between 0 and 1e-14. A
- * range ascends or descends: its smallest value above 0 is one of the two at either end. */
-static int check_tips(const arguments *given, plan *what)
+/* The smallest value above 0; HUGE_VAL where there is none. A range ascends or descends: it is one
+ * of the two at either end. */
+static double smallest_tip(const range *tips)
 {
-    const range *tips = &what->axis[A_OVER_B];
-    if (!table_depends_on(what->table, NU))
-        return STATUS_DONE;
+    double smallest = HUGE_VAL;
     for (int64_t i = 0; i < tips->count; i++) {
         if (tips->items == NULL && i == 2 && tips->count > 4)
             i = tips->count - 2;
         const double tip = range_value(tips, i);
-        if (tip > 0 && tip < 1e-14)
-            return usage_error(
-                "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-                given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+        if (tip > 0 && tip < smallest)
+            smallest = tip;
     }
-    return STATUS_DONE;
+    return smallest;
+}
+
+/* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
+static int check_tips(const arguments *given, plan *what)
+{
+    if (!table_depends_on(what->table, NU))
+        return STATUS_DONE;
+    const double tip = smallest_tip(&what->axis[A_OVER_B]);
+    if (tip >= 1 || !isnan(rwedge_elastic_limit(tip, 0, 0)))
+        return STATUS_DONE;
+    return usage_error(
+        "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+        given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
 }
 
 /* The variable with the most values is the one to name. */
@@ -186,7 +191,7 @@ static int read_quantity(const arguments *given, plan *what)
             "--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
     char allowed[160] = "";
     for (int i = what->table->quantity; i < what->table->column_count; i++) {
-        append(allowed, sizeof allowed, what->table->column[i]);
+        list_add(allowed, sizeof allowed, ", ", "%s", what->table->column[i]);
         what->quantity = i;
         if (strcmp(text, what->table->column[i]) == 0)
             return STATUS_DONE;

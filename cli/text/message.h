@@ -3,11 +3,7 @@
 #ifndef CLI_MESSAGE_H
 #define CLI_MESSAGE_H
 
-#ifdef __GNUC__
-#define CLI_PRINTF_LIKE __attribute__((format(printf, 1, 2)))
-#else
-#define CLI_PRINTF_LIKE
-#endif
+#include "printf_like.h"
 
 enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
@@ -17,10 +13,10 @@ const char *message_speaker(void);
 
 /* One line on stderr each; what they return is the status to leave with. A line names the option
  * or the file, its value, and what is allowed or what went wrong. */
-int usage_error(const char *format, ...) CLI_PRINTF_LIKE;
-int failure(const char *format, ...) CLI_PRINTF_LIKE;
+int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
+int failure(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /* A line that is no failure: what the user should know of a result. */
-void notice(const char *format, ...) CLI_PRINTF_LIKE;
+void notice(const char *format, ...) PRINTF_LIKE(1, 2);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "range.h"
 
-#include "decimal.h"
 #include "number.h"
 
 #include <float.h>
@@ -15,90 +14,73 @@ static const char wrong_sign[] = "the STEP of START:STOP:STEP must lead from STA
 static const char too_many[] = "must not have more than 1000000000 values";
 static const char no_memory[] = "out of memory";
 
-/* The three numbers of START:STOP:STEP, as doubles and, where exact is true, as decimals. */
-typedef struct {
-    double value[3];
-    decimal exact[3];
-    bool all_exact;
-} triple;
-
 enum { START, STOP, STEP };
 
-static bool read_triple(const char *text, triple *numbers)
+static bool read_triple(const char *text, double number[3])
 {
-    numbers->all_exact = true;
     for (int i = 0; i < 3; i++) {
         const size_t length = number_length(text);
-        if (!number_read_part(text, length, &numbers->value[i]) ||
-            text[length] != (i < 2 ? ':' : '\0'))
+        if (!number_read_part(text, length, &number[i]) || text[length] != (i < 2 ? ':' : '\0'))
             return false;
-        if (!decimal_read(text, length, &numbers->exact[i]))
-            numbers->all_exact = false;
         text += length + 1;
     }
     return true;
 }
 
-static bool in_common_places(triple *numbers)
+/* The decimals that were meant: 0.1 + 2 * 0.1 is not 0.3 in doubles, but 3/10 is. A sum of numbers
+ * below this many units of the last decimal place errs by less than half a unit. */
+static const double UNITS_MAX = 1e15;
+
+/* The largest power of ten that is a double. */
+static const double POWER_MAX = 1e22;
+
+static double in_units(double value, double power)
 {
-    if (!numbers->all_exact)
-        return false;
-    int places = 0;
-    for (int i = 0; i < 3; i++)
-        if (numbers->exact[i].places > places)
-            places = numbers->exact[i].places;
-    if (places > DECIMAL_PLACES_MAX)
-        return false;
-    for (int i = 0; i < 3; i++)
-        if (!decimal_rescale(&numbers->exact[i], places))
-            return false;
-    return numbers->exact[STEP].units != 0;
+    return floor(value * power + 0.5) / power;
 }
 
-static const char *exact_range(const triple *numbers, range *values)
+/* The power of ten that makes all three whole numbers; 0 where they have too many digits. */
+static double common_power(const double number[3])
 {
-    const int64_t start = numbers->exact[START].units, step = numbers->exact[STEP].units;
-    const int64_t steps = (numbers->exact[STOP].units - start) / step;
-    if (steps >= RANGE_VALUES_MAX)
-        return too_many;
-    values->first_units = start;
-    values->step_units = step;
-    values->power = decimal_power(numbers->exact[STEP].places);
-    values->count = steps + 1;
-    return NULL;
+    double power = 1;
+    for (int i = 0; i < 3; i++)
+        while (power <= POWER_MAX && in_units(number[i], power) != number[i])
+            power *= 10;
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(number[i]) * power < UNITS_MAX))
+            return 0;
+    return power <= POWER_MAX ? power : 0;
 }
 
-/* In doubles STOP counts as hit where start + steps * step differs from it by no more than their
- * rounding. */
-static const char *rounded_range(const triple *numbers, range *values)
+static double after_steps(const range *values, double steps)
 {
-    const double start = numbers->value[START], stop = numbers->value[STOP],
-                 step = numbers->value[STEP];
+    const double value = values->first + steps * values->step;
+    return values->power > 0 ? in_units(value, values->power) : value;
+}
+
+/* Numbers with too many digits hit STOP where they differ from it by no more than rounding. */
+static const char *read_steps(const char *text, range *values)
+{
+    double number[3];
+    if (!read_triple(text, number))
+        return not_a_range;
+    const double start = number[START], stop = number[STOP], step = number[STEP];
+    if (step == 0)
+        return zero_step;
+    if ((stop > start && step < 0) || (stop < start && step > 0))
+        return wrong_sign;
+    values->first = start;
+    values->step = step;
+    values->power = common_power(number);
     const double steps = (stop - start) / step, nearest = floor(steps + 0.5);
-    const double rounding = 4 * DBL_EPSILON * (fabs(start) + fabs(stop));
-    const bool hit = fabs(start + nearest * step - stop) <= rounding;
+    const double rounding = values->power > 0 ? 0 : 4 * DBL_EPSILON * (fabs(start) + fabs(stop));
+    const bool hit = fabs(after_steps(values, nearest) - stop) <= rounding;
     const double last = hit ? nearest : floor(steps);
     if (!(last < (double)RANGE_VALUES_MAX))
         return too_many;
     values->count = (int64_t)last + 1;
-    values->first = start;
-    values->step = step;
-    values->last = hit && last > 0 ? stop : start + (double)(values->count - 1) * step;
+    values->last = hit && last > 0 ? stop : after_steps(values, last);
     return NULL;
-}
-
-static const char *read_steps(const char *text, range *values)
-{
-    triple numbers;
-    if (!read_triple(text, &numbers))
-        return not_a_range;
-    const double step = numbers.value[STEP], way = numbers.value[STOP] - numbers.value[START];
-    if (step == 0)
-        return zero_step;
-    if ((way > 0 && step < 0) || (way < 0 && step > 0))
-        return wrong_sign;
-    return in_common_places(&numbers) ? exact_range(&numbers, values)
-                                      : rounded_range(&numbers, values);
 }
 
 static const char *read_list(const char *text, range *values)
@@ -152,11 +134,9 @@ double range_value(const range *values, int64_t i)
 {
     if (values->items != NULL)
         return values->items[i];
-    if (values->power > 0)
-        return (double)(values->first_units + i * values->step_units) / values->power;
     if (values->parts > 0)
         return value_between(values, i);
-    return i == values->count - 1 ? values->last : values->first + (double)i * values->step;
+    return i == values->count - 1 ? values->last : after_steps(values, (double)i);
 }
 
 /* A range is monotonic: its ends tell. */

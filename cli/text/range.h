@@ -13,12 +13,9 @@
 typedef struct {
     int64_t count;
     double *items; /* of a list; NULL for START:STOP:STEP */
-    /* START:STOP:STEP as whole numbers over a power of ten, where they fit: the value i is then
-     * (first_units + i * step_units)/power, a correctly rounded quotient. power is 0 where they
-     * do not fit. */
-    int64_t first_units, step_units;
-    double power;
     double first, last, step;
+    double
+        power; /* of ten: the values are whole numbers over it; 0 where they have too many digits */
     int64_t parts; /* of range_between; otherwise 0 */
 } range;
 

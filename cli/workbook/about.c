@@ -11,40 +11,32 @@
 static const char *const lines[] = {
     "#What this is",
     "The contact of a wedge with a rounded apex and an elastically similar half-plane: contact "
-    "law, pressure, tension, first "
-    "yield. Plane strain, small angle theta.",
+    "law, pressure, tension, first yield. Plane strain, small angle theta.",
     "Source: M. Ciavarella, D. A. Hills, G. Monno, \"Contact problems for a wedge with rounded "
-    "apex\", Int. J. Mech. Sci. 40 "
-    "(1998) 977-988. Figs. 3, 4 and 6 are that paper's.",
+    "apex\", Int. J. Mech. Sci. 40 (1998) 977-988. Figs. 3, 4 and 6 are that paper's.",
     "#Symbols and units",
     "Any consistent units: with mm, N and MPa, forces per unit length are N/mm, A is 1/MPa. The "
     "tables hold pure numbers.",
     "theta: angle between flank and surface, rad. a: half-width of the rounding, R = a/theta its "
-    "radius. b: half-width of the "
-    "contact. P: normal load per unit length. f: coefficient of friction, full sliding, q = f p. "
-    "k: yield stress in pure shear "
-    "of the half-plane (tensile yield stress over the square root of 3).",
+    "radius. b: half-width of the contact. P: normal load per unit length. f: coefficient of "
+    "friction, full sliding, q = f p. k: yield stress in pure shear of the half-plane (tensile "
+    "yield stress over the square root of 3).",
     "Body 1 is the half-plane, whose yield is looked at (nu1), as in the command \"solve\"; body 2 "
-    "is the wedge. "
-    "A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2. The name rw_A would be the name rw_a for a spreadsheet, "
-    "which does not tell capitals "
-    "from small letters: A is rw_compliance.",
+    "is the wedge. A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2. The name rw_A would be the name rw_a for a "
+    "spreadsheet, which does not tell capitals from small letters: A is rw_compliance.",
     "rw_P_over_bk is the elastic limit at the case's a/b and f, as in the tables; rw_load_over_bk "
-    "is that of the load. As the "
-    "contact grows with the load, P_yield is not P times their ratio: rw_P_yield is the load at "
-    "which the two meet.",
+    "is that of the load. As the contact grows with the load, P_yield is not P times their ratio: "
+    "rw_P_yield is the load at which the two meet.",
     "Remarks: above P_yield the contact yields. Above theta = 0.1 the wedge is hardly a "
-    "half-plane. Dissimilar bodies, "
-    "Dundurs' beta not 0, couple pressure and friction: that is neglected where f is above 0.",
+    "half-plane. Dissimilar bodies, Dundurs' beta not 0, couple pressure and friction: that is "
+    "neglected where f is above 0.",
     "#How the calculator computes",
     "a/b: from Hertz' closed form, or five Newton steps on the contact law from a parabola that is "
     "exact at both ends.",
     "Elastic limit: the limits at and below the surface are interpolated apart, and the smaller is "
-    "taken, so that the cusp "
-    "where they cross costs nothing. 1/limit^2 by parabolas in f^2 and (1-2 nu)^2/3, then the "
-    "limit linearly in "
-    "ln(tan(phi0/2)), sin(phi0) = a/b. Where one of the nine values is empty, there is no limit "
-    "below the surface.",
+    "taken, so that the cusp where they cross costs nothing. 1/limit^2 by parabolas in f^2 and "
+    "(1-2 nu)^2/3, then the limit linearly in ln(tan(phi0/2)), sin(phi0) = a/b. Where one of the "
+    "nine values is empty, there is no limit below the surface.",
     "Yield load: the stress A sqrt(J2)/theta of each tip of the table at your f and nu1, and the "
     "tip at which it is k A/theta.",
     "Critical friction: where the two curves of the limit cross.",
@@ -52,21 +44,17 @@ static const char *const lines[] = {
     "Against the library, for a/b from 0.01 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 to "
     "0.5.",
     "a/b, b, p0, tension: 1e-12 (1e-8 next to a/b = 1). Elastic limit: 0.05 %. Load at yield and "
-    "safety: 0.15 % where a/b at yield is 0.02 or more, "
-    "0.4 % below, where the stress hardly depends on the load. Critical friction: 0.006, next to "
-    "0, where it is a square root.",
+    "safety: 0.15 % where a/b at yield is 0.02 or more, 0.4 % below, where the stress hardly "
+    "depends on the load. Critical friction: 0.006, next to 0, where it is a square root.",
     "Measured at the centres of all cells of the table and at 10000 random points: 0.036 %, 0.13 % "
-    "and 0.38 %, 0.0044. The "
-    "tests compare the cells with the library.",
+    "and 0.38 %, 0.0044. The tests compare the cells with the library.",
     "#Errata of the paper that concern these sheets",
     "Eq. (38) and Fig. 6 have \"a\" where the half-width of the contact, b here, is meant. No "
-    "closed form is given there for "
-    "the maximum tension between the sharp wedge and Hertz: it is b sigma/(fP) = 2 (a/b)/(phi0 + "
-    "(a/b) cos(phi0)).",
+    "closed form is given there for the maximum tension between the sharp wedge and Hertz: it is b "
+    "sigma/(fP) = 2 (a/b)/(phi0 + (a/b) cos(phi0)).",
     "Sec. 5.2: with tension at the trailing edge x = -b, the yield point moves towards the leading "
-    "edge, x > 0. In Fig. 3 the "
-    "depth of the yield point does not go to 0 smoothly: it jumps to the surface at a finite tip, "
-    "a/b = 0.0176 for nu = 0.3.",
+    "edge, x > 0. In Fig. 3 the depth of the yield point does not go to 0 smoothly: it jumps to "
+    "the surface at a finite tip, a/b = 0.0176 for nu = 0.3.",
     "#Files",
     "The sheets hold formulas and numbers only: no macros, no links. The values shown before a "
     "program recalculates are right.",

@@ -53,8 +53,7 @@ static void title(xlsx *book)
               XLSX_TITLE);
     xlsx_text(book, 1, LABEL,
               "Type into the yellow cells. Any consistent units do; those shown are mm, N, MPa. "
-              "Plane strain; "
-              "elastically similar bodies unless f = 0.",
+              "Plane strain; elastically similar bodies unless f = 0.",
               XLSX_NOTE);
 }
 
@@ -116,16 +115,17 @@ static const char status_formula[] =
     "=IF(rwt_check1<>\"\",rwt_check1,IF(rwt_check2<>\"\",rwt_check2,IF(rwt_check3<>\"\",rwt_check3,"
     "IF(rwt_check4<>\"\",rwt_check4,IF(rwt_check5<>\"\",rwt_check5,IF(rwt_check6<>\"\",rwt_check6,"
     "IF(rwt_check7<>\"\",rwt_check7,IF(rwt_check8<>\"\",rwt_check8,IF(rwt_check9<>\"\",rwt_check9,"
-    "IF(rwt_ok_nu=0,\"rw_nu1 is below 0, outside the tables: no yield\","
-    "IF(rwt_ok_f=0,\"rw_f is above 0.8, outside the tables: no yield\","
-    "IF(rwt_ok_tip=0,\"a/b is below 0.01, outside the tables: no elastic limit\","
-    "IF(rwt_reached=0,\"rw_P_yield has a/b below 0.01, outside the tables\",\"OK\")))))))))))))";
+    "IF(rwt_ok_nu=0,\"rw_nu1 "
+    "is below 0, outside the tables: no yield\",IF(rwt_ok_f=0,\"rw_f is above 0.8, outside the "
+    "tables: no yield\",IF(rwt_ok_tip=0,\"a/b is below 0.01, outside the tables: no elastic "
+    "limit\",IF(rwt_reached=0,\"rw_P_yield has a/b below 0.01, outside the "
+    "tables\",\"OK\")))))))))))))";
 
 /* The same thresholds as the command "solve" has. Short: all three fit beside the chart. */
 static const char remark_formula[] =
-    "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. \",\"\")"
-    "&IF(rw_theta>0.1,\"theta is large. \",\"\")"
-    "&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
+    "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. "
+    "\",\"\")&IF(rw_theta>0.1,\"theta is large. "
+    "\",\"\")&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
 
 static void status_rows(xlsx *book)
 {
@@ -157,8 +157,7 @@ static const result_cell results[] = {
      "=IF(rwt_ok=1,IF(rwt_x>=2/PI(),SQRT(PI()/2*rwt_x),rwt_n5),\"\")", RESULT(a_over_b)},
     {"Peak pressure p0", "rw_p0", "MPa", "at x = 0",
      "=IF(rwt_ok=1,rw_theta/rw_compliance*IF(rw_a_over_b<1,2/PI()*(ASIN(rwt_tip)/"
-     "rwt_tip+LN((1+rwt_c)/rwt_tip)),"
-     "1/rw_a_over_b),\"\")",
+     "rwt_tip+LN((1+rwt_c)/rwt_tip)),1/rw_a_over_b),\"\")",
      RESULT(p0)},
     {"Maximum tension", "rw_max_tension", "MPa", "at the trailing edge, full sliding",
      "=IF(AND(rwt_ok=1,rwt_check8=\"\"),rw_f*rw_P/rw_b*rwt_ratio,\"\")", RESULT(tension)},
@@ -173,8 +172,7 @@ static const result_cell results[] = {
      "=IF(ISNUMBER(rw_P_yield),rw_P_yield/rw_P,\"\")", RESULT(safety)},
     {"Critical friction", "rw_f_critical", "-", "above it, yield starts at the surface",
      "=IF(AND(rwt_ok_nu=1,rwt_ok_tip=1),IF(rwt_gaps=0,0,SQRT(INDEX(rwt_f,rwt_g)^2+(INDEX(rwt_f,rwt_"
-     "g+1)^2"
-     "-INDEX(rwt_f,rwt_g)^2)*INDEX(rwt_gap,rwt_g)/"
+     "g+1)^2-INDEX(rwt_f,rwt_g)^2)*INDEX(rwt_gap,rwt_g)/"
      "(INDEX(rwt_gap,rwt_g)-INDEX(rwt_gap,rwt_g+1)))),\"\")",
      RESULT(f_critical)},
 };

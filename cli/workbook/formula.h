@@ -4,13 +4,10 @@
 #define CLI_FORMULA_H
 
 #include "sheet/xlsx.h"
+#include "text/printf_like.h"
 
 /* A formula or a text put together. */
-#ifdef __GNUC__
-__attribute__((format(printf, 2, 3)))
-#endif
-const char *
-compose(char text[], const char *format, ...);
+const char *compose(char text[], const char *format, ...) PRINTF_LIKE(2, 3);
 enum { FORMULA_SIZE = 1200 };
 
 /* A formula and its value, to ten digits; an empty text where there is no such number. */

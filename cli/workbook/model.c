@@ -95,7 +95,7 @@ static double cosine_of(double alpha)
  * parabola that it starts from is exact at both ends. */
 static void solve_contact(const workbook_inputs *in, workbook_results *out)
 {
-    out->A = 2 * (1 - in->nu1 * in->nu1) / in->E1 + 2 * (1 - in->nu2 * in->nu2) / in->E2;
+    out->A = rwedge_compliance(in->E1, in->nu1, in->E2, in->nu2);
     out->x = in->theta * in->a / (out->A * in->P);
     const double x = fmin(out->x, 2 / PI);
     out->step[0] = x * (2 - (4 / PI - 1) * PI * PI / 4 * x);
@@ -111,10 +111,8 @@ static void solve_contact(const workbook_inputs *in, workbook_results *out)
 
 static void derive_stresses(const workbook_inputs *in, workbook_results *out)
 {
-    const double tip = out->tip, phi = asin(tip), c = out->cosine, unit = in->theta / out->A;
-    out->p0 =
-        unit * (out->a_over_b < 1 ? 2 / PI * (phi / tip + log((1 + c) / tip)) : 1 / out->a_over_b);
-    out->tension_ratio = 2 * tip / (phi + tip * c);
+    out->p0 = in->theta / out->A * rwedge_peak_pressure(out->a_over_b);
+    out->tension_ratio = rwedge_max_tension(out->a_over_b);
     out->tension = in->f * in->P / out->b * out->tension_ratio;
     out->beta = rwedge_dundurs_beta(in->E1, in->nu1, in->E2, in->nu2);
 }
@@ -166,35 +164,28 @@ static double limit_from(double sum)
     return 1 / sqrt(fmax(sum, 1e-6));
 }
 
-static double surface_at(const limit_table *table, const workbook_results *out, int tip)
+/* From the limits of a tip at three nodes of nu, `stride` apart, and at some nodes of f. */
+static double interpolate(const double *limit, int stride, const double weight_nu[3],
+                          const double weight_f[], int nodes_f)
 {
     double sum = 0;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const double limit = table->surface[tip][out->nu_node + i][out->f_node + j];
-            sum += out->weight_nu[i] * out->weight_f[j] / (limit * limit);
-        }
-    return limit_from(sum);
-}
-
-static double below_at(const limit_table *table, const workbook_results *out, int tip)
-{
-    double sum = 0;
-    if (out->f_node + 3 > FRICTIONS_BELOW)
-        return NAN;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const double limit = table->below[tip][out->nu_node + i][out->f_node + j];
-            sum += out->weight_nu[i] * out->weight_f[j] / (limit * limit);
+        for (int j = 0; j < nodes_f; j++) {
+            const double node = limit[i * stride + j];
+            sum += weight_nu[i] * weight_f[j] / (node * node);
         }
     return isnan(sum) ? NAN : limit_from(sum);
 }
 
 static void interpolate_tips(const limit_table *table, workbook_results *out)
 {
+    const bool deep = out->f_node + 3 <= FRICTIONS_BELOW;
     for (int i = 0; i < TIPS; i++) {
-        out->surface[i] = surface_at(table, out, i);
-        out->below[i] = below_at(table, out, i);
+        out->surface[i] = interpolate(&table->surface[i][out->nu_node][out->f_node], FRICTIONS,
+                                      out->weight_nu, out->weight_f, 3);
+        out->below[i] = deep ? interpolate(&table->below[i][out->nu_node][out->f_node],
+                                           FRICTIONS_BELOW, out->weight_nu, out->weight_f, 3)
+                             : NAN;
         out->stress_surface[i] = table->load[i] / out->surface[i];
         out->stress_below[i] = isnan(out->below[i]) ? 0 : table->load[i] / out->below[i];
         out->stress[i] = fmax(out->stress_surface[i], out->stress_below[i]);
@@ -256,12 +247,10 @@ static void find_yield(const limit_table *table, const workbook_inputs *in, work
 
 /* ---- Critical friction ----------------------------------------------------------------------- */
 
-static double over_nu(const workbook_results *out, const double *first, int stride)
+static double over_nu(const workbook_results *out, const double *limit, int stride)
 {
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        sum += out->weight_nu[i] / (first[i * stride] * first[i * stride]);
-    return isnan(sum) ? NAN : limit_from(sum);
+    const double one = 1;
+    return interpolate(limit, stride, out->weight_nu, &one, 1);
 }
 
 static void trace_friction(const limit_table *table, workbook_results *out)

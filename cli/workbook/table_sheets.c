@@ -108,8 +108,8 @@ bool sheet_elastic_limit(xlsx *book, const limit_table *limits)
 {
     head(book, "Elastic limit P/(bk)",
          "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in "
-         "pure shear. a/b = 1 holds for "
-         "all a/b above 1. To the right: the two branches that the calculator interpolates.");
+         "pure shear. a/b = 1 holds for all a/b above 1. To the right: the two branches that the "
+         "calculator interpolates.");
     xlsx_width(book, 0, BELOW_COLUMN + FRICTIONS_BELOW, 8);
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
     const bool done = write_grid(book) && write_normal_load(book, limits);

@@ -54,8 +54,8 @@ static void contact_steps(listing *list, const workbook_results *out)
     step(list, "rwt_ratio", "=2*rwt_tip/(ASIN(rwt_tip)+rwt_tip*rwt_c)", out->tension_ratio,
          "b sigma/(fP)");
     step(list, "rwt_beta",
-         "=0.5*(rw_E1/(1+rw_nu1)*(1-2*rw_nu2)-rw_E2/(1+rw_nu2)*(1-2*rw_nu1))"
-         "/(rw_E1/(1+rw_nu1)*(1-rw_nu2)+rw_E2/(1+rw_nu2)*(1-rw_nu1))",
+         "=0.5*(rw_E1/(1+rw_nu1)*(1-2*rw_nu2)-rw_E2/(1+rw_nu2)*(1-2*rw_nu1))/(rw_E1/"
+         "(1+rw_nu1)*(1-rw_nu2)+rw_E2/(1+rw_nu2)*(1-rw_nu1))",
          out->beta, "Dundurs' beta");
 }
 
@@ -70,9 +70,9 @@ static void patch_steps(listing *list, const workbook_results *out)
         const int p = (i + 1) % 3, q = (i + 2) % 3;
         compose(name, "rwt_wm%d", i + 1);
         compose(formula,
-                "=(rwt_m-INDEX(rwt_ms,rwt_kn+%d))*(rwt_m-INDEX(rwt_ms,rwt_kn+%d))"
-                "/((INDEX(rwt_ms,rwt_kn+%d)-INDEX(rwt_ms,rwt_kn+%d))*(INDEX(rwt_ms,rwt_kn+%d)-"
-                "INDEX(rwt_ms,rwt_kn+%d)))",
+                "=(rwt_m-INDEX(rwt_ms,rwt_kn+%d))*(rwt_m-INDEX(rwt_ms,rwt_kn+%d))/"
+                "((INDEX(rwt_ms,rwt_kn+%d)-INDEX(rwt_ms,rwt_kn+%d))*(INDEX(rwt_ms,rwt_kn+%d)-INDEX("
+                "rwt_ms,rwt_kn+%d)))",
                 p, q, i, p, i, q);
         step(list, name, formula, out->weight_nu[i], "weight of nu");
     }
@@ -81,8 +81,8 @@ static void patch_steps(listing *list, const workbook_results *out)
         const int p = (i + 1) % 3, q = (i + 2) % 3;
         compose(name, "rwt_wf%d", i + 1);
         compose(formula,
-                "=(rw_f^2-INDEX(rwt_f,rwt_fn+%d)^2)*(rw_f^2-INDEX(rwt_f,rwt_fn+%d)^2)"
-                "/((INDEX(rwt_f,rwt_fn+%d)^2-INDEX(rwt_f,rwt_fn+%d)^2)*(INDEX(rwt_f,rwt_fn+%d)^2-"
+                "=(rw_f^2-INDEX(rwt_f,rwt_fn+%d)^2)*(rw_f^2-INDEX(rwt_f,rwt_fn+%d)^2)/"
+                "((INDEX(rwt_f,rwt_fn+%d)^2-INDEX(rwt_f,rwt_fn+%d)^2)*(INDEX(rwt_f,rwt_fn+%d)^2-"
                 "INDEX(rwt_f,rwt_fn+%d)^2))",
                 p, q, i, p, i, q);
         step(list, name, formula, out->weight_f[i], "weight of f");
@@ -100,8 +100,8 @@ static void limit_steps(listing *list, const workbook_results *out)
     step(list, "rwt_limit_s", "=(1-rwt_u)*INDEX(rwt_ls,rwt_node)+rwt_u*INDEX(rwt_ls,rwt_node+1)",
          out->limit_surface, "limit, surface");
     step(list, "rwt_limit_b",
-         "=IF(COUNT(INDEX(rwt_lb,rwt_node):INDEX(rwt_lb,rwt_node+1))=2,"
-         "(1-rwt_u)*INDEX(rwt_lb,rwt_node)+rwt_u*INDEX(rwt_lb,rwt_node+1),\"\")",
+         "=IF(COUNT(INDEX(rwt_lb,rwt_node):INDEX(rwt_lb,rwt_node+1))=2,(1-rwt_u)*INDEX(rwt_lb,rwt_"
+         "node)+rwt_u*INDEX(rwt_lb,rwt_node+1),\"\")",
          out->limit_below, "limit below");
 }
 
@@ -111,10 +111,10 @@ static void crossing_step(listing *list, const char *name, const char *column, d
     char formula[FORMULA_SIZE];
     compose(formula,
             "=IF(AND(rwt_reached>0,rwt_reached<61),IF(AND(INDEX(%s,rwt_reached)>=rwt_k,INDEX(%s,"
-            "rwt_reached+1)>0),"
-            "INDEX(rwt_lf,rwt_reached)+LN(rwt_k/INDEX(%s,rwt_reached))/LN(INDEX(%s,rwt_reached+1)/"
-            "INDEX(%s,rwt_reached))"
-            "*(INDEX(rwt_lf,rwt_reached+1)-INDEX(rwt_lf,rwt_reached)),\"\"),\"\")",
+            "rwt_reached+1)>0),INDEX(rwt_lf,rwt_reached)+LN(rwt_k/INDEX(%s,rwt_reached))/"
+            "LN(INDEX(%s,rwt_reached+1)/"
+            "INDEX(%s,rwt_reached))*(INDEX(rwt_lf,rwt_reached+1)-INDEX(rwt_lf,rwt_reached)),\"\"),"
+            "\"\")",
             column, column, column, column, column);
     step(list, name, formula, value, what);
 }
@@ -128,8 +128,8 @@ static void yield_steps(listing *list, const workbook_results *out)
     crossing_step(list, "rwt_y_b", "rwt_sb", out->yield_below, "the same below");
     crossing_step(list, "rwt_y_e", "rwt_se", out->yield_either, "the same, either");
     step(list, "rwt_y",
-         "=IF(rwt_reached=0,\"\",IF(rwt_reached=61,PI()/2*(rwt_k/INDEX(rwt_se,61))^2,"
-         "EXP(IF(COUNT(rwt_y_s,rwt_y_b)>0,MIN(rwt_y_s,rwt_y_b),rwt_y_e))))",
+         "=IF(rwt_reached=0,\"\",IF(rwt_reached=61,PI()/2*(rwt_k/"
+         "INDEX(rwt_se,61))^2,EXP(IF(COUNT(rwt_y_s,rwt_y_b)>0,MIN(rwt_y_s,rwt_y_b),rwt_y_e))))",
          out->yield, "AP/(theta a) at yield");
 }
 
@@ -285,8 +285,8 @@ static void friction_curves(xlsx *book, const workbook_results *out, int f)
                  out->curve_surface[f], XLSX_PLAIN);
     formula_cell(book, row, FRICTIONS_COLUMN + 6,
                  compose(formula,
-                         "=IF(AND(ISNUMBER(INDEX(rwt_f3,%d)),ISNUMBER(INDEX(rwt_f4,%d))),"
-                         "(1-rwt_u)*INDEX(rwt_f3,%d)+rwt_u*INDEX(rwt_f4,%d),\"\")",
+                         "=IF(AND(ISNUMBER(INDEX(rwt_f3,%d)),ISNUMBER(INDEX(rwt_f4,%d))),(1-rwt_u)*"
+                         "INDEX(rwt_f3,%d)+rwt_u*INDEX(rwt_f4,%d),\"\")",
                          at, at, at, at),
                  out->curve_below[f], XLSX_PLAIN);
     formula_cell(

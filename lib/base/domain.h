@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The domains of the arguments, and the constants that several rooms need. isfinite() comes
- * first everywhere: comparing a NaN with >= would raise the invalid-operation flag in the host. */
+/* The domains of the arguments, and the constants that several rooms need. Comparing a NaN with
+ * >= would raise the invalid-operation flag in the host: isfinite() comes first, or a comparison
+ * that does not. */
 #ifndef RW_DOMAIN_H
 #define RW_DOMAIN_H
 
@@ -44,13 +45,6 @@ static inline bool rw_is_stress(double v)
     return islessequal(fabs(v), RW_LARGEST);
 }
 
-/* The domain of version 1.0.0, until every room asks for the above. */
-/* A ratio a/b, a depth. */
-static inline bool rw_is_nonnegative(double v)
-{
-    return isfinite(v) && v >= 0;
-}
-
 /* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction
  * J2 is then flat to rounding between the depths a and sqrt(a b), and its maximum there cannot
  * be found. */
@@ -58,20 +52,13 @@ static inline bool rw_is_nonnegative(double v)
 
 static inline bool rw_is_tip(double alpha)
 {
-    return rw_is_nonnegative(alpha) && (alpha == 0 || alpha >= RW_SMALLEST_TIP);
+    return rw_is_magnitude(alpha) && (alpha == 0 || alpha >= RW_SMALLEST_TIP);
 }
 
-/* A coefficient of friction: at 10^6 the traction is all but tangential, and J2 is far from
- * overflow. */
+/* A coefficient of friction: at 10^6 the traction is all but tangential. */
 static inline bool rw_is_friction(double f)
 {
-    return rw_is_nonnegative(f) && f <= 1e6;
-}
-
-/* A friction whose square would underflow is none. */
-static inline double rw_friction(double f)
-{
-    return f < 1e-100 ? 0 : f;
+    return rw_is_magnitude(f) && f <= 1e6;
 }
 
 /* A half-width of the stick zone c/b. */

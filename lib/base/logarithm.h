@@ -13,10 +13,10 @@
 #define RW_LOGARITHM_H
 
 #include "base/inline.h"
+#include "base/select.h"
 
 #include <float.h>
-#include <stdint.h>
-#include <string.h>
+#include <math.h>
 
 #define RW_LN2 0.69314718055994530942
 
@@ -29,20 +29,6 @@ RW_INLINE double rw_arc_series(double t)
     const double even = 1.0 / 5 + u * (1.0 / 9 + u * (1.0 / 13 + u * (1.0 / 17 + u * (1.0 / 21))));
     const double odd = 1.0 / 3 + u * (1.0 / 7 + u * (1.0 / 11 + u * (1.0 / 15 + u * (1.0 / 19))));
     return 1 + (t * odd + u * even);
-}
-
-RW_INLINE uint64_t rw_bits_of(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-RW_INLINE double rw_double_of(uint64_t bits)
-{
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
 }
 
 /* ln(p/q)/over, p and q normal numbers > 0 whose quotient is within 2^+-1000; difference is (p -
@@ -59,7 +45,8 @@ RW_INLINE double rw_log_of_quotient_over(double p, double q, double difference, 
     /* k + 1023 as the last bits of a number of the size 2^52 */
     const double k = rw_double_of(power >> 52 | 0x4330000000000000) - (0x1p52 + 1023);
     const double scaled = scale * q, general = (p - scaled) * per;
-    const double s_over = (scale == 1 ? difference : general) / (p + scaled), s = over * s_over;
+    const double numerator = rw_if_negative(fabs(k) - 0.5, difference, general);
+    const double s_over = numerator / (p + scaled), s = over * s_over;
     return k * (RW_LN2 * per) + 2 * s_over * rw_arc_series(s * s);
 }
 
@@ -68,21 +55,21 @@ RW_INLINE double rw_log_of_quotient_over(double p, double q, double difference, 
 RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
 {
     const double TURN = 0.4140625, TURN_ANGLE = 0.39257013501182859516, PI = 3.14159265358979323846;
-    const double width = x < 0 ? -x : x, height = y_over < 0 ? -y_over : y_over, y = over * height;
-    const double large = y > width ? y : width, small = y > width ? width : y;
-    const double turn = small > 0.667 * large ? 1 : small > 0.2 * large ? TURN : 0;
-    const double turned = small > 0.667 * large ? PI / 4 : small > 0.2 * large ? TURN_ANGLE : 0;
+    const double width = fabs(x), height = fabs(y_over), y = over * height;
+    const double steep = width - y, large = rw_if_negative(steep, y, width),
+                 small = rw_if_negative(steep, width, y);
+    const double some = 0.2 * large - small, most = 0.667 * large - small;
+    const double turn = rw_if_negative(most, 1, rw_if_negative(some, TURN, 0));
+    const double turned = rw_if_negative(most, PI / 4, rw_if_negative(some, TURN_ANGLE, 0));
     const double general = (small - turn * large) * per;
-    const double flat = y > width ? general : height;
-    /* The least normal number is lost in any length but that of the origin: a comparison instead
-     * could be made a division of 0 by 0 whose result is not used, which raises `invalid`. */
+    /* the least normal number is lost in any length but that of the origin */
     const double length = large + turn * small + DBL_MIN;
-    const double s_over = (turn == 0 ? flat : general) / length, s = over * s_over;
-    const double arc = s_over * rw_arc_series(-s * s);
-    const double in_octant = turned * per + arc;
-    const double in_quadrant = y > width ? PI / 2 * per - in_octant : in_octant;
-    const double above = x < 0 ? PI * per - in_quadrant : in_quadrant;
-    return y_over < 0 ? -above : above;
+    const double rise = rw_if_negative(steep, general, rw_if_negative(some, general, height));
+    const double s_over = rise / length, s = over * s_over;
+    const double in_octant = turned * per + s_over * rw_arc_series(-s * s);
+    const double in_quadrant = rw_if_negative(steep, PI / 2 * per - in_octant, in_octant);
+    const double above = rw_if_negative(x + 0.0, PI * per - in_quadrant, in_quadrant);
+    return rw_if_negative(y_over + 0.0, -above, above);
 }
 
 /* ln(p/q), as above. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The coefficients of the paper's series. With m = 2n+1,
- *     b_0 = (2/pi)(phi0 + alpha c0)/alpha,   b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
+ *     b_0 = (2/pi)(phi0 + alpha c0)/alpha,
+ *     b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
  * and 4 (-1)^n/(pi m) for the sharp wedge, where the paper prints (-1)^(2n) (E1).
  *
  * As a function of alpha b_n has zeros, near which the bracket cancels; near alpha = 1 it
@@ -53,7 +54,7 @@ double rwedge_coefficient(double alpha, int32_t n)
 {
     /* for m alpha below it, the bracket is m^2 - 1 to its square */
     static const double SHARP = 1e-9;
-    if (!rw_is_nonnegative(alpha) || n < 0)
+    if (!rw_is_magnitude(alpha) || n < 0)
         return NAN;
     if (alpha >= 1)
         return n == 0 ? 1 / alpha : 0;

@@ -7,7 +7,7 @@
 
 double rwedge_load(double alpha)
 {
-    if (!rw_is_nonnegative(alpha))
+    if (!rw_is_magnitude(alpha))
         return NAN;
     if (alpha == 0)
         return 2;
@@ -24,13 +24,9 @@ static double excess(double alpha, const void *AP_over_theta_a)
 
 /* The load lies between pi/2 (Hertz, alpha = 1) and 2 (sharp): that brackets alpha. The
  * bracket's ends are moved outwards by a few bits, because a root may lie at either to rounding. */
-double rwedge_a_over_b(double AP_over_theta_a)
+static double solve_for_alpha(double load)
 {
-    const double load = AP_over_theta_a;
-    if (!isfinite(load) || load <= 0)
-        return NAN;
-    if (load <= RW_HALF_PI)
-        /* Hertz; the quotient of the squares might overflow */
+    if (load <= RW_HALF_PI) /* Hertz */
         return sqrt(RW_HALF_PI) / sqrt(load);
     if (load > 2e8)
         return 2 / load; /* the next term is alpha^2/6 of it */
@@ -38,4 +34,12 @@ double rwedge_a_over_b(double AP_over_theta_a)
     const double lo = RW_HALF_PI / load * (1 - outwards);
     const double hi = fmin(1, 2 / load * (1 + outwards));
     return rw_root(excess, &load, lo, hi, 0);
+}
+
+double rwedge_a_over_b(double AP_over_theta_a)
+{
+    if (!isfinite(AP_over_theta_a) || AP_over_theta_a <= 0)
+        return NAN;
+    const double alpha = solve_for_alpha(AP_over_theta_a);
+    return rw_is_positive(alpha) ? alpha : NAN;
 }

@@ -3,32 +3,24 @@
 #include "rwedge.h"
 
 #include "base/domain.h"
-#include "base/scaled.h"
-
-#include <float.h>
 
 static bool is_body(double E, double nu)
 {
-    return !isnan(E) && E > 0 && isfinite(nu) && nu > -1 && nu <= 0.5;
+    return (E == HUGE_VAL || rw_is_positive(E)) && isgreater(nu, -1) && islessequal(nu, 0.5);
 }
 
-/* (1-nu^2)/E: half of a body's share of A; 0 for a rigid one, NaN where it is too large. */
+/* (1-nu^2)/E: half of a body's share of A; 0 for a rigid one. */
 static double half_share(double E, double nu)
 {
-    return isinf(E) ? 0
-                    : rw_scaled_value(
-                          rw_scaled_over(rw_scaled_from((1 - nu) * (1 + nu)), rw_scaled_from(E)));
+    return (1 - nu) * (1 + nu) / E;
 }
 
 double rwedge_compliance(double E1, double nu1, double E2, double nu2)
 {
     if (!is_body(E1, nu1) || !is_body(E2, nu2))
         return NAN;
-    const double share1 = half_share(E1, nu1), share2 = half_share(E2, nu2);
-    if (isnan(share1) || isnan(share2) || share1 / 2 + share2 / 2 > DBL_MAX / 4)
-        return NAN;
-    const double A = 2 * (share1 + share2);
-    return isnormal(A) ? A : NAN;
+    const double A = 2 * (half_share(E1, nu1) + half_share(E2, nu2));
+    return rw_is_positive(A) ? A : NAN;
 }
 
 /* With mu = E/(2(1+nu)) and kappa = 3 - 4 nu,

@@ -2,7 +2,8 @@
 /* Partial slip under a tangential force that grows: the stick zone and the shear traction. The
  * corrective traction of the stick zone is f times the pressure of the same profile pressed to
  * the half-width c, Eq. (22) to (27), so that
- *     1 - Q/(fP) = F(c)/F(1),   F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
+ *     1 - Q/(fP) = F(c)/F(1),
+ *     F(t) = t A P(t)/(theta t) = (t^2 asin(alpha/t) + alpha sqrt(t^2 - alpha^2))/alpha,
  * F(t) = (pi/2) t^2/alpha for t <= alpha. */
 #include "rwedge.h"
 
@@ -33,16 +34,13 @@ static double load_lost_on_flank(double alpha, double c)
     return lost * asin(alpha) + alpha * d * (1 - c) - c * c * asin_excess(alpha * d / c);
 }
 
-/* Below it alpha^2 is nothing beside 1; and products of alpha and 1-c might underflow. */
-static const double SHARP = 1e-100;
-
 double rwedge_shear_ratio(double alpha, double c)
 {
-    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c))
+    if (!rw_is_magnitude(alpha) || !rw_is_stick(c))
         return NAN;
     if (alpha >= 1)
         return (1 - c) * (1 + c);
-    if (alpha < SHARP)
+    if (alpha == 0)
         return 1 - c;
     const double whole = rwedge_load(alpha);
     if (c >= alpha)
@@ -55,14 +53,12 @@ double rwedge_shear_ratio(double alpha, double c)
 /* The stick zone is the contact area under the load fraction 1 - Q/(fP). */
 double rwedge_stick_width(double alpha, double Q_over_fP)
 {
-    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(Q_over_fP))
+    if (!rw_is_magnitude(alpha) || !rw_is_fraction(Q_over_fP))
         return NAN;
     const double fraction = 1 - Q_over_fP;
     if (alpha >= 1)
         return sqrt(fraction);
-    if (fraction == 0 || fraction == 1)
-        return fraction;
-    if (alpha < 1e-300) /* sharp; the load over alpha would overflow */
+    if (fraction == 0 || fraction == 1 || alpha == 0)
         return fraction;
     const double whole = rwedge_load(alpha);
     return fmin(1, alpha / rwedge_a_over_b(fraction * whole / alpha));
@@ -77,7 +73,7 @@ static double sharp_wedge_shear(double c, double x)
 
 double rwedge_shear(double alpha, double c, double x)
 {
-    if (!rw_is_nonnegative(alpha) || !rw_is_fraction(c) || !isfinite(x) ||
+    if (!rw_is_magnitude(alpha) || !rw_is_stick(c) || !rw_is_signed(x) ||
         (alpha == 0 && c == 0 && x == 0))
         return NAN;
     x = fabs(x);
@@ -85,7 +81,5 @@ double rwedge_shear(double alpha, double c, double x)
         return rwedge_pressure(alpha, x);
     if (alpha == 0)
         return sharp_wedge_shear(c, x);
-    if (alpha > c * 1e280) /* a patch whose traction, below c/alpha, could not be seen */
-        return rwedge_pressure(alpha, x);
     return rwedge_pressure(alpha, x) - rw_patch_pressure(alpha, c, x);
 }

@@ -35,7 +35,8 @@ static double log_of_ratio(double a, double x, double A, double B)
 
 /* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x
  * +- a s, over c,
- *     pi p = 2 ln((c0 x + a s)/(c0 + s)) + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a:
+ *     pi p = 2 ln((c0 x + a s)/(c0 + s))
+ *            + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a:
  * the paper's two logarithms share their singularity at x = a; here it is gone from the first,
  * and the second is multiplied by its zero. */
 static double rounded_wedge(double a, double c, double x)
@@ -65,7 +66,7 @@ double rw_patch_pressure(double a, double c, double x)
 
 double rwedge_pressure(double alpha, double x)
 {
-    if (!rw_is_nonnegative(alpha) || !isfinite(x))
+    if (!rw_is_magnitude(alpha) || !rw_is_signed(x))
         return NAN;
     if (alpha == 0 && x == 0)
         return NAN;
@@ -74,7 +75,7 @@ double rwedge_pressure(double alpha, double x)
 
 double rwedge_peak_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_magnitude(alpha) || alpha == 0)
         return NAN;
     if (alpha >= 1)
         return 1 / alpha;
@@ -84,7 +85,7 @@ double rwedge_peak_pressure(double alpha)
 
 double rwedge_transition_pressure(double alpha)
 {
-    if (!rw_is_nonnegative(alpha) || alpha == 0)
+    if (!rw_is_magnitude(alpha) || alpha == 0)
         return NAN;
     if (alpha >= 1)
         return 0;

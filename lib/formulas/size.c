@@ -4,78 +4,62 @@
 
 #include "rwedge.h"
 
-#include <float.h>
-
-/* NaN where the result is too large for a double: nothing here may overflow, which a host may
- * have made to trap. */
+/* NaN where a result leaves the domain. */
+static double magnitude(double v)
+{
+    return rw_is_magnitude(v) ? v : NAN;
+}
 
 double rwedge_radius(double theta, double a)
 {
-    if (!rw_is_angle(theta) || !rw_is_nonnegative(a))
-        return NAN;
-    return a == 0 ? 0 : rw_scaled_value(rw_scaled_over(rw_scaled_from(a), rw_scaled_from(theta)));
+    return rw_is_angle(theta) && rw_is_magnitude(a) ? magnitude(a / theta) : NAN;
 }
 
 double rwedge_rounding(double theta, double R)
 {
-    if (!rw_is_angle(theta) || !rw_is_nonnegative(R))
-        return NAN;
-    return R == 0 ? 0 : rw_scaled_value(rw_scaled_times(rw_scaled_from(theta), rw_scaled_from(R)));
+    return rw_is_angle(theta) && rw_is_magnitude(R) ? magnitude(theta * R) : NAN;
 }
 
 /* Eq. (11) for the sharp wedge; with a rounding, from the ratio A P/(theta a). */
-static rw_scaled half_width(const rw_geometry *geometry, double P)
-{
-    const rw_scaled product = rw_scaled_times(rw_scaled_from(geometry->A), rw_scaled_from(P));
-    const rw_scaled length = rw_scaled_over(product, rw_scaled_from(geometry->theta));
-    const rw_scaled sharp = {length.mantissa, length.exponent - 1};
-    if (geometry->a == 0)
-        return sharp;
-    const rw_scaled a = rw_scaled_from(geometry->a), scaled_ratio = rw_scaled_over(length, a);
-    if (scaled_ratio.exponent > 2 * DBL_MANT_DIG) /* sharp to the last bit */
-        return sharp;
-    const double ratio = rw_scaled_value(scaled_ratio);
-    if (ratio <= RW_HALF_PI)
-        return rw_scaled_times(rw_scaled_root(rw_scaled_over(length, rw_scaled_from(RW_HALF_PI))),
-                               rw_scaled_root(a));
-    return rw_scaled_over(a, rw_scaled_from(rwedge_a_over_b(ratio)));
-}
-
 double rw_half_width(const rw_geometry *geometry, double P)
 {
-    return P > 0 ? rw_scaled_value(half_width(geometry, P)) : 0;
+    static const double SHARP = 0x1p106; /* of the ratio: sharp to the last bit */
+    const double length = geometry->A * P / geometry->theta;
+    if (geometry->a == 0)
+        return length / 2;
+    const double ratio = length / geometry->a;
+    if (ratio >= SHARP)
+        return length / 2;
+    if (ratio <= RW_HALF_PI)
+        return sqrt(length / RW_HALF_PI) * sqrt(geometry->a);
+    return geometry->a / rwedge_a_over_b(ratio);
 }
 
 double rwedge_half_width(double theta, double a, double A, double P)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(P))
+    if (!rw_is_geometry(&geometry) || !rw_is_magnitude(P))
         return NAN;
-    return rw_half_width(&geometry, P);
+    const double b = rw_half_width(&geometry, P);
+    return P == 0 || rw_is_contact_size(&geometry, b) ? b : NAN;
 }
 
-/* A P/(theta b). For Hertz a/b may be too large for a double, and for a sharp wedge, all but,
- * too small. */
-static rw_scaled load_per_width(double a, rw_scaled b)
+/* A P/(theta b) */
+static double load_per_width(double a, double b)
 {
-    if (a == 0)
-        return rw_scaled_from(rwedge_load(0));
-    const rw_scaled alpha = rw_scaled_over(rw_scaled_from(a), b);
-    if (alpha.exponent < 1)
-        return rw_scaled_from(rwedge_load(rw_scaled_value(alpha)));
-    return rw_scaled_over(rw_scaled_times(rw_scaled_from(RW_HALF_PI), b), rw_scaled_from(a));
+    return a < b ? rwedge_load(a / b) : RW_HALF_PI * b / a;
 }
 
-double rw_normal_load(const rw_geometry *geometry, rw_scaled b)
+double rw_normal_load(const rw_geometry *geometry, double b)
 {
-    const rw_scaled sharp = rw_scaled_times(rw_unit_stress(geometry), b);
-    return rw_scaled_value(rw_scaled_times(sharp, load_per_width(geometry->a, b)));
+    return b == 0 ? 0 : rw_unit_stress(geometry) * b * load_per_width(geometry->a, b);
 }
 
 double rwedge_normal_load(double theta, double a, double A, double b)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_nonnegative(b))
+    if (!rw_is_geometry(&geometry) || !rw_is_magnitude(b))
         return NAN;
-    return b == 0 ? 0 : rw_normal_load(&geometry, rw_scaled_from(b));
+    return b == 0 || rw_is_contact_size(&geometry, b) ? magnitude(rw_normal_load(&geometry, b))
+                                                      : NAN;
 }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dimensional geometry of a contact, and its law. */
+/* The geometry of a contact with units, and its size under a load. */
 #ifndef RW_SIZE_H
 #define RW_SIZE_H
 
 #include "base/domain.h"
-#include "base/scaled.h"
 
 typedef struct {
     double theta, a, A;
@@ -12,24 +11,29 @@ typedef struct {
 
 static inline bool rw_is_angle(double theta)
 {
-    return isfinite(theta) && theta > 0 && theta < RW_HALF_PI;
+    return rw_is_positive(theta) && theta < RW_HALF_PI;
 }
 
 static inline bool rw_is_geometry(const rw_geometry *g)
 {
-    return rw_is_angle(g->theta) && rw_is_nonnegative(g->a) && rw_is_nonnegative(g->A) && g->A > 0;
+    return rw_is_angle(g->theta) && rw_is_magnitude(g->a) && rw_is_positive(g->A);
 }
 
-/* theta/A */
-static inline rw_scaled rw_unit_stress(const rw_geometry *g)
+/* Whether a contact of the half-width b > 0 has all lengths in the domain, in natural units too. */
+static inline bool rw_is_contact_size(const rw_geometry *g, double b)
 {
-    return rw_scaled_over(rw_scaled_from(g->theta), rw_scaled_from(g->A));
+    return rw_is_positive(b) && rw_is_magnitude(g->a / b);
 }
 
-/* Half-width under the load P >= 0. */
-double rw_half_width(const rw_geometry *geometry, double P);
+/* The unit of stress. */
+static inline double rw_unit_stress(const rw_geometry *g)
+{
+    return g->theta / g->A;
+}
 
-/* Load of the half-width b > 0, which may be no double where the load is one. */
-double rw_normal_load(const rw_geometry *geometry, rw_scaled b);
+/* Half-width under the load P >= 0, and the load of a half-width b >= 0. Argument and result may
+ * be too small for the domain, as the patches inside a contact are. */
+double rw_half_width(const rw_geometry *geometry, double P);
+double rw_normal_load(const rw_geometry *geometry, double b);
 
 #endif

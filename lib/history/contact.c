@@ -7,7 +7,8 @@
 int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
 {
     const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_quotient_is_normal(theta, A))
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) ||
+        !rw_is_positive(rw_unit_stress(&geometry)))
         return RWEDGE_EDOMAIN;
     if (!contact)
         return RWEDGE_ENULL;

@@ -9,18 +9,16 @@
  * While the point is in contact every slip changes the path, and w with it, and nothing else
  * does: a rising load adds to the path beyond u, a falling one cuts it off there. The slip is
  * therefore w of the present path less w of the path that was there when the point came into
- * contact (slip_origin.h). What both paths have in common is left out of both sums: it would cancel. */
+ * contact (slip_origin.h). What both paths have in common is left out of both sums: it would
+ * cancel. */
 #include "history/contact.h"
 
 #include "base/always.h"
 #include "history/gap.h"
 
-/* rw_gap() of a patch of half-width s. One too narrow to be seen deforms nothing: the gap is the
- * profile. */
+/* rw_gap() of a patch of half-width s. */
 static double gap(double a, double s, double x)
 {
-    if (!rw_patch_matters(s, fmax(a, x)))
-        return rw_profile(a, x);
     rw_potential patch;
     rw_potential_init(&patch, a / s);
     return s * rw_gap(&patch, x / s);
@@ -70,7 +68,7 @@ static double slip_at(const rwedge_contact *contact, double x)
 {
     const rw_geometry *g = &contact->geometry;
     const rw_memory *now = &contact->memory;
-    const double u = fmin(rwedge_normal_load(g->theta, g->a, g->A, x), rw_memory_end(now)->load);
+    const double u = fmin(rw_normal_load(g, x), rw_memory_end(now)->load);
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
@@ -97,7 +95,7 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
         return RWEDGE_ENULL;
     const double b = rwedge_contact_half_width(contact);
     for (size_t i = 0; i < n; i++)
-        if (!isfinite(x[i]) || fabs(x[i]) > b)
+        if (!rw_is_signed(x[i]) || fabs(x[i]) > b)
             return RWEDGE_EDOMAIN;
     for (size_t i = 0; i < n; i++)
         slip[i] = rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i])) : 0;

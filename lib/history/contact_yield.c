@@ -35,20 +35,14 @@ static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, ENOUG
 /* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
 static const double ROUGHLY = 0.05;
 
-/* The highest J2 so far, in (theta/A)^2 over the square of a power of two, and where. */
+/* The highest J2 so far, in (theta/A)^2, and where. */
 typedef struct {
     const rwedge_contact *contact;
-    double kappa, magnify;
+    double kappa;
     double J2, x, y;
     /* of the highest that was climbed; its distance from the mark, infinite before */
     double top_x, top_y, top_radius;
 } search;
-
-/* The stresses of Hertz' contact are of the order b/a, whose square might underflow. */
-static int magnification(const rwedge_contact *contact)
-{
-    return ilogb(fmax(1, contact->geometry.a / rwedge_contact_half_width(contact)));
-}
 
 static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[])
 {
@@ -57,9 +51,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     for (size_t i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        const double difference = s->magnify * state.difference, mean = s->magnify * state.mean;
-        const double in_shear = s->magnify * state.shear;
-        J2[i] = difference * difference + in_shear * in_shear + s->kappa * mean * mean;
+        J2[i] = state.difference * state.difference + state.shear * state.shear +
+                s->kappa * state.mean * state.mean;
         if (J2[i] > s->J2) {
             s->J2 = J2[i];
             s->x = x[i];
@@ -70,18 +63,28 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 
 /* ---- The marks ---- */
 
-/* Mark 0 is the centre, then in pairs +-: the edges of the contact, +-a, and the patches' edges
- * from outside inwards. */
+typedef struct {
+    double left, right;
+} interval;
+
+/* The parts of the surface whose edges are marks: the contact, the rounding as far as it is in
+ * contact, and the patches inside from the widest to the narrowest. */
+static interval marked(const rwedge_contact *contact, size_t i)
+{
+    const rw_corner *corners = contact->memory.corners;
+    const size_t last = contact->memory.count - 1;
+    const double s = i == 1 ? fmin(contact->geometry.a, corners[last].half_width)
+                            : corners[i == 0 ? last : last + 1 - i].half_width;
+    return (interval){-s, s};
+}
+
+/* First the centre, then the edges of each part. */
 static double mark(const rwedge_contact *contact, size_t i)
 {
     if (i == 0)
         return 0;
-    const size_t pair = (i + 1) / 2, corners = contact->memory.count;
-    const double at =
-        pair == 2
-            ? fmin(contact->geometry.a, rwedge_contact_half_width(contact))
-            : contact->memory.corners[pair == 1 ? corners - 1 : corners + 1 - pair].half_width;
-    return i % 2 ? at : -at;
+    const interval part = marked(contact, (i - 1) / 2);
+    return i % 2 ? part.right : part.left;
 }
 
 static size_t count_marks(const rwedge_contact *contact)
@@ -111,7 +114,7 @@ static double innermost_radius(const rwedge_contact *contact, size_t i)
             nearest = fmin(nearest, distance);
     }
     const double f = fmax(1, 1e-3 * contact->f);
-    return fmax(fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i))), DBL_MIN);
+    return fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i)));
 }
 
 /* ---- Climbing ---- */
@@ -303,27 +306,20 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
 {
     if (!contact || !factor)
         return RWEDGE_ENULL;
-    if (!rw_is_poisson(nu) || !rw_is_nonnegative(k) || k == 0)
+    if (!rw_is_poisson(nu) || !rw_is_positive(k))
         return RWEDGE_EDOMAIN;
     if (contact->memory.count < 2)
         return RWEDGE_EABSENT;
-    const int doublings = magnification(contact);
-    search s = {.contact = contact,
-                .kappa = rw_plane_strain_weight(nu),
-                .magnify = rw_power_of_two(doublings),
-                .top_radius = HUGE_VAL};
+    search s = {.contact = contact, .kappa = rw_plane_strain_weight(nu), .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
         for (size_t i = 0; i < count_marks(contact); i++)
             search_around(&s, i);
         if (NEVER(!(s.J2 > 0))) /* the grid has points with stress */
             return RWEDGE_ERANGE;
-        rw_scaled highest =
-            rw_scaled_times(rw_unit_stress(&contact->geometry), rw_scaled_from(sqrt(s.J2)));
-        highest.exponent -= doublings;
-        found = rw_scaled_value(rw_scaled_over(rw_scaled_from(k), highest));
+        found = k / (rw_unit_stress(&contact->geometry) * sqrt(s.J2));
     }
-    if (!isfinite(found))
+    if (!rw_is_magnitude(found))
         return RWEDGE_ERANGE;
     *factor = found;
     if (x)

@@ -8,7 +8,8 @@
  * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement
  * ln(eta'/eta). Written as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged,
  * a layer s1 < s < s0 of constant w, passed while the edge moves from P0 to P1, dissipates
- *     (A f^2 w/pi) int B(u) du/(u m(u)),   B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
+ *     (A f^2 w/pi) int B(u) du/(u m(u)),
+ *     B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
  * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp
  * wedge. */
 #include "history/dissipation.h"
@@ -142,10 +143,8 @@ static double layer_integral(const layer *l)
 
 /* ---- The step ---- */
 
-/* Loads are over the unit. */
 typedef struct {
     const rw_memory *memory;
-    double per_unit;
     double top, run, rise; /* the step: t = 0 ... 1 */
     double corner_load;
 } step;
@@ -153,7 +152,7 @@ typedef struct {
 /* How far a corner of the path lies below its end. */
 static double depth_of(const step *s, size_t i)
 {
-    return s->top - s->memory->corners[i].load * s->per_unit;
+    return s->top - s->memory->corners[i].load;
 }
 
 /* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load
@@ -215,20 +214,17 @@ static double falling(const step *s)
     return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
 }
 
-double rw_dissipation(const rw_memory *memory, double load, double shear, double unit,
-                      double corner_load)
+double rw_dissipation(const rw_memory *memory, double load, double shear, double corner_load)
 {
     const rw_corner *end = rw_memory_end(memory);
-    const double per_unit = 1 / unit;
     const step s = {.memory = memory,
-                    .per_unit = per_unit,
-                    .top = end->load * per_unit,
-                    .run = (load - end->load) * per_unit,
-                    .rise = (shear - end->shear) * per_unit,
+                    .top = end->load,
+                    .run = load - end->load,
+                    .rise = shear - end->shear,
                     .corner_load = corner_load};
     if (s.run < 0)
         return falling(&s);
-    if (fabs(s.rise) <= s.run + rw_memory_tolerance(load * per_unit))
+    if (fabs(s.rise) <= s.run + rw_memory_tolerance(load))
         return 0;
     return sweep(&s, sign(s.rise), 0, 1);
 }

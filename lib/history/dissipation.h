@@ -6,10 +6,8 @@
 #include "history/memory.h"
 
 /* In the straight step from the end of the path to (load, shear): the integral of |p|
- * |d(slip)|/f over the contact, times pi/A, over unit^2: a power of two near the larger of the
- * two loads, so that squares of loads stay in range. corner_load is the load (pi/2) a theta/A
- * under which the contact reaches the end of the rounding, over the unit. Never negative. */
-double rw_dissipation(const rw_memory *memory, double load, double shear, double unit,
-                      double corner_load);
+ * |d(slip)|/f over the contact, times pi/A. corner_load is the load (pi/2) a theta/A under which
+ * the contact reaches the end of the rounding. Not negative, but for rounding. */
+double rw_dissipation(const rw_memory *memory, double load, double shear, double corner_load);
 
 #endif

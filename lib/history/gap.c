@@ -12,6 +12,7 @@
 #include "history/gap.h"
 
 #include "base/domain.h"
+#include "stress/far_series.h"
 #include "base/integral.h"
 
 #include <float.h>

@@ -15,8 +15,8 @@
 
 #include "history/memory.h"
 
-/* The points up to the load `end` that are beyond those of the one before. For u > from_load the path
- * goes on along the straight line from (from_load, from_shear) to (to_load, to_shear). */
+/* The points up to the load `end` that are beyond those of the one before. For u > from_load the
+ * path goes on along the straight line from (from_load, from_shear) to (to_load, to_shear). */
 typedef struct {
     double end;
     rw_memory base;

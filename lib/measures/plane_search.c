@@ -297,17 +297,17 @@ static bool gather(search *s, const arc *a, const control c[KINDS], size_t count
 {
     const double peak = top_of(&c[PEAK]), top = top_of(&c[TOP]), bottom = top_of(&c[BOTTOM]);
     const double least = s->best + s->noise;
-    const double enough[KINDS] = {least / (top + bottom), least / peak - bottom,
-                                  least / peak - top};
     for (int kind = 0; kind < KINDS; kind++)
         count[kind] = 0;
     for (size_t i = 0; i < s->cycle->loads; i++) {
         rw_wave wave[KINDS];
         waves_of(s->cycle, i, wave);
         const control peak_of = control_of(&wave[PEAK], a), range_of = control_of(&wave[TOP], a);
-        const double most[KINDS] = {top_of(&peak_of), top_of(&range_of), -bottom_of(&range_of)};
+        const double most[KINDS] = {top_of(&peak_of) * (top + bottom),
+                                    (top_of(&range_of) + bottom) * peak,
+                                    (top - bottom_of(&range_of)) * peak};
         for (int kind = 0; kind < KINDS; kind++) {
-            if (most[kind] <= enough[kind] || !is_new(s, kind, count[kind], &wave[kind]))
+            if (most[kind] <= least || !is_new(s, kind, count[kind], &wave[kind]))
                 continue;
             if (count[kind] == CAPACITY)
                 return false;

@@ -19,7 +19,7 @@ static double shape(double alpha)
 
 double rwedge_max_tension(double alpha)
 {
-    if (!rw_is_nonnegative(alpha))
+    if (!rw_is_magnitude(alpha))
         return NAN;
     /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact
      * half-width (E5). */
@@ -56,11 +56,11 @@ static rw_maximum global_maximum(double alpha, double f, double nu)
 static void yield_point(double alpha, double f, double nu, double *limit, double *x, double *y)
 {
     if (alpha == 0) {
-        *limit = sharp_limit(rw_friction(f), nu);
+        *limit = sharp_limit(f, nu);
         *x = *y = 0;
         return;
     }
-    const rw_maximum maximum = global_maximum(alpha, rw_friction(f), nu);
+    const rw_maximum maximum = global_maximum(alpha, f, nu);
     *limit = limit_of(alpha, maximum);
     *x = maximum.x;
     *y = maximum.y;
@@ -108,8 +108,7 @@ int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
     rw_maximum below;
-    if (alpha == 0 ||
-        !rw_subsurface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu), &below))
+    if (alpha == 0 || !rw_subsurface_maximum(shape(alpha), f, rw_plane_strain_weight(nu), &below))
         return RWEDGE_EABSENT;
     *limit = limit_of(alpha, below);
     *x = below.x;
@@ -123,11 +122,11 @@ int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, d
         return RWEDGE_ENULL;
     if (!is_case(alpha, f, nu))
         return RWEDGE_EDOMAIN;
-    if (rw_friction(f) == 0 && nu == 0.5)
+    if (f == 0 && nu == 0.5)
         return RWEDGE_EABSENT;
-    const rw_maximum surface =
-        alpha > 0 ? rw_surface_maximum(shape(alpha), rw_friction(f), rw_plane_strain_weight(nu))
-                  : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
+    const rw_maximum surface = alpha > 0
+                                   ? rw_surface_maximum(shape(alpha), f, rw_plane_strain_weight(nu))
+                                   : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
     *limit = limit_of(alpha, surface);
     *x = surface.x;
     return RWEDGE_OK;

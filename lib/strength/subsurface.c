@@ -8,8 +8,8 @@
  * surface is the higher, by 5 % of J2 at the least. Both statements are not proved here but
  * checked by the tests (strength_survey), which search the whole half-plane without using them,
  * and for many alpha, f and nu it is proved that the outcome is the global maximum
- * (tests/proof/certificate). Given them, the path reaches the maximum, or ends at a fold before it and
- * the surface governs. A step along the path counts only if every iterate had a negative
+ * (tests/proof/certificate). Given them, the path reaches the maximum, or ends at a fold before
+ * it and the surface governs. A step along the path counts only if every iterate had a negative
  * definite Hessian: it cannot slip to the saddle that the maximum meets at the fold. */
 #include "strength/subsurface.h"
 

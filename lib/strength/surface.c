@@ -6,7 +6,8 @@
  * derivative with respect to x is positive at 0 (for f > 0) and
  *   tends to minus infinity at alpha, where p has a vertical tangent. That it changes sign only
  *   once between is not proved here but checked, densely, by the tests (strength_survey), over
- *   all alpha, f and nu; what follows from it is proved at many of them (tests/proof/certificate). */
+ *   all alpha, f and nu; what follows from it is proved at many of them
+ *   (tests/proof/certificate). */
 #include "strength/surface.h"
 
 #include "base/domain.h"

@@ -12,7 +12,7 @@ static double peak(double alpha, double f, double nu)
 }
 
 typedef struct {
-    double f, nu, wanted;
+    double f, nu, wanted; /* wanted: the peak at yield, A k/theta */
 } yielding;
 
 static double excess(double log_alpha, const void *context)
@@ -21,34 +21,34 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
-/* A k/theta, which may be no double where the load is one; all that is larger than any peak is
- * the same. */
-static rw_scaled wanted_peak(const rw_geometry *geometry, double k)
+/* At the apex stresses are infinite, or bounded however large the load. */
+static double sharp_yield_load(const yielding *y)
 {
-    const rw_scaled compliance =
-        rw_scaled_over(rw_scaled_from(geometry->A), rw_scaled_from(geometry->theta));
-    const rw_scaled wanted = rw_scaled_times(compliance, rw_scaled_from(k));
-    return wanted.exponent > 1000 ? rw_scaled_from(1e300) : wanted;
+    return y->f == 0 && y->nu == 0.5 && y->wanted > peak(0, 0, 0.5) ? HUGE_VAL : 0;
 }
 
-/* The peak grows as alpha falls. For alpha >= 1 it is in proportion to 1/alpha; below, a root in
- * ln(alpha), because the peak grows like a logarithm. */
+/* The half-width at yield; HUGE_VAL where there is none. The peak grows as alpha falls: for
+ * alpha >= 1 in proportion to 1/alpha; below like a logarithm, so that ln(alpha) is solved for. */
+static double half_width_at_yield(double a, const yielding *y)
+{
+    const double share = y->wanted / peak(1, y->f, y->nu);
+    if (share <= 1)
+        return a * share;
+    const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
+    if (!(excess(lowest, y) < 0))
+        return HUGE_VAL;
+    return a / exp(rw_root(excess, y, lowest, 0, 1e-17));
+}
+
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
     const rw_geometry geometry = {theta, a, A};
     if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) ||
-        !rw_is_nonnegative(k) || k == 0)
+        !rw_is_positive(k))
         return NAN;
-    const rw_scaled wanted = wanted_peak(&geometry, k), rounding = rw_scaled_from(a);
-    const yielding y = {f, nu, rw_scaled_value(wanted)};
+    const yielding y = {f, nu, A / theta * k};
     if (a == 0)
-        return rw_friction(f) == 0 && nu == 0.5 && y.wanted > peak(0, f, nu) ? HUGE_VAL : 0;
-    const rw_scaled share = rw_scaled_over(wanted, rw_scaled_from(peak(1, f, nu)));
-    if (rw_scaled_value(share) <= 1)
-        return rw_normal_load(&geometry, rw_scaled_times(rounding, share));
-    const double lowest = log(RW_SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
-    if (!(excess(lowest, &y) < 0))
-        return HUGE_VAL;
-    const double alpha = exp(rw_root(excess, &y, lowest, 0, 1e-17));
-    return rw_normal_load(&geometry, rw_scaled_over(rounding, rw_scaled_from(alpha)));
+        return sharp_yield_load(&y);
+    const double b = half_width_at_yield(a, &y);
+    return b == HUGE_VAL ? b : rwedge_normal_load(theta, a, A, b);
 }

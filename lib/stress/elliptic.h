@@ -5,6 +5,7 @@
 #define RW_ELLIPTIC_H
 
 #include "base/inline.h"
+#include "base/select.h"
 
 #include <float.h>
 #include <math.h>
@@ -23,15 +24,14 @@ typedef struct {
  * next to the edge x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
 RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
 {
-    const double m = beyond * (x + 1) + y * y, size = m < 0 ? -m : m;
-    const double discriminant = m * m + 4 * y * y;
-    const double cos2 = sqrt(discriminant > DBL_MIN ? discriminant : DBL_MIN);
-    const double larger = sqrt((size + cos2) / 2), smaller = y / larger;
-    const double sinh_w = m < 0 ? smaller : larger, cosh_w = sqrt(1 + sinh_w * sinh_w);
+    const double m = beyond * (x + 1) + y * y;
+    const double cos2 = sqrt(m * m + 4 * y * y + DBL_MIN);
+    const double larger = sqrt((fabs(m) + cos2) / 2), smaller = y / larger;
+    const double sinh_w = rw_if_negative(m, smaller, larger), cosh_w = sqrt(1 + sinh_w * sinh_w);
     return (rw_elliptic){.x = x,
                          .y = y,
                          .sin_v = x / cosh_w,
-                         .cos_v = m < 0 ? larger : smaller,
+                         .cos_v = rw_if_negative(m, larger, smaller),
                          .sinh_w = sinh_w,
                          .cosh_w = cosh_w,
                          .cos2 = cos2};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are
  * made of G and y G'. Natural units: lengths in the half-width of the contact, stresses in
- * theta/A; alpha is the rounding over the half-width. This room depends on no other. */
+ * theta/A; alpha is the rounding over the half-width. */
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
@@ -46,33 +46,5 @@ static inline bool rw_patch_matters(double half_width, double length)
 /* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always
  * finite there. Error of each part below 8 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
-
-/* The same, bit for bit, at count <= RW_BATCH points at once: several times faster. */
-enum { RW_BATCH = 64 };
-typedef struct {
-    double G_re[RW_BATCH], G_im[RW_BATCH], H_re[RW_BATCH], H_im[RW_BATCH];
-} rw_fields;
-
-static inline rw_field rw_field_in(const rw_fields *fields, int i)
-{
-    return (rw_field){fields->G_re[i], fields->G_im[i], fields->H_re[i], fields->H_im[i]};
-}
-
-void rw_potential_fields(const rw_potential *potential, int count, const double x[],
-                         const double y[], rw_fields *fields);
-
-/* The coefficients b_n of the series in R, as many as count where |R| is below 1/4. */
-enum { RW_FAR_TERMS = 16 };
-void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS]);
-
-/* K = y^2 G'' and L = y^3 G''', which are algebraic. */
-typedef struct {
-    double K_re, K_im, L_re, L_im;
-} rw_curvature;
-
-/* As rw_potential_at(), and these. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z| below 1e8
- * half-widths. */
-rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y,
-                                     rw_curvature *curvature);
 
 #endif

@@ -53,7 +53,7 @@ int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_series **series
 {
     if (!series)
         return RWEDGE_ENULL;
-    if (!rw_is_nonnegative(alpha))
+    if (!rw_is_magnitude(alpha))
         return RWEDGE_EDOMAIN;
     if (terms < 1 || terms > MAX_TERMS)
         return RWEDGE_ERANGE;
@@ -138,7 +138,7 @@ static int32_t fit(size_t samples, const double x[], const double p[], double *w
 static bool are_samples(size_t samples, const double x[], const double p[])
 {
     for (size_t i = 0; i < samples; i++)
-        if (!isfinite(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
+        if (!rw_is_signed(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
             return false;
     return true;
 }
@@ -207,7 +207,7 @@ static sums sum_powers(const rwedge_series *series, double R_re, double R_im)
 
 double rwedge_series_pressure(const rwedge_series *series, double x)
 {
-    if (!series || !isfinite(x))
+    if (!series || !rw_is_signed(x))
         return NAN;
     if (fabs(x) >= 1)
         return 0;
@@ -247,7 +247,7 @@ static int32_t check(const rwedge_series *series, double f, double x, double y)
 {
     if (!series)
         return RWEDGE_ENULL;
-    return rw_is_friction(f) && isfinite(x) && rw_is_nonnegative(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
+    return rw_is_friction(f) && rw_is_signed(x) && rw_is_magnitude(y) ? RWEDGE_OK : RWEDGE_EDOMAIN;
 }
 
 int32_t rwedge_series_potential(const rwedge_series *series, double f, double x, double y,

@@ -6,6 +6,7 @@
  * belongs to the same profile pressed to the half-width c of the stick zone. */
 #include "stress/stress.h"
 
+#include "stress/batch.h"
 #include "base/domain.h"
 #include "base/inline.h"
 #include "rwedge.h"
@@ -67,12 +68,12 @@ static void stresses_at(const tractions *t, int count, const double x[], const d
 
 static bool is_contact(double alpha, double f, double c)
 {
-    return rw_is_nonnegative(alpha) && rw_is_friction(f) && rw_is_fraction(c);
+    return rw_is_magnitude(alpha) && rw_is_friction(f) && rw_is_stick(c);
 }
 
 static bool is_point(double alpha, double x, double y)
 {
-    return isfinite(x) && rw_is_nonnegative(y) && !(alpha == 0 && x == 0 && y == 0);
+    return rw_is_signed(x) && rw_is_magnitude(y) && !(alpha == 0 && x == 0 && y == 0);
 }
 
 int32_t rwedge_stress(double alpha, double f, double c, double x, double y, double *sxx,

@@ -4,7 +4,7 @@
 #ifndef RW_VON_MISES_H
 #define RW_VON_MISES_H
 
-#include "stress/potential.h"
+#include "stress/curvature.h"
 
 typedef struct {
     double J2;

@@ -66,12 +66,20 @@ if command -v fish >/dev/null 2>&1; then
         same "words" "$1" "$(fish --no-config -c "source ./rwedge.fish; complete -C '$2'" 2>&1 | cut -f 1 | sort | paste -s -d ' ' -)"
     }
     offers "$(sort commands | paste -s -d ' ' -)" "rwedge "
-    offers "elastic-limit" "rwedge table ela"
     offers "csv json tsv vtk xlsx" "rwedge field --format "
-    offers "--layout" "rwedge table --la"
     for command in $(cat commands); do
         offers "$(every_option "$command" | paste -s -d ' ' -)" "rwedge $command --"
     done
+    # What is offered may only resemble what was typed; what a Tab inserts begins with it.
+    if command -v python3 >/dev/null 2>&1; then
+        for case in "rwedge pro=profile" "rwedge table ela=table elastic-limit" "rwedge table --la=table --layout" \
+            "rwedge field --format v=field --format vtk"; do
+            called="a Tab in fish after '${case%=*}'"
+            same "line" "${case##*=}" "$(TERM=xterm timeout 20 python3 "$here/fish_tab.py" ./rwedge.fish "${case%=*}" 2>&1)"
+        done
+    else
+        echo "SKIPPED: what a Tab inserts in fish, for lack of python3"
+    fi
 fi
 
 # zsh, on a terminal of its own: what a Tab inserts.
@@ -96,7 +104,7 @@ ZSH
         same "line" "$1" "$(timeout 20 zsh -f complete.zsh "$2" 2>/dev/null)"
     }
     if ! zsh -fc 'zmodload zsh/zpty && zpty probe :' 2>/dev/null; then
-        echo "left out: what a Tab inserts in zsh (no pseudo-terminal here)"
+        echo "SKIPPED: what a Tab inserts in zsh, for lack of a pseudo-terminal"
         inserts() { :; }
     fi
     inserts "profile" "rwedge pro"

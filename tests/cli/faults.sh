@@ -9,7 +9,8 @@
 most=${3:-2}
 . "$(dirname "$0")/claims.sh"
 
-strace -o /dev/null true 2>/dev/null || skip "strace cannot trace here"
+command -v strace >/dev/null || skip "strace is not here"
+strace -o /dev/null true 2>/dev/null || skip "this machine does not let strace trace"
 ASAN_OPTIONS=detect_leaks=0 # which cannot be done under strace
 export ASAN_OPTIONS
 echo old >old

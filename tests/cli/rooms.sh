@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The rooms of cli/ use only what their README allows, and what stands above them.    rooms.sh PROGRAM DATA
+# The rooms of cli/ use only what their README allows, which is rooms that cli/README.md names before them.    rooms.sh PROGRAM DATA
 set -eu
 cd "$(dirname "$0")/../../cli"
-rooms=$(sed -n 's|^    \([a-z]*\)/.*|\1|p' CMakeLists.txt | uniq)
+rooms=$(sed -n '/^Includes name the room/,/^$/p' README.md | grep -o '`[a-z]*`' | tr -d '`')
 bad=0
 wrong()
 {
@@ -17,7 +17,7 @@ for room in $rooms; do
     for other in $uses; do
         case " $above " in
         *" $other "*) ;;
-        *) wrong "cli/$room uses $other, which is not above it in cli/CMakeLists.txt" ;;
+        *) wrong "cli/$room uses $other, which cli/README.md does not name before it" ;;
         esac
     done
     for other in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$room"/*.[ch] | sort -u); do
@@ -35,7 +35,7 @@ done
 for folder in */; do
     case " $above " in
     *" ${folder%/} "*) ;;
-    *) wrong "cli/$folder is no room of cli/CMakeLists.txt" ;;
+    *) wrong "cli/$folder is no room of cli/README.md" ;;
     esac
 done
-[ "$bad" -eq 0 ] && echo "ok: $(echo $rooms | wc -w) rooms, each above those that use it"
+[ "$bad" -eq 0 ] && echo "ok: $(echo $rooms | wc -w) rooms, each named before those that use it"

@@ -11,9 +11,15 @@
 
 /* ---- Arguments ---- */
 
-static bool is_finite_from(double v, double least)
+static bool is_positive(double v)
 {
-    return isfinite(v) && v >= least;
+    return isfinite(v) && v >= 1e-60 && v <= 1e60;
+}
+
+/* What the header's first page says. */
+static bool is_magnitude(double v)
+{
+    return v == 0 || is_positive(v);
 }
 
 static bool is_between(double v, double least, double most)
@@ -27,40 +33,45 @@ static bool is_of_kind(char kind, double v)
     case 'a': /* a/b */
     case 'y': /* depth */
     case 'w': /* a length, a load, a friction of dimensional quantities */
-        return is_finite_from(v, 0);
+        return is_magnitude(v);
     case 't': /* a/b where strength is concerned */
-        return is_finite_from(v, 0) && (v == 0 || v >= 1e-14);
-    case '+': /* a stress, a compliance, a load that is not 0 */
+        return is_magnitude(v) && (v == 0 || v >= 1e-14);
+    case '+': /* a stress, a compliance */
+        return is_positive(v);
+    case 'l': /* A P/(theta a) */
         return isfinite(v) && v > 0;
     case 'f': /* friction */
-        return is_between(v, 0, 1e6);
+        return is_magnitude(v) && v <= 1e6;
     case 'n': /* Poisson's ratio of the half-plane */
         return is_between(v, 0, 0.5);
     case 'm': /* Poisson's ratio of a body */
         return isfinite(v) && v > -1 && v <= 0.5;
-    case 'c': /* a stick zone, a ratio of loads */
+    case 'c': /* a stick zone */
+        return is_magnitude(v) && v <= 1;
+    case 'q': /* a ratio of loads */
         return is_between(v, 0, 1);
     case 'h': /* the angle theta */
-        return isfinite(v) && v > 0 && v < 1.57079632679489661923;
+        return is_positive(v) && v < 1.57079632679489661923;
     case 'E': /* Young's modulus */
-        return !isnan(v) && v > 0;
+        return is_positive(v) || v == INFINITY;
     case 'i': /* the number of a coefficient */
         return v >= 0;
+    case 's': /* the factor of a sample */
+        return isfinite(v);
     case 'z': /* a status */
     case 'r': /* a tangential force over f P: it may be refused */
         return true;
     default: /* 'x', a coordinate */
-        return isfinite(v);
+        return is_magnitude(fabs(v));
     }
 }
 
 static const double anything[] = {
     0,         -0.0,
     5e-324,    1e-310,
-    DBL_MIN,   1e-300,
-    7.9e-265,  1e-200,
-    1e-160,    1e-120,
-    1e-60,     1e-16,
+    1e-200,    9.9e-61,
+    1e-60,     3e-60,
+    1e-40,     1e-16,
     1e-14,     9.9e-15,
     3e-9,      1e-6,
     1e-3,      0.01,
@@ -72,12 +83,12 @@ static const double anything[] = {
     2.5,       100,
     1e5,       1e6,
     1.1e8,     1e10,
-    1e18,      1e60,
-    1e150,     1e160,
-    1e290,     1e300,
-    DBL_MAX,   INFINITY,
-    NAN,       -5e-324,
-    -1e-300,   -1e-9,
+    1e18,      1e30,
+    1e60,      1.1e60,
+    1e200,     DBL_MAX,
+    INFINITY,  NAN,
+    -5e-324,   -1e-300,
+    -1e-60,    -1e-9,
     -0.3,      -0.9999,
     -1,        -2,
     -1e9,      -DBL_MAX,
@@ -87,8 +98,7 @@ static const double fractions[] = {
     0,
     -0.0,
     5e-324,
-    1e-300,
-    1e-160,
+    1e-200,
     1e-60,
     1e-16,
     1e-8,
@@ -120,7 +130,7 @@ static const double numbers[] = {0,     1,       2,          3,         7,  50, 
 
 static const double *edges(char kind, size_t *count)
 {
-    if (strchr("ncm", kind) != NULL) {
+    if (strchr("ncqm", kind) != NULL) {
         *count = COUNT(fractions);
         return fractions;
     }
@@ -145,6 +155,16 @@ double edge(char kind, size_t i)
     return edges(kind, &count)[i];
 }
 
+/* A product that raises no exception of its own; volatile, for else clang converts it before it
+ * looks whether it may. */
+static double product(double a, double b, double c)
+{
+    if (!isfinite(a) || !isfinite(b) || !isfinite(c))
+        return NAN;
+    const volatile long double exact = (long double)a * b * c;
+    return exact > DBL_MAX ? INFINITY : exact < -DBL_MAX ? -INFINITY : (double)exact;
+}
+
 /* ---- Pure formulas ---- */
 
 static int32_t value(double got, double out[])
@@ -155,16 +175,15 @@ static int32_t value(double got, double out[])
     return RWEDGE_OK;
 }
 
-/* clang-format off */
-#define FORMULA_1(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0]), out); }
-#define FORMULA_2(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1]), out); }
-#define FORMULA_3(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1], v[2]), out); }
-#define FORMULA_4(name) \
-    static int32_t name(const double v[], double out[]) { return value(rwedge_##name(v[0], v[1], v[2], v[3]), out); }
-/* clang-format on */
+#define CALL(name, ...)                                                                            \
+    static int32_t name(const double v[], double out[])                                            \
+    {                                                                                              \
+        return value(rwedge_##name(__VA_ARGS__), out);                                             \
+    }
+#define FORMULA_1(name) CALL(name, v[0])
+#define FORMULA_2(name) CALL(name, v[0], v[1])
+#define FORMULA_3(name) CALL(name, v[0], v[1], v[2])
+#define FORMULA_4(name) CALL(name, v[0], v[1], v[2], v[3])
 
 FORMULA_4(compliance)
 FORMULA_4(dundurs_beta)
@@ -203,32 +222,48 @@ static long double share(double E, double nu)
 static bool has_compliance(const double v[])
 {
     const long double A = share(v[0], v[1]) + share(v[2], v[3]);
-    return A >= DBL_MIN && A <= DBL_MAX;
+    return A >= 1e-60 && A <= 1e60;
 }
 
 static bool has_radius(const double v[])
 {
-    return (long double)v[1] / v[0] <= DBL_MAX;
+    return is_magnitude(v[1] / v[0]);
 }
 
 static bool has_rounding(const double v[])
 {
-    return (long double)v[1] * v[0] <= DBL_MAX;
+    return is_magnitude(v[1] * v[0]);
+}
+
+static bool has_a_over_b(const double v[])
+{
+    return v[0] < 1 ? v[0] >= 1.5708e-120 : v[0] <= 2e60;
+}
+
+/* Whether a contact of that size is in the domain. */
+static bool is_size(double a, double b)
+{
+    return is_positive(b) && is_magnitude(a / b);
 }
 
 /* v: theta, a, A, P. */
 static bool has_half_width(const double v[])
 {
-    return (long double)v[2] * v[3] / v[0] <= (long double)DBL_MAX * rwedge_load(v[1] / DBL_MAX);
+    const double a = v[1], length = v[2] * v[3] / v[0];
+    if (length == 0)
+        return true;
+    if (length < 1.57 * a)
+        return is_size(a, sqrt(length / 1.57079632679489662 * a));
+    return is_size(a, length < 1e30 * a ? a / rwedge_a_over_b(length / a) : length / 2);
 }
 
 /* v: theta, a, A, b. */
 static bool has_load(const double v[])
 {
-    const long double width = (long double)v[0] / v[2] * v[3];
-    return v[3] == 0 ||
-           width * (v[3] < v[1] ? 1.57079632679489662L * v[3] / v[1] : rwedge_load(v[1] / v[3])) <=
-               DBL_MAX;
+    const double a = v[1], b = v[3], width = v[0] / v[2] * b;
+    if (b == 0)
+        return true;
+    return is_size(a, b) && is_magnitude(width * rwedge_load(a / b));
 }
 
 static bool is_not_sharp(const double v[])
@@ -282,9 +317,9 @@ static bool is_not_apex(const double v[])
     return v[0] > 0 || v[3] != 0 || v[4] != 0;
 }
 
-static bool are_not_apex(const double v[])
+static bool are_points(const double v[])
 {
-    return v[0] > 0 || v[3] / 3 != 0 || v[4] / 3 != 0;
+    return is_not_apex(v) && is_magnitude(fabs(v[3] / 3)) && is_magnitude(v[4] / 3);
 }
 
 static int32_t elastic_limits(const double v[], double out[])
@@ -309,16 +344,6 @@ static int32_t surface_yield(const double v[], double out[])
 }
 
 /* ---- A contact after two loads ---- */
-
-/* A product that raises no exception of its own; volatile, for else clang converts it before it
- * looks whether it may. */
-static double product(double a, double b, double c)
-{
-    if (!isfinite(a) || !isfinite(b) || !isfinite(c))
-        return NAN;
-    const volatile long double exact = (long double)a * b * c;
-    return exact > DBL_MAX ? INFINITY : exact < -DBL_MAX ? -INFINITY : (double)exact;
-}
 
 enum { SEEN = 12 };
 
@@ -439,16 +464,16 @@ const public_call public_calls[] = {
     FORMULA(compliance, "EmEm", has_compliance),
     FORMULA(dundurs_beta, "EmEm", has_compliance),
     FORMULA(load, "a", NULL),
-    FORMULA(a_over_b, "+", NULL),
+    FORMULA(a_over_b, "l", has_a_over_b),
     FORMULA(pressure, "ax", is_not_apex_of_surface),
     FORMULA(peak_pressure, "a", is_not_sharp),
     FORMULA(transition_pressure, "a", is_not_sharp),
     FORMULA(coefficient, "ai", NULL),
-    FORMULA(stick_width, "ac", NULL),
+    FORMULA(stick_width, "aq", NULL),
     FORMULA(shear_ratio, "ac", NULL),
     FORMULA(shear, "acx", is_not_apex_of_shear),
     BY_STATUS(stress, "afcxy", 3, 0, is_not_apex),
-    BY_STATUS(stresses, "afcxy", 9, 0, are_not_apex),
+    BY_STATUS(stresses, "afcxy", 9, 0, are_points),
     FORMULA(max_tension, "a", NULL),
     FORMULA(elastic_limit, "tfn", NULL),
     BY_STATUS(elastic_limits, "tfn", 2, 0, NULL),
@@ -467,7 +492,7 @@ const public_call public_calls[] = {
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT),
               NULL),
     BY_STATUS(series_create, "aifxy", 9, BIT(RWEDGE_ERANGE), NULL),
-    BY_STATUS(series_fit, "axfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
+    BY_STATUS(series_fit, "asfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
 };
 const size_t public_call_count = COUNT(public_calls);
 

@@ -4,7 +4,9 @@
  * it has raised stay raised; its rounding mode, errno and locale are left alone and do not
  * matter; a stack of 64 KiB is enough.
  *
- *     test_calls [CALLS [TESTS]]   of each function, drawn at random where all combinations are more (default 2000) */
+ *     test_calls [CALLS [TESTS]]
+ *
+ * CALLS of each function (2000), drawn at random where there are more combinations. */
 #define _GNU_SOURCE /* feenableexcept() */
 #include "calls.h"
 #include "claims.h"

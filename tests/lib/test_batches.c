@@ -10,9 +10,9 @@
 #include <string.h>
 
 enum { N = 331 };
-static const double alphas[] = {0, 1e-300, 1e-70, 1e-12, 0.2, 0.7071067811865476, 1 - DBL_EPSILON,
-                                1, 3,      1e160};
-static const double stick_zones[] = {0, 5e-324, 1e-285, 1e-100, 1e-9, 0.2, 0.4, 1 - DBL_EPSILON, 1};
+static const double alphas[] = {0, 1e-60, 1e-40, 1e-12, 0.2, 0.7071067811865476, 1 - DBL_EPSILON,
+                                1, 3,     1e60};
+static const double stick_zones[] = {0, 1e-60, 1e-40, 1e-9, 0.2, 0.4, 1 - DBL_EPSILON, 1};
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 static double power_of_ten(double from, double to, uint64_t *seed)
@@ -35,8 +35,8 @@ static void make_points(double x[], double y[], int mixture, double alpha, doubl
         } else if (kind > 1 && kind < 1.2) {
             y[i] = 0;
         } else if (kind > 1.7) {
-            x[i] = -power_of_ten(-323, 300, &seed);
-            y[i] = power_of_ten(-323, 300, &seed);
+            x[i] = -power_of_ten(-59.9, 59.9, &seed);
+            y[i] = power_of_ten(-59.9, 59.9, &seed);
         }
     }
 }

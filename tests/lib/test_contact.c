@@ -374,59 +374,50 @@ static void missing_arrays_are_refused(void **state)
 }
 
 /* theta/A is the unit of all stresses. */
-static void a_unit_of_stress_beyond_the_doubles_is_refused(void **state)
+static void a_unit_of_stress_beyond_the_domain_is_refused(void **state)
 {
     (void)state;
     rwedge_contact *contact = NULL;
-    assert_int_equal(rwedge_contact_create(0.1, 1, 1e-310, 0.5, &contact), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_contact_create(1e-200, 1, 1e200, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(0.1, 1, 9e-61, 0.5, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(1e-40, 1, 1e40, 0.5, &contact), RWEDGE_EDOMAIN);
     assert_null(contact);
 }
 
-/* Of the load, of half-width, and of the rounding over the half-width: a sharp wedge has b = A
- * P/(2 theta), a cylinder b^2 = (2/pi) A P a/theta. */
-static void sizes_beyond_the_range_are_refused(void **state)
+/* Of half-width, rounding over half-width, and pressure: a sharp wedge has b = A P/(2 theta), a
+ * cylinder b^2 = (2/pi) A P a/theta. */
+static void results_beyond_the_domain_are_refused(void **state)
 {
     (void)state;
     static const struct {
-        double a, A, P;
+        double theta, a, A, P;
     } CASES[] = {
-        {1, 1, 1e-160},
-        {1, 1, 1e160},
-        {0, 1e-200, 1e-120},
-        {0, 1e200, 1e120}, /* b = 5e-320; 5e320 */
-        /* b = 5e305: points around it would be beyond */
-        {0, 1e170, 1e135},
-        /* b/a = 8e-283, whose square the stresses need; a/b = 2e-400 */
-        {1e200, 1e-226, 1e-140},
-        {1e-300, 1e100, 1},
+        {0.1, 0, 1e-50, 1e-50},      /* b = 5e-100 */
+        {0.1, 0, 1e50, 1e50},        /* b = 5e100 */
+        {0.1, 1e50, 1e-40, 1e-50},   /* a/b = 4e69 */
+        {0.1, 1e-50, 1e30, 1},       /* a/b = 2e-81 */
+        {1, 1e-3, 1e-60, 1e59},      /* the pressure is 3e60 */
+        {1e-8, 1e20, 1e40, 1.6e-58}, /* the pressure is 1e-63 */
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         rwedge_contact *contact = NULL;
-        assert_int_equal(rwedge_contact_create(0.1, CASES[i].a, CASES[i].A, 0.5, &contact),
-                         RWEDGE_OK);
+        assert_int_equal(
+            rwedge_contact_create(CASES[i].theta, CASES[i].a, CASES[i].A, 0.5, &contact),
+            RWEDGE_OK);
         assert_int_equal(rwedge_contact_load(contact, CASES[i].P, 0), RWEDGE_ERANGE);
         assert_true(rwedge_contact_half_width(contact) == 0);
         rwedge_contact_destroy(contact);
     }
 }
 
-/* theta, a, A, f, P: above what a sum of stresses can hold, or below the normal numbers. */
-static void pressures_beyond_the_range_are_refused(void **state)
+/* theta, a, A, f, P: near the ends of the domain all is finite, and raises nothing. */
+static void the_ends_of_the_domain_are_sound(void **state)
 {
     (void)state;
     static const struct {
         double theta, a, A, f, P;
-        int32_t status;
     } CASES[] = {
-        {1, 0, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
-        {1, 1e-190, 1e-308, 0.5, 1e140, RWEDGE_ERANGE},
-        {1, 1e-170, 1e-303, 1e6, 1e148, RWEDGE_ERANGE},
-        {1e-8, 1e200, 1e299, 0.5, 1e-138, RWEDGE_ERANGE},
-        {1, 0, 1e-297, 0.5, 1e140, RWEDGE_OK},
-        {1, 0, 1e-291, 1e6, 1e140, RWEDGE_OK},
-        {1, 1e-160, 1e-298, 2, 1e140, RWEDGE_OK},
-        {1e-8, 1e200, 1e299, 0.5, 1e-107, RWEDGE_OK},
+        {1, 0, 1e-58, 0.5, 1e59},       {1, 1e-55, 1e-58, 1e6, 1e50},  {1, 1, 1e-58, 2, 1e54},
+        {1e-8, 1e20, 1e40, 0.5, 1e-40}, {1e-50, 0, 1e5, 1e-60, 1e-60},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         rwedge_contact *contact = NULL;
@@ -434,77 +425,42 @@ static void pressures_beyond_the_range_are_refused(void **state)
         assert_int_equal(rwedge_contact_create(CASES[i].theta, CASES[i].a, CASES[i].A, f, &contact),
                          RWEDGE_OK);
         feclearexcept(FE_ALL_EXCEPT);
-        assert_int_equal(rwedge_contact_load(contact, P, 0), CASES[i].status);
-        assert_false(fetestexcept(FE_INVALID | FE_OVERFLOW | FE_DIVBYZERO));
-        if (CASES[i].status == RWEDGE_OK)
-            for (int n = 0; n < 6; n++)
-                load(contact, P, (n % 2 ? -0.9 : 1) * f * P);
+        load(contact, P, 0);
+        for (int n = 0; n < 6 && f * P > 1e-59; n++)
+            load(contact, P, (n % 2 ? -0.9 : 1) * f * P);
         const double b = rwedge_contact_half_width(contact);
-        for (double x = b / 2; x > 1e-307 * b; x /= 1e20) {
+        for (double x = b / 2; x > 1e-58 * fmax(b, 1); x /= 1e9) {
             const double y = x / 3;
             double s[3];
-            assert_true(isnormal(pressure(contact, x)) && isfinite(shear(contact, x)) &&
-                        fabs(pressure(contact, x)) < 1e300);
+            assert_true(isnormal(pressure(contact, x)) && isfinite(shear(contact, x)));
             assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]),
                              RWEDGE_OK);
             assert_true(isfinite(s[0]) && isfinite(s[1]) && isfinite(s[2]));
         }
+        assert_false(fetestexcept(FE_INVALID | FE_OVERFLOW | FE_DIVBYZERO));
         rwedge_contact_destroy(contact);
     }
 }
 
-/* f theta, and f theta b, may be what no double is. */
+/* In proportion to f theta b. */
 static void slip_is_small_where_friction_is(void **state)
 {
     (void)state;
     rwedge_contact *unit = NULL, *contact = NULL;
     assert_int_equal(rwedge_contact_create(1, 0, 1, 1, &unit), RWEDGE_OK);
     assert_int_equal(
-        rwedge_contact_create(ldexp(1, -660), 0, ldexp(1, -30), ldexp(1, -660), &contact),
+        rwedge_contact_create(ldexp(1, -60), 0, ldexp(1, -30), ldexp(1, -190), &contact),
         RWEDGE_OK);
     load(unit, 1, 0);
     load(unit, 1, 0.5);
-    load(contact, ldexp(1, 360), 0);
-    load(contact, ldexp(1, 360), ldexp(0.5, 360 - 660));
+    load(contact, ldexp(1, 60), 0);
+    load(contact, ldexp(1, 60), ldexp(0.5, 60 - 190));
     const double b = rwedge_contact_half_width(contact);
-    assert_true(b == ldexp(rwedge_contact_half_width(unit), 360 - 30 + 660));
+    assert_true(b == ldexp(rwedge_contact_half_width(unit), 60 - 30 + 60));
     assert_close(slip(contact, 0.9 * b),
-                 ldexp(slip(unit, 0.9 * rwedge_contact_half_width(unit)), 360 - 30 - 660), 1e-13);
+                 ldexp(slip(unit, 0.9 * rwedge_contact_half_width(unit)), 60 - 30 - 190), 1e-13);
     rwedge_contact_destroy(unit);
     rwedge_contact_destroy(contact);
-}
-
-/* Q falls short of sliding by 1e-14: c = 1e-14 b is below the smallest that a traction is
- * evaluated for. */
-static void a_stick_zone_too_narrow_to_be_seen_is_none(void **state)
-{
-    (void)state;
-    const double f = 0.5, P = 1e-140;
-    rwedge_contact *contact = NULL, *sliding = NULL;
-    assert_int_equal(rwedge_contact_create(0.1, 0, 1e-140, f, &contact), RWEDGE_OK);
-    load(contact, P, 0);
-    assert_int_equal(rwedge_contact_copy(contact, &sliding), RWEDGE_OK);
-    load(contact, P, f * P * (1 - 1e-14));
-    load(sliding, P, f * P);
-    const double b = rwedge_contact_half_width(contact),
-                 c = rwedge_contact_stick_half_width(contact);
-    assert_close(c, 1e-14 * b, 1e-2);
-    for (double x = b / 2; x > c; x /= 7) {
-        assert_close(shear(contact, x), f * pressure(contact, x), 1e-13);
-        /* a point that c is 1/n of has slipped nearly as far */
-        assert_close(slip(contact, x), slip(sliding, x), 1e-13 + 2 * c / x);
-    }
-    assert_true(fabs(shear(contact, c / 2)) <= f * fabs(pressure(contact, c / 2)));
-    const double x = b / 3, y = b / 4;
-    double s[3], expected[3];
-    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
-    assert_int_equal(
-        rwedge_contact_stresses(sliding, 1, &x, &y, &expected[0], &expected[1], &expected[2]),
-        RWEDGE_OK);
-    for (int i = 0; i < 3; i++)
-        assert_close(s[i], expected[i], 1e-13);
-    rwedge_contact_destroy(contact);
-    rwedge_contact_destroy(sliding);
 }
 
 /* Steps of slope f, each to rounding, which bend the path by more than rounding when they are
@@ -574,11 +530,10 @@ int main(void)
         cmocka_unit_test(pressing_without_slip_gives_no_slip),
         cmocka_unit_test(stresses_are_flamant_integrated_over_the_tractions),
         cmocka_unit_test(missing_arrays_are_refused),
-        cmocka_unit_test(a_unit_of_stress_beyond_the_doubles_is_refused),
-        cmocka_unit_test(sizes_beyond_the_range_are_refused),
-        cmocka_unit_test(pressures_beyond_the_range_are_refused),
+        cmocka_unit_test(a_unit_of_stress_beyond_the_domain_is_refused),
+        cmocka_unit_test(results_beyond_the_domain_are_refused),
+        cmocka_unit_test(the_ends_of_the_domain_are_sound),
         cmocka_unit_test(slip_is_small_where_friction_is),
-        cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_is_none),
         cmocka_unit_test(steps_of_the_steepest_slope_may_bend),
         cmocka_unit_test(arrays_are_points_one_by_one),
     };

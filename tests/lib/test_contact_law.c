@@ -39,7 +39,7 @@ static void load_has_the_hertz_and_the_sharp_limit(void **state)
     assert_close(rwedge_load(1), PI / 2, DBL_EPSILON); /* Eq. (11) */
     assert_close(rwedge_load(4), PI / 8, DBL_EPSILON);
     assert_close(rwedge_load(1e-5), 2 - 1e-10 / 3, DBL_EPSILON); /* Eq. (15) and its next term */
-    assert_close(rwedge_load(5e-324), 2, 0);
+    assert_close(rwedge_load(1e-60), 2, 0);
 }
 
 static void a_over_b_inverts_the_load(void **state)
@@ -55,7 +55,7 @@ static void a_over_b_inverts_the_load(void **state)
 static void a_over_b_covers_the_whole_range(void **state)
 {
     (void)state;
-    for (double decade = -300; decade <= 300; decade += 7.3) {
+    for (double decade = -119.7; decade <= 60; decade += 7.3) {
         const double load = pow(10, decade), alpha = rwedge_a_over_b(load);
         assert_true(isfinite(alpha) && alpha > 0);
         assert_close(rwedge_load(alpha) / alpha, load, 1e-14);
@@ -63,13 +63,13 @@ static void a_over_b_covers_the_whole_range(void **state)
     /* where the straight flank begins to touch */
     assert_close(rwedge_a_over_b(PI / 2), 1, DBL_EPSILON);
     assert_close(rwedge_a_over_b(nextafter(PI / 2, 2)), 1, 1e-15);
-    assert_close(rwedge_a_over_b(1e-308), sqrt(PI / 2) * 1e154, 1e-14);
+    assert_close(rwedge_a_over_b(1e-118), sqrt(PI / 2) * 1e59, 1e-14);
 }
 
 static void bad_arguments_are_not_numbers(void **state)
 {
     (void)state;
-    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN};
+    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e-121, 1e61};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_load(bad[i]));
         assert_nan(rwedge_a_over_b(bad[i]));

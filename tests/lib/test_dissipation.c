@@ -94,31 +94,9 @@ static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
     }
 }
 
-/* A cylinder's radius is a/theta: with a hundred orders of magnitude more of a and as many less
- * of A, as here, the load that would fill the rounding is beyond the doubles. The widths stay,
- * and the energies fall with A. */
-static void no_rounding_is_too_large(void **state)
-{
-    (void)state;
-    const double much = 1e200, f = 0.5, P = 0.16;
-    rwedge_contact *usual = create(2, f), *large = NULL;
-    assert_int_equal(rwedge_contact_create(THETA, 2 * much, A / much, f, &large), RWEDGE_OK);
-    for (int i = 0; i < 5; i++) {
-        const double Q = i == 0 ? 0 : (i % 2 ? 0.6 : -0.5) * f * P;
-        load(usual, P, Q);
-        load(large, P, Q);
-        assert_close(rwedge_contact_half_width(large), rwedge_contact_half_width(usual), 1e-14);
-        assert_within(much * rwedge_contact_dissipated_energy(large),
-                      rwedge_contact_dissipated_energy(usual),
-                      1e-13 * rwedge_contact_dissipated_energy(usual));
-    }
-    rwedge_contact_destroy(usual);
-    rwedge_contact_destroy(large);
-}
-
-/* In units in which a reversal dissipates some percent of the largest double, or more than it:
- * the load that would exceed it is refused and leaves all as it was. */
-static void energy_does_not_overflow(void **state)
+/* In units in which a reversal dissipates a tenth of the largest energy there is, or more than
+ * it: the load that would exceed it is refused and leaves all as it was. */
+static void energy_ends_with_the_domain(void **state)
 {
     (void)state;
     const double f = 0.5;
@@ -126,10 +104,10 @@ static void energy_does_not_overflow(void **state)
     load(unit, 0.2, 0.05);
     load(unit, 0.2, -0.05);
     const double reversal = rwedge_contact_dissipated_energy(unit);
-    for (int octaves = 1020; octaves <= 1026; octaves += 6) {
-        const int energy = octaves - ilogb(reversal), length = 560;
+    static const double SHARES[] = {0.1, 4};
+    for (int i = 0; i < 2; i++) {
         rwedge_contact *contact = NULL;
-        const double L = ldexp(1, length), S = ldexp(1, energy - 2 * length);
+        const double L = 1e20, S = SHARES[i] * 1e60 / (reversal * L * L);
         assert_int_equal(rwedge_contact_create(THETA, 0.1 * L, A / S, f, &contact), RWEDGE_OK);
         int32_t status = RWEDGE_OK;
         int loads = 0;
@@ -140,8 +118,8 @@ static void energy_does_not_overflow(void **state)
             status = rwedge_contact_load(contact, 0.2 * S * L, (loads % 2 ? -0.05 : 0.05) * S * L);
         }
         assert_int_equal(status, RWEDGE_ERANGE);
-        assert_true(octaves == 1020 ? loads > 8 && before > 0.9 * DBL_MAX : loads == 2);
-        assert_true(isfinite(before) && rwedge_contact_dissipated_energy(contact) == before);
+        assert_true(i == 0 ? loads > 8 && before > 0.8e60 : loads == 2);
+        assert_true(rwedge_contact_dissipated_energy(contact) == before);
         assert_true(rwedge_contact_stick_half_width(contact) == width);
         rwedge_contact_destroy(contact);
     }
@@ -149,36 +127,6 @@ static void energy_does_not_overflow(void **state)
 }
 
 /* ---- Memory ---- */
-
-/* In units in which the squares of loads are below the smallest double, and with hardly any
- * friction or slip: exact powers of two. */
-static void energy_does_not_underflow(void **state)
-{
-    (void)state;
-    /* f, Q/(fP) */
-    static const double CASES[][2] = {
-        {0.5, 0.5}, {0.5, 1e-6}, {0.5, 1e-8}, {1e-20, 0.5}, {1e-30, 0.5}};
-    const int load_octaves = -490, compliance_octaves = 900;
-    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++)
-        for (double a = 0; a < 2; a += 0.3) {
-            const double f = CASES[i][0], P = ldexp(1, load_octaves),
-                         A_scaled = ldexp(1, compliance_octaves);
-            rwedge_contact *unit = NULL, *scaled = NULL;
-            assert_int_equal(rwedge_contact_create(1, a, 1, f, &unit), RWEDGE_OK);
-            assert_int_equal(rwedge_contact_create(1, a * P * A_scaled, A_scaled, f, &scaled),
-                             RWEDGE_OK);
-            load(unit, 1, 0);
-            load(unit, 1, CASES[i][1] * f);
-            load(scaled, P, 0);
-            load(scaled, P, CASES[i][1] * f * P);
-            const double expected = rwedge_contact_dissipated_energy(unit);
-            assert_true(expected > 0);
-            assert_close(rwedge_contact_dissipated_energy(scaled),
-                         ldexp(expected, compliance_octaves + 2 * load_octaves), 1e-15);
-            rwedge_contact_destroy(unit);
-            rwedge_contact_destroy(scaled);
-        }
-}
 
 static void cycle_often(double P_low)
 {
@@ -284,9 +232,7 @@ int main(void)
         cmocka_unit_test(slip_is_continuous_where_its_front_meets_a_corner),
         cmocka_unit_test(a_rising_step_may_pass_the_end_of_the_rounding),
         cmocka_unit_test(separation_forgets_all_but_the_energy),
-        cmocka_unit_test(no_rounding_is_too_large),
-        cmocka_unit_test(energy_does_not_overflow),
-        cmocka_unit_test(energy_does_not_underflow),
+        cmocka_unit_test(energy_ends_with_the_domain),
     };
     return RUN_CLAIMS("dissipation", tests);
 }

@@ -56,7 +56,7 @@ static void bad_materials_are_not_numbers(void **state)
         assert_nan(rwedge_dundurs_beta(1, 0.3, 1, bad_nu[i]));
     }
     assert_nan(rwedge_compliance(HUGE_VAL, 0.3, HUGE_VAL, 0.3)); /* two rigid bodies */
-    assert_nan(rwedge_compliance(1e-320, 0.3, 1, 0.3));          /* would overflow */
+    assert_nan(rwedge_compliance(1e61, 0.3, 1, 0.3));            /* not in the domain */
 }
 
 static void every_status_has_a_text(void **state)
@@ -69,13 +69,13 @@ static void every_status_has_a_text(void **state)
     assert_string_equal(rwedge_version(), RWEDGE_VERSION);
 }
 
-static void a_compliance_beyond_the_doubles_is_no_number(void **state)
+static void a_compliance_beyond_the_domain_is_no_number(void **state)
 {
     (void)state;
-    assert_nan(rwedge_compliance(1, 0.3, 1e-320, 0.3));
-    assert_nan(rwedge_compliance(1.5e-308, 0, 1.5e-308, 0)); /* 2/E + 2/E = 2.7e308 */
-    assert_close(rwedge_compliance(2.3e-308, 0, 2.3e-308, 0), 4 / 2.3e-308, 4 * DBL_EPSILON);
-    assert_nan(rwedge_dundurs_beta(1e-320, 0.3, 1, 0.3));
+    assert_nan(rwedge_compliance(1, 0.3, 9e-61, 0.3));
+    assert_nan(rwedge_compliance(1e-60, 0, 1e-60, 0)); /* 2/E + 2/E = 4e60 */
+    assert_close(rwedge_compliance(4.1e-60, 0, 4.1e-60, 0), 4 / 4.1e-60, 4 * DBL_EPSILON);
+    assert_nan(rwedge_dundurs_beta(9e-61, 0.3, 1, 0.3));
 }
 
 int main(void)
@@ -85,7 +85,7 @@ int main(void)
         cmocka_unit_test(beta_is_dundurs),
         cmocka_unit_test(bad_materials_are_not_numbers),
         cmocka_unit_test(every_status_has_a_text),
-        cmocka_unit_test(a_compliance_beyond_the_doubles_is_no_number),
+        cmocka_unit_test(a_compliance_beyond_the_domain_is_no_number),
     };
     return RUN_CLAIMS("material", tests);
 }

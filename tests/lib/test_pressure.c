@@ -94,10 +94,10 @@ static void pressure_has_its_limits(void **state)
     }
     /* Eq. (16) */
     assert_close(rwedge_peak_pressure(1e-6), 2 / PI * (1 - log(1e-6 / 2)), 1e-12);
-    assert_close(rwedge_pressure(0, 1e-310), -2 / PI * (log(2) - log(1e-310)), 1e-14);
-    assert_close(rwedge_pressure(1e-310, 0.5), rwedge_pressure(0, 0.5), 0);
+    assert_close(rwedge_pressure(0, 1e-60), -2 / PI * (log(2) - log(1e-60)), 1e-14);
+    assert_close(rwedge_pressure(1e-60, 0.5), rwedge_pressure(0, 0.5), 0);
     /* Eq. (9) for a small tip */
-    assert_close(rwedge_pressure(1e-200, 1e-200), -2 / PI * (1 - log(1e-200)), 1e-14);
+    assert_close(rwedge_pressure(1e-60, 1e-60), -2 / PI * (1 - log(1e-60)), 1e-14);
 }
 
 static void pressure_vanishes_outside(void **state)
@@ -105,7 +105,7 @@ static void pressure_vanishes_outside(void **state)
     (void)state;
     assert_within(rwedge_pressure(0.3, 1), 0, 0);
     assert_within(rwedge_pressure(0, -1.5), 0, 0);
-    assert_within(rwedge_pressure(7, 1e300), 0, 0);
+    assert_within(rwedge_pressure(7, 1e60), 0, 0);
     assert_true(rwedge_pressure(0.3, nextafter(1, 0)) < 0);
     assert_within(rwedge_transition_pressure(1), 0, 0);
 }
@@ -113,7 +113,7 @@ static void pressure_vanishes_outside(void **state)
 static void bad_arguments_are_not_numbers(void **state)
 {
     (void)state;
-    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN};
+    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 9e-61, 1.1e60};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_pressure(bad[i], 0.3));
         assert_nan(rwedge_peak_pressure(bad[i]));

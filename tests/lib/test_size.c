@@ -20,14 +20,14 @@ static void half_width_and_load_are_inverse(void **state)
     (void)state;
     uint64_t seed = 4;
     for (int i = 0; i < 20000; i++) {
-        const double a = i % 7 == 0 ? 0 : pow(10, 40 * random_fraction(&seed) - 20);
-        const double b = pow(10, 40 * random_fraction(&seed) - 20);
+        const double a = i % 7 == 0 ? 0 : pow(10, 30 * random_fraction(&seed) - 15);
+        const double b = pow(10, 30 * random_fraction(&seed) - 15);
         assert_close(rwedge_half_width(THETA, a, A, rwedge_normal_load(THETA, a, A, b)), b, 1e-14);
     }
     assert_true(rwedge_half_width(THETA, 0.1, A, 0) == 0 &&
                 rwedge_normal_load(THETA, 0.1, A, 0) == 0);
     assert_close(rwedge_half_width(THETA, 0, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
-    assert_close(rwedge_half_width(THETA, 1e-300, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
+    assert_close(rwedge_half_width(THETA, 1e-59, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
 }
 
 static void the_yield_load_is_where_the_elastic_limit_says(void **state)
@@ -53,7 +53,7 @@ static void tiny_tips_have_a_yield_load(void **state)
     assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
 }
 
-/* Where half-width, or k over theta/A, is no double but the load is: exact powers of two. */
+/* Far from the usual units: exact powers of two. */
 static void the_yield_load_scales_with_the_units(void **state)
 {
     (void)state;
@@ -61,8 +61,8 @@ static void the_yield_load_scales_with_the_units(void **state)
         double f, nu, k;
         int length, stress; /* octaves */
     } CASES[] = {
-        {0, 0.3, 1e-10, -1000, 700},  {0, 0.3, 1e-60, 990, -700},    {0.1, 0.3, 2.25, 1000, -40},
-        {0.1, 0.3, 3.375, 1000, -60}, {0.5, 0.2, 1e-3, -1020, 1000}, {1e-3, 0.45, 0.7, 1020, -1000},
+        {0, 0.3, 1e-10, -100, 70},   {0, 0.3, 1e-20, 120, -70},   {0.1, 0.3, 2.25, 100, -40},
+        {0.1, 0.3, 3.375, 100, -60}, {0.5, 0.2, 1e-3, -102, 100}, {1e-3, 0.45, 0.7, 102, -100},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         const double f = CASES[i].f, nu = CASES[i].nu, a = ldexp(1, CASES[i].length),
@@ -72,11 +72,6 @@ static void the_yield_load_scales_with_the_units(void **state)
         assert_close(rwedge_yield_load(1, a, 1 / S, f, nu, CASES[i].k * S),
                      ldexp(expected, CASES[i].length + CASES[i].stress), 1e-15);
     }
-    /* A k/theta = 1e-340: with Hertz, P = (pi/2) (theta/A) a (wanted/peak)^2, and the peak is
-     * that of a/b = 1 */
-    const double peak = PI / 2 / rwedge_elastic_limit(1, 0, 0.3);
-    assert_close(rwedge_yield_load(1, 1e300, 1e-300, 0, 0.3, 1e-40), PI / 2 * 1e-80 / (peak * peak),
-                 1e-11);
 }
 
 static void what_never_yields_has_an_infinite_yield_load(void **state)
@@ -86,20 +81,18 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
     assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
-    /* no friction to speak of */
-    assert_true(rwedge_yield_load(THETA, 0, A, 1e-101, 0.5, 1.001 * bound) == HUGE_VAL);
-    assert_true(rwedge_yield_load(THETA, 0, A, 1e-99, 0.5, 1.001 * bound) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 1e-59, 0.5, 1.001 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
-    /* A k/theta = 1e900 */
-    assert_true(rwedge_yield_load(1e-300, 1, 1e300, 0.1, 0.3, 1e300) == HUGE_VAL);
+    /* A k/theta = 1e150 */
+    assert_true(rwedge_yield_load(1e-50, 1, 1e50, 0.1, 0.3, 1e50) == HUGE_VAL);
 }
 
 static void bad_design_arguments_are_not_numbers(void **state)
 {
     (void)state;
-    static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL};
+    static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL, 9e-61, 1.1e60};
     for (size_t i = 0; i < 4; i++) {
         const double v = BAD[i];
         assert_nan(rwedge_radius(v, 1));
@@ -133,21 +126,16 @@ static void nothing_has_no_size(void **state)
     assert_true(rwedge_radius(0.1, 1) == 1 / 0.1 && rwedge_rounding(0.1, 1) == 0.1);
 }
 
-/* Sizes whose exponents are at the ends of a double's, exact powers of two. */
-static void sizes_reach_the_ends_of_the_doubles(void **state)
+static void sizes_end_with_the_domain(void **state)
 {
     (void)state;
-    const double least = ldexp(1, -1074), most = ldexp(1, 1023);
-    assert_true(rwedge_rounding(0.5, 2 * least) == least);
-    assert_true(rwedge_rounding(0.5, least) == 0);
-    assert_true(rwedge_rounding(0.5, most) == most / 2);
-    assert_true(rwedge_rounding(1, nextafter(HUGE_VAL, 0)) == nextafter(HUGE_VAL, 0));
-    assert_true(rwedge_radius(0.5, least) == 2 * least);
-    assert_true(rwedge_radius(0.5, most / 2) == most);
-    assert_nan(rwedge_radius(0.5, most));
-    assert_true(rwedge_rounding(ldexp(1, -1000), ldexp(1, -1000)) == 0);
-    for (int exponent = -1022; exponent < 1023; exponent++)
-        assert_true(rwedge_radius(0.5, ldexp(1, exponent)) == ldexp(1, exponent + 1));
+    assert_true(rwedge_rounding(0.5, 2e-60) == 1e-60 && rwedge_radius(0.5, 5e59) == 1e60);
+    assert_nan(rwedge_rounding(0.5, 1e-60));
+    assert_nan(rwedge_radius(0.5, 1e60));
+    assert_nan(rwedge_half_width(1, 0, 1e-40, 1e-40)); /* b = 5e-81 */
+    assert_nan(rwedge_half_width(1, 1e60, 1, 1e-60));  /* b = 0.8, a/b = 1.3e60 */
+    assert_nan(rwedge_normal_load(1, 0, 1e-50, 1e20)); /* P = 2e70 */
+    assert_nan(rwedge_normal_load(1, 1e40, 1, 1e-25)); /* a/b = 1e65 */
 }
 
 /* ---- The yield factor of a state ---- */
@@ -307,14 +295,14 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void a_factor_beyond_the_doubles_is_refused(void **state)
+static void a_factor_beyond_the_domain_is_refused(void **state)
 {
     (void)state;
     rwedge_contact *contact = NULL;
-    assert_int_equal(rwedge_contact_create(0.1, 1e100, 1e100, 0.5, &contact), RWEDGE_OK);
-    load(contact, 1, 0); /* stresses below 1e-101 */
+    assert_int_equal(rwedge_contact_create(0.1, 1e30, 1e30, 0.5, &contact), RWEDGE_OK);
+    load(contact, 1, 0); /* stresses below 1e-30 */
     double factor = 7;
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e300, &factor, NULL, NULL),
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e60, &factor, NULL, NULL),
                      RWEDGE_ERANGE);
     assert_true(factor == 7);
     rwedge_contact_destroy(contact);
@@ -337,8 +325,8 @@ int main(void)
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
         cmocka_unit_test(nothing_has_no_size),
-        cmocka_unit_test(sizes_reach_the_ends_of_the_doubles),
-        cmocka_unit_test(a_factor_beyond_the_doubles_is_refused),
+        cmocka_unit_test(sizes_end_with_the_domain),
+        cmocka_unit_test(a_factor_beyond_the_domain_is_refused),
     };
-    return RUN_CLAIMS("design", tests);
+    return RUN_CLAIMS("size", tests);
 }

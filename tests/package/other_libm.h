@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included before each source of the library by tests/package/reproducible.sh: another math library, of
- * which every second result is one unit of the last place larger. */
+/* Another math library: every second result is one unit of the last place larger.
+ * reproducible.sh includes it before each source of the library. */
 #ifndef OTHER_LIBM_H
 #define OTHER_LIBM_H
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the targets with libFuzzer and the address and undefined-behaviour sanitizers, library and tool included.
 #
-#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET go
+#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET and the folders seeds/TARGET go
 #
 # Ends with 77 where no clang has libFuzzer.
 set -eu
@@ -14,9 +14,10 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
     "$clang" -fsanitize=fuzzer,address trial.c -o trial 2>/dev/null && break
     clang=
 done
-[ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-14-dev)"; exit 77; }
+[ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
-flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli -I$source/tests/host -I$source/tests/random"
+flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli"
+flags="$flags -I$source/tests/host -I$source/tests/random"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -36,7 +37,7 @@ library=$objects
 objects=
 for file in "$source"/cli/*.c "$source"/cli/*/*.c; do
     case $file in
-    */main.c | */message.c | */xlsx.c) ;; # the messages are our own; spreadsheets are none of the inputs
+    */main.c | */message.c | */sheet/* | */spreadsheet.c | */workbook/*) ;; # the messages are our own; spreadsheets are none of the inputs
     *) compile "$file" ;;
     esac
 done
@@ -45,8 +46,18 @@ tool=$objects
 objects=
 compile "$source/tests/host/calls.c"
 calls=$objects
+# seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
+seeds()
+{
+    rm -rf "seeds/$1"
+    mkdir -p "seeds/$1"
+    sed '/^#/d' "$source/tests/random/targets/$1.seeds" | while read -r name bytes; do
+        printf %b "$bytes" >"seeds/$1/$name"
+    done
+}
 targets='formulas contact series number range csv batch'
 for target in $targets; do
+    seeds "$target"
     echo "$clang $flags -c $source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands
 done
 xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands

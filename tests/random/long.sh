@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# All targets, one after another on one core: so many seconds in all, a corpus kept in FOLDER that grows from run to run.
+# All targets, one after another on one core: so many seconds in all, what was interesting is kept in FOLDER and grows from run to run.
 # The last line has the sum.
 #
 #     long.sh SECONDS [FOLDER]     folder: build/fuzz
@@ -19,7 +19,7 @@ for share in number:10 range:10 csv:8 batch:12 series:10 contact:25 formulas:25;
     mkdir -p "long/$target"
     case $target in number | range) length=64 ;; *) length=512 ;; esac
     "./fuzz_$target" -max_total_time="$((seconds * ${share#*:} / 100 + 1))" -max_len="$length" -timeout=20 -print_final_stats=1 \
-        -artifact_prefix="found_${target}_" "long/$target" "$source/tests/random/corpus/$target" >"long_$target.log" 2>&1 || {
+        -artifact_prefix="found_${target}_" "long/$target" "seeds/$target" >"long_$target.log" 2>&1 || {
         status=1
         echo "$target: FOUND"
         grep -E 'does not hold|runtime error|ERROR:|Test unit written|Base64:' "long_$target.log" || tail -n 20 "long_$target.log"

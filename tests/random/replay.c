@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Without libFuzzer: the files of the corpus, and changes of them drawn from a fixed sequence.
+/* Without libFuzzer: the seeds of a target, and changes of them drawn from a fixed sequence.
  *
- *     replay_TARGET CHANGES FILE... */
+ *     replay_TARGET CHANGES TARGET.seeds */
 #include "input.h"
 
-enum { INPUT_MAX = 4096 };
+enum { INPUT_MAX = 4096, LINE_MAX = 5 * INPUT_MAX }; /* a byte is \0ooo at most */
 
 static uint64_t next_random(uint64_t *state)
 {
@@ -14,16 +14,49 @@ static uint64_t next_random(uint64_t *state)
     return z ^ (z >> 31);
 }
 
-static size_t read_file(const char *path, uint8_t data[INPUT_MAX])
+/* One byte as printf %b has it: itself, \\, \n, \r, or \0 and three octal digits. */
+static uint8_t next_byte(const char **text)
 {
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        perror(path);
+    const char c = *(*text)++;
+    if (c != '\\')
+        return (uint8_t)c;
+    switch (*(*text)++) {
+    case '\\':
+        return '\\';
+    case 'n':
+        return '\n';
+    case 'r':
+        return '\r';
+    case '0': {
+        const char digits[] = {(*text)[0], (*text)[1], (*text)[2], '\0'};
+        if (strspn(digits, "01234567") == 3) {
+            *text += 3;
+            return (uint8_t)strtol(digits, NULL, 8);
+        }
+    }
+    }
+    fprintf(stderr, "not a byte of a seed: \\%s", *text - 1);
+    exit(1);
+}
+
+/* The next seed: its name, a space, its bytes. False at the end of the file. */
+static bool read_seed(FILE *file, uint8_t data[INPUT_MAX], size_t *size)
+{
+    static char line[LINE_MAX];
+    do {
+        if (fgets(line, sizeof line, file) == NULL)
+            return false;
+    } while (line[0] == '#');
+    const char *text = strchr(line, ' '), *end = strchr(line, '\n');
+    if (text == NULL || end == NULL) {
+        fprintf(stderr, "not a seed: %s", line);
         exit(1);
     }
-    const size_t size = fread(data, 1, INPUT_MAX, file);
-    fclose(file);
-    return size;
+    memset(data, 0, INPUT_MAX);
+    *size = 0;
+    for (text++; text < end && *size < INPUT_MAX;)
+        data[(*size)++] = next_byte(&text);
+    return true;
 }
 
 /* Some bytes are others, and the end is elsewhere. */
@@ -37,23 +70,24 @@ static size_t change(uint8_t data[INPUT_MAX], size_t size, uint64_t *seed)
 
 int main(int argc, char **argv)
 {
-    if (argc < 3) {
-        fprintf(stderr, "usage: %s CHANGES FILE...\n", argv[0]);
+    FILE *file = argc == 3 ? fopen(argv[2], "r") : NULL;
+    if (file == NULL) {
+        fprintf(stderr, "usage: %s CHANGES TARGET.seeds\n", argv[0]);
         return 2;
     }
     const long changes = strtol(argv[1], NULL, 10);
+    static uint8_t data[INPUT_MAX], changed[INPUT_MAX];
+    size_t size;
     uint64_t seed = 1;
-    long runs = 0;
-    for (int i = 2; i < argc; i++) {
-        static uint8_t data[INPUT_MAX], changed[INPUT_MAX];
-        const size_t size = read_file(argv[i], data);
+    long seeds = 0;
+    for (; read_seed(file, data, &size); seeds++) {
         LLVMFuzzerTestOneInput(data, size);
         for (long j = 0; j < changes; j++) {
             memcpy(changed, data, sizeof data);
             LLVMFuzzerTestOneInput(changed, change(changed, size, &seed));
         }
-        runs += 1 + changes;
     }
-    printf("%d files, %ld runs\n", argc - 2, runs);
-    return 0;
+    fclose(file);
+    printf("%ld seeds, %ld runs\n", seeds, seeds * (1 + changes));
+    return seeds == 0;
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One target of build.sh for so many runs: first the corpus, then changes of it; the seed is fixed.
+# One target of build.sh for so many runs: first the seeds, then changes of them; the random numbers are fixed.
 #
 #     run.sh SOURCE FOLDER TARGET RUNS
 set -eu
@@ -13,7 +13,7 @@ ASAN_OPTIONS=quarantine_size_mb=8
 export ASAN_OPTIONS
 status=0
 "./fuzz_$target" -seed=1 -runs="$runs" -max_len=512 -timeout=20 -print_final_stats=1 -artifact_prefix="found_${target}_" \
-    "$work" "$source/tests/random/corpus/$target" >"$work.log" 2>&1 || status=1 # it ends a crash with 77, which would count as a skip
+    "$work" "seeds/$target" >"$work.log" 2>&1 || status=1 # it ends a crash with 77, which would count as a skip
 [ "$status" -eq 0 ] || tail -n 40 "$work.log"
 executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work.log")
 [ "${executed:-0}" -ge "$runs" ] || { echo "FAILED: ${executed:-0} of $runs runs"; status=1; }

@@ -3,7 +3,9 @@
  * how they grow with the number of points. Processor time, each the fastest of several, all in
  * one run: the ratios hold on a busy machine too. Not a test: test_speed.c is.
  *
- *     build/tests/speed/bench [--quick] [TERMS]     TERMS of the plain series, 60 if not given; --quick stops at 10^5 points */
+ *     build/tests/speed/bench [--quick] [TERMS]
+ *
+ * TERMS of the plain series, 60 if not given; --quick stops at 10^5 points. */
 #include "plain.h"
 #include "rwedge.h"
 #include "stopwatch.h"

@@ -13,19 +13,12 @@ have()
     esac
 }
 
-# require KIND:NAME=PACKAGE ... - installs the Debian packages of what is missing as root or by sudo; elsewhere, or without
-# the right to, says what to install and fails.
-require()
+# install PACKAGES... - the Debian packages, as root or by sudo. Elsewhere, or without the right to, it says what to install and
+# fails: with status 1, or 2 where the distribution does not have them.
+install()
 {
-    missing='' packages=''
-    for need; do
-        have "${need%=*}" && continue
-        missing="$missing ${need%=*}"
-        packages="$packages ${need#*=}"
-    done
-    [ -z "$missing" ] && return 0
     if ! command -v apt-get >/dev/null 2>&1; then
-        echo "Please install:$missing (on Debian or Ubuntu the packages are$packages)." >&2
+        echo "Please install:$missing (on Debian or Ubuntu the packages are $*)." >&2
         return 1
     fi
     if [ "$(id -u)" -eq 0 ]; then
@@ -33,26 +26,47 @@ require()
     elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
         as_root=sudo
     else
-        echo "Missing:$missing. As root, please run: apt-get install$packages" >&2
+        echo "Missing:$missing. As root, please run: apt-get install $*" >&2
         return 1
     fi
-    echo "Installing$packages ..." >&2
-    log=$(mktemp)
-    # shellcheck disable=SC2086
-    if ! { $as_root apt-get update && $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-            $packages; } >"$log" 2>&1; then
-        tail -n 20 "$log" >&2
-        echo "The packages could not be installed:$packages" >&2
-        rm -f "$log"
-        return 1
+    echo "Installing $* ..." >&2
+    log=$(mktemp) done=no
+    if $as_root apt-get update >"$log" 2>&1; then
+        if ! apt-get install --simulate --no-install-recommends "$@" >"$log" 2>&1; then
+            done=never
+        elif $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" >"$log" 2>&1; then
+            done=yes
+        fi
     fi
+    [ $done = yes ] || { tail -n 20 "$log"; echo "The packages could not be installed: $*"; } >&2
     rm -f "$log"
+    case $done in yes) return 0 ;; no) return 1 ;; never) return 2 ;; esac
 }
 
-# wish KIND:NAME=PACKAGE ... - the same, but nothing fails for want of it: the tests that need it are skipped.
+# require KIND:NAME=PACKAGE[,PACKAGE...] ... - installs the packages of what is missing, or fails as install() does.
+require()
+{
+    missing='' packages=''
+    for need; do
+        have "${need%%=*}" && continue
+        missing="$missing ${need%%=*}"
+        packages="$packages $(echo "${need#*=}" | tr , ' ')"
+    done
+    # shellcheck disable=SC2086
+    [ -z "$missing" ] || install $packages
+}
+
+# wish KIND:NAME=PACKAGE ... - the same, but nothing fails for want of it. What this distribution does not have is added to the
+# list $not_in_distribution.
+not_in_distribution=''
 wish()
 {
-    require "$@" || echo "The tests go on without, and skip what needs it." >&2
+    require "$@" && return
+    for need; do
+        require "$need" 2>/dev/null && continue
+        [ $? = 2 ] && not_in_distribution="$not_in_distribution ${need%%=*}"
+        echo "Without ${need%%=*} what needs it is left out." >&2
+    done
 }
 
 # What the library and the tool are built with.

@@ -5,7 +5,9 @@
  * Each line is printed back with the bits of its results, like tests/doors/door.c does.
  *
  *     declared_door.exe RWEDGE.DLL RWEDGE.BAS < CALLS
- *     declared_door.exe RWEDGE.DLL RWEDGE.BAS time      nanoseconds of a call, directly and by DispCallFunc
+ *     declared_door.exe RWEDGE.DLL RWEDGE.BAS time
+ *
+ * The latter prints the nanoseconds of a call, directly and by DispCallFunc.
  *
  * The arguments of a line are used up in turn; what is passed by reference after the last of
  * them receives a result. */

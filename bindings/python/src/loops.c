@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inner loops of the package's NumPy ufuncs. They have the signature that NumPy calls, and
- * need neither Python's nor NumPy's headers: rwedge/_ufuncs.py makes the ufuncs of them.
+ * need neither Python's nor NumPy's headers: rwedge/_ufuncs.py makes the ufuncs of them. Which
+ * loops and rows there are, bindings/interface reads from rwedge.h and writes into loops.h.
  *
  * Where an argument is outside its domain the results are NaN and FE_INVALID is raised, as by
  * sqrt(-1), so that numpy.errstate(invalid=...) rules what happens; a NaN among the arguments is
  * passed on without it. No other exception leaves a loop. */
 #include "rwedge.h"
+
+#include "loops.h"
 
 #include <fenv.h>
 #include <math.h>
@@ -60,17 +63,11 @@ static int32_t narrow(int64_t n)
 }
 
 #define IN(k) AT(const double, k)
-FORMULA_LOOP(d, 1, 1, (double), (IN(0)))
-FORMULA_LOOP(dd, 2, 2, (double, double), (IN(0), IN(1)))
-FORMULA_LOOP(di, 2, 1, (double, int32_t), (IN(0), narrow(AT(const int64_t, 1))))
-FORMULA_LOOP(ddd, 3, 3, (double, double, double), (IN(0), IN(1), IN(2)))
-FORMULA_LOOP(dddd, 4, 4, (double, double, double, double), (IN(0), IN(1), IN(2), IN(3)))
-FORMULA_LOOP(dddddd, 6, 6, (double, double, double, double, double, double),
-             (IN(0), IN(1), IN(2), IN(3), IN(4), IN(5)))
+FORMULA_LOOPS
 
 /* ---- Functions with a status, several results, or an object ---------------------------------- */
 
-enum { BLOCK = 256, MAX_SHARED = 3, MAX_INPUTS = 3, MAX_OUTPUTS = 3 };
+enum { BLOCK = 256 };
 
 /* Evaluates n points of one object with the same shared arguments. */
 typedef int32_t points_function(const void *object, const double shared[], size_t n,
@@ -92,8 +89,11 @@ static bool block(const struct points *points, char **args, const intptr_t *step
     const int first_input = points->objects + points->shared,
               first_output = first_input + points->inputs;
     double shared[MAX_SHARED], inputs[MAX_INPUTS][BLOCK], outputs[MAX_OUTPUTS][BLOCK];
-    double *in[MAX_INPUTS] = {inputs[0], inputs[1], inputs[2]},
-           *out[MAX_OUTPUTS] = {outputs[0], outputs[1], outputs[2]};
+    double *in[MAX_INPUTS], *out[MAX_OUTPUTS];
+    for (int k = 0; k < points->inputs; k++)
+        in[k] = inputs[k];
+    for (int k = 0; k < points->outputs; k++)
+        out[k] = outputs[k];
     const void *object = points->objects ? AT(const void *const, 0) : NULL;
     for (int k = 0; k < points->shared; k++)
         shared[k] = AT(const double, points->objects + k);
@@ -154,21 +154,4 @@ static int32_t status_of(double value)
     return isnan(value) ? RWEDGE_EDOMAIN : RWEDGE_OK;
 }
 
-POINTS(yield_point, 0, 0, 3, 3, 1,
-       rwedge_yield_point(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
-POINTS(subsurface_yield, 0, 0, 3, 3, 1,
-       rwedge_subsurface_yield(*in[0], *in[1], *in[2], out[0], out[1], out[2]))
-POINTS(surface_yield, 0, 0, 3, 2, 1, rwedge_surface_yield(*in[0], *in[1], *in[2], out[0], out[1]))
-POINTS(stress, 0, 3, 2, 3, BLOCK,
-       rwedge_stresses(s[0], s[1], s[2], n, in[0], in[1], out[0], out[1], out[2]))
-POINTS(contact_tractions, 1, 0, 1, 2, BLOCK, rwedge_contact_tractions(o, n, in[0], out[0], out[1]))
-POINTS(contact_stresses, 1, 0, 2, 3, BLOCK,
-       rwedge_contact_stresses(o, n, in[0], in[1], out[0], out[1], out[2]))
-POINTS(contact_slip, 1, 0, 1, 1, BLOCK, rwedge_contact_slip(o, n, in[0], out[0]))
-POINTS(series_coefficient, 1, 0, 1, 1, 1,
-       status_of(*out[0] = rwedge_series_coefficient(o, (int32_t)*in[0])))
-POINTS(series_pressure, 1, 0, 1, 1, 1, status_of(*out[0] = rwedge_series_pressure(o, *in[0])))
-POINTS(series_potential, 1, 0, 3, 2, 1,
-       rwedge_series_potential(o, *in[0], *in[1], *in[2], out[0], out[1]))
-POINTS(series_stress, 1, 0, 3, 3, 1,
-       rwedge_series_stress(o, *in[0], *in[1], *in[2], out[0], out[1], out[2]))
+POINTS_ROWS

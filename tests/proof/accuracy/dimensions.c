@@ -9,7 +9,7 @@
 
 static double some_unit(probe *call)
 {
-    return chance(call, 0.05) ? log_between(call, 1e-70, 1e70) : log_between(call, 1e-9, 1e6);
+    return chance(call, 0.05) ? log_between(call, 1e-15, 1e15) : log_between(call, 1e-9, 1e6);
 }
 
 static double some_angle(probe *call)
@@ -348,10 +348,10 @@ static void judge_yield_load(arb_t error, const probe *call, slong prec)
     arb_clear(alpha), arb_clear(P);
 }
 
-#define UNITS "lengths, A 1e-70 to 1e70, all AP/(theta a)"
+#define UNITS "lengths, A 1e-15 to 1e15, all AP/(theta a)"
 
 const row DESIGN_ROWS[] = {
-    {"radius", "theta 1e-9 to pi/2; a 1e-70 to 1e70", "relative", DBL_EPSILON, "(1 eps)", 1,
+    {"radius", "theta 1e-9 to pi/2; a 1e-15 to 1e15", "relative", DBL_EPSILON, "(1 eps)", 1,
      draw_radius, judge_radius},
     {"rounding", "the same", "relative", DBL_EPSILON, "(1 eps)", 1, draw_rounding, judge_rounding},
     {"half_width", UNITS, "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* While the front of slip passes the layer s0 > s > s1 of the path, whose slope differs by w
  * from that of slip, and the load moves linearly from p0 to p1,
- *     energy = (A f^2/pi) w int B(u) d ln(eta(u)),   B(u) = int max(P(s) - u, 0) ds over s1 < s < min(s0, u).
+ *     energy = (A f^2/pi) w int B(u) d ln(eta(u)),
+ *     B(u) = int max(P(s) - u, 0) ds over s1 < s < min(s0, u).
  * B is a polynomial of the second degree between its corners s0, s1, p0, p1; the integrals of
  * u^k d ln(eta) are elementary on either side of the load at the end of the rounding. */
 #include "energy.h"
+
+#include <math.h>
 
 typedef struct {
     arb_struct s0, s1, p0, p1;
@@ -47,7 +50,9 @@ static void overlap(arb_t B, const layer *l, const arb_t u, slong prec)
 /* The indefinite integrals of u^k d ln(eta), k = 0, 1, 2, at the load u, in units of
  * corner/(pi/2) =: U and lengths of a: on the rounding u = (pi/2) eta^2; beyond, with phi =
  * asin(1/eta), r = sqrt(eta^2-1), u = eta^2 phi + r,
- *     ln(eta);   eta^2 phi/2 + 3 r/2 - acos(1/eta);   eta^4 phi^2/4 + (5 r^3/6 + r/2) phi + 11 eta^2/12 - (4/3) ln(eta). */
+ *     ln(eta),
+ *     eta^2 phi/2 + 3 r/2 - acos(1/eta),
+ *     eta^4 phi^2/4 + (5 r^3/6 + r/2) phi + 11 eta^2/12 - (4/3) ln(eta). */
 static void primitives(arb_ptr V, const arb_t eta, bool beyond, slong prec)
 {
     arb_ptr w = _arb_vec_init(6);

@@ -32,7 +32,7 @@ static void strength_init(strength *s, const double v[3], slong prec)
     arb_init(s->alpha), arb_init(s->f), arb_init(s->x), arb_init(s->y), arb_init(s->J2),
         arb_init(s->limit);
     arb_set_d(s->alpha, fmin(v[0], 1));
-    arb_set_d(s->f, v[1] < 1e-100 ? 0 : v[1]);
+    arb_set_d(s->f, v[1]);
     ball_contact(&s->t, s->alpha, s->f, v[2], prec);
 }
 
@@ -123,7 +123,7 @@ static bool draw_surface(probe *call)
     some_strength(call, v);
     if (rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) != RWEDGE_OK)
         r[0] = NAN;
-    return v[2] < 0.5 || v[1] >= 1e-100;
+    return v[2] < 0.5 || v[1] > 0;
 }
 
 /* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next
@@ -262,7 +262,7 @@ static void judge_critical_friction(arb_t error, const probe *call, slong prec)
 }
 
 const row STRENGTH_ROWS[] = {
-    {"elastic_limit, yield_point", "alpha 1e-14 to 1e300; f 0 to 1e6; nu 0 to 0.5", "relative",
+    {"elastic_limit, yield_point", "alpha 1e-14 to 1e60; f 0 to 1e6; nu 0 to 0.5", "relative",
      1e-12, "1e-12", 1, draw_elastic_limit, judge_limit},
     {"elastic_limits", "the same", "relative", 1e-12, "1e-12", 1, draw_elastic_limits, judge_limit},
     {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface,

@@ -77,9 +77,9 @@ double some_rounded_alpha(probe *call)
     if (kind < 0.93)
         return log_between(call, 1e-20, 1e-6);
     if (kind < 0.95)
-        return log_between(call, 1e-300, 1e-20);
+        return log_between(call, 1e-60, 1e-20);
     if (kind < 0.97)
-        return log_between(call, 1, 1e300);
+        return log_between(call, 1, 1e60);
     static const double EXACT[] = {
         1, 1 - DBL_EPSILON / 2, 1 + DBL_EPSILON, 0.5, 0.1, 1e-8, 0.7071067811865476, 2};
     return EXACT[(int)(8 * uniform(call))];
@@ -90,18 +90,24 @@ double some_alpha(probe *call)
     return chance(call, 0.01) ? 0 : some_rounded_alpha(call);
 }
 
+/* The domain begins at 1e-60. */
+static double none_if_tiny(double v)
+{
+    return fabs(v) < 1e-60 ? 0 : v;
+}
+
 double some_fraction(probe *call, double mark)
 {
     const double kind = uniform(call);
     double v = kind < 0.3    ? uniform(call)
                : kind < 0.45 ? log_between(call, 1e-16, 1)
-               : kind < 0.5  ? log_between(call, 1e-300, 1)
+               : kind < 0.5  ? log_between(call, 1e-60, 1)
                : kind < 0.75 ? 1 - log_between(call, 1e-16, 1)
                : kind < 0.95 ? near(call, mark)
                : kind < 0.97 ? 0
                : kind < 0.98 ? mark
                              : 1;
-    return fmax(0, fmin(1, v));
+    return none_if_tiny(fmax(0, fmin(1, v)));
 }
 
 /* One of the marks of the surface. */
@@ -121,7 +127,7 @@ double some_place(probe *call, double alpha, double c)
                : kind < 0.56 ? 0
                : kind < 0.6  ? some_mark(call, alpha, c)
                              : near(call, some_mark(call, alpha, c));
-    return either_sign(call, x);
+    return none_if_tiny(either_sign(call, x));
 }
 
 void some_point(probe *call, double alpha, double c, double *x, double *y)
@@ -137,19 +143,21 @@ void some_point(probe *call, double alpha, double c, double *x, double *y)
         *x = some_place(call, alpha, c);
         *y = log_between(call, 1e-18, 1);
     } else if (kind < 0.6) { /* the far field */
-        const double r = log_between(call, 1, chance(call, 0.02) ? 1e260 : 1e4),
+        const double r = log_between(call, 1, chance(call, 0.02) ? 1e60 : 1e4),
                      angle = between(call, 0, 3.14159);
         *x = r * cos(angle);
         *y = r * sin(angle);
     } else { /* around a mark, at every scale */
         const double mark = chance(call, 0.3) ? 0 : either_sign(call, some_mark(call, alpha, c));
-        const double least = mark == 0 && chance(call, 0.1) ? 1e-300 : 1e-17;
+        const double least = mark == 0 && chance(call, 0.1) ? 1e-60 : 1e-17;
         const double r =
             log_between(call, least, 2) * (mark == 0 && chance(call, 0.5) ? fmin(alpha, 1) : 1);
         const double angle = between(call, 0, 3.14159);
         *x = mark + r * cos(angle);
         *y = r * sin(angle);
     }
+    *x = none_if_tiny(*x);
+    *y = none_if_tiny(*y);
     argument(call, "x", *x);
     argument(call, "y", *y);
 }

@@ -53,7 +53,7 @@ double either_sign(probe *call, double value);
 
 /* ---- Arguments, with their edges over-sampled ---- */
 
-/* 0 and 1e-300 to 1e300, dense next to 1 */
+/* 0 and 1e-60 to 1e60, dense next to 1 */
 double some_alpha(probe *call);
 double some_rounded_alpha(probe *call); /* not 0 */
 /* [0, 1], dense next to 0, 1 and the mark */

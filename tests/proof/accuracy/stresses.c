@@ -6,18 +6,12 @@
 #include "rows.h"
 #include "rwedge.h"
 
-/* Smaller ones come to the ends of the range of doubles, over c. */
-static double none_if_tiny(double v)
-{
-    return v < 1e-280 ? 0 : v;
-}
-
 /* alpha, f, c, x, y */
 static void some_case(probe *call, bool slides, double v[5])
 {
-    v[0] = argument(call, "alpha", none_if_tiny(some_alpha(call)));
+    v[0] = argument(call, "alpha", some_alpha(call));
     v[1] = argument(call, "f", some_friction(call));
-    v[2] = argument(call, "c", slides ? 0 : none_if_tiny(some_fraction(call, fmin(v[0], 1))));
+    v[2] = argument(call, "c", slides ? 0 : some_fraction(call, fmin(v[0], 1)));
     some_point(call, v[0], v[2], &v[3], &v[4]);
 }
 
@@ -124,13 +118,12 @@ static void judge_stress(arb_t error, const probe *call, slong prec)
     _arb_vec_clear(w, 6);
 }
 
-#define MEASURE "of max(norm, max(1, f)/(1+\\|z\\|)) (4)"
+#define MEASURE "of max(norm, max(1, f)/(1+\\|z\\|))"
 
 const row STRESS_ROWS[] = {
     {"stress, full sliding",
-     "alpha from 1e-280; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to "
-     "1e260",
-     MEASURE, 1e-13, "1e-13", 1, draw_sliding, judge_stress},
+     "alpha; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to 1e60", MEASURE,
+     1e-13, "1e-13", 1, draw_sliding, judge_stress},
     {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13",
      1, draw_partial_slip, judge_stress},
     {"stresses", "the same, 1 to 20 points", MEASURE, 1e-13, "1e-13", 1, draw_stresses,

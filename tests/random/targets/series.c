@@ -10,10 +10,16 @@ static double take_number(input *in)
     return take_byte(in) < 32 ? take_double(in) : 2 * take_fraction(in) - 1;
 }
 
+/* A number of the header's domain, or 0. */
+static bool is_magnitude(double v)
+{
+    return v == 0 || (isfinite(v) && v >= 1e-60 && v <= 1e60);
+}
+
 static void check_sums(const rwedge_series *series, double f, double x, double y)
 {
     double s[5] = {NAN, NAN, NAN, NAN, NAN};
-    const bool valid = isfinite(f) && f >= 0 && f <= 1e6 && isfinite(x) && isfinite(y) && y >= 0;
+    const bool valid = is_magnitude(f) && f <= 1e6 && is_magnitude(fabs(x)) && is_magnitude(y);
     const int32_t expected = valid ? RWEDGE_OK : RWEDGE_EDOMAIN;
     CLAIM(rwedge_series_potential(series, f, x, y, &s[0], &s[1]) == expected, "f %g, x %g, y %g", f,
           x, y);
@@ -21,7 +27,7 @@ static void check_sums(const rwedge_series *series, double f, double x, double y
           "f %g, x %g, y %g", f, x, y);
     for (int i = 0; i < 5; i++)
         CLAIM(isfinite(s[i]) == valid, "f %g, x %g, y %g: %d is %g", f, x, y, i, s[i]);
-    CLAIM(isfinite(rwedge_series_pressure(series, x)) == isfinite(x), "x %g", x);
+    CLAIM(isfinite(rwedge_series_pressure(series, x)) == is_magnitude(fabs(x)), "x %g", x);
 }
 
 static void check(const rwedge_series *series, int32_t terms, input *in)
@@ -45,7 +51,7 @@ static void create(input *in)
     const int32_t terms = (int32_t)take_byte(in) - 2;
     rwedge_series *series = NULL;
     const int32_t status = rwedge_series_create(alpha, terms, &series);
-    const bool valid = isfinite(alpha) && alpha >= 0;
+    const bool valid = is_magnitude(alpha);
     CLAIM(status == (!valid      ? RWEDGE_EDOMAIN
                      : terms < 1 ? RWEDGE_ERANGE
                                  : RWEDGE_OK),

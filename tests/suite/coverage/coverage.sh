@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The unit tests reach every branch of lib/, but for those that ALWAYS() and NEVER() argue (lib/base/always.h).
-# Compiled without optimisation or inlining, so that branches are those of the source, and without the choice that potential.c
+# Compiled without optimisation or inlining, so that branches are those of the source, and without the choice that batch.c
 # makes by the processor.
 #     coverage.sh SOURCE BUILD
 set -eu

@@ -13,10 +13,12 @@ in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monn
 apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed in the library's lib/README.md; "new" marks
 what the paper does not have.
 """
+from . import _made
 from ._contact import Contact, YieldFactor
 from ._header import FUNCTIONS as _FUNCTIONS
 from ._library import Error, SlidingError
 from ._library import function as _function
+from ._made import *  # noqa: F403
 from ._series import Series
 from ._ufuncs import Points as _Points
 from ._ufuncs import ufunc as _ufunc
@@ -26,9 +28,9 @@ for _public in (Contact, Error, Series, SlidingError, YieldFactor):
 __version__ = _function("version")().decode()
 
 # The ufuncs: all functions of the header that take and give nothing but numbers.
-_FORMULAS = [name for name, about in _FUNCTIONS.items() if about["doc"]]
-globals().update((name, _ufunc(name)) for name in _FORMULAS)
-__all__ = ["Contact", "Error", "Series", "SlidingError", "YieldFactor", "stresses", *_FORMULAS]
+_ufuncs = {name: _ufunc(name) for name, about in _FUNCTIONS.items() if about["made"] == "ufunc"}
+globals().update(_ufuncs)
+__all__ = ["Contact", "Error", "Series", "SlidingError", "YieldFactor", "stresses", *_ufuncs, *_made.__all__]
 
 _stresses = _Points("stress")
 

@@ -8,7 +8,9 @@ from typing import Any, NamedTuple, SupportsFloat
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._general import call
 from ._library import Handle, check, function, real
+from ._made import ContactMethods
 from ._ufuncs import Points
 
 _create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
@@ -26,7 +28,7 @@ class YieldFactor(NamedTuple):
     y: float
 
 
-class Contact(Handle):
+class Contact(ContactMethods, Handle):
     """One contact and what it remembers of its loads (P, Q): exact for any history.
 
     Any consistent set of units: x, y are lengths in the unit of a, stresses in that of 1/A, loads are forces per unit length;
@@ -123,6 +125,10 @@ class Contact(Handle):
     def _value(self, read: Any) -> Any:
         with self._lock:
             return read(self._address)
+
+    def _call(self, name: str, *given: Any) -> Any:
+        with self._lock:
+            return call(name, self._address, *given)
 
     @property
     def theta(self) -> float:

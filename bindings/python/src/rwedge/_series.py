@@ -8,7 +8,9 @@ from typing import Any, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._general import call
 from ._library import EDOMAIN, Error, Handle, check, function, integer, real
+from ._made import SeriesMethods
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
@@ -22,7 +24,7 @@ def _samples(numbers: ArrayLike) -> NDArray[Any]:
     return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
 
-class Series(Handle):
+class Series(SeriesMethods, Handle):
     """A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses.
 
     ``Series(alpha, terms)`` is the rounded wedge's own, cut after the first terms coefficients (the paper's b_n is a_(2n));
@@ -95,6 +97,9 @@ class Series(Handle):
 
     def __repr__(self) -> str:
         return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"
+
+    def _call(self, name: str, *given: Any) -> Any:
+        return call(name, self._address, *given)
 
     @property
     def terms(self) -> int:

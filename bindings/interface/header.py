@@ -1,0 +1,417 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The one reader of rwedge.h: what every binding, and every test that lists the functions, knows of them comes from here.
+
+    header.py [--names] include/rwedge.h
+
+prints the description as JSON, or the names of the functions. README.md has the conventions of the header. A header that
+breaks one is refused with the number of the line.
+"""
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import re
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+# How a parameter is declared, and what that makes it. "handle" reads the object, "changed" changes or frees it.
+ROLES = (
+    (r"double (\w+)", "in"),
+    (r"int32_t (\w+)", "in"),
+    (r"size_t (\w+)", "size"),
+    (r"const double (\w+)\[\]", "in array"),
+    (r"double \*(\w+)", "out"),
+    (r"double (\w+)\[\]", "out array"),
+    (r"const rwedge_(contact|series) \*\w+", "handle"),
+    (r"rwedge_(contact|series) \*\w+", "changed"),
+    (r"rwedge_(contact|series) \*\*\w+", "created"),
+)
+RETURNS = ("double", "int32_t", "size_t", "const char *", "void")
+SECTION = re.compile(r"/\* ---- (.*?) -+ \*/")
+EQUATION = re.compile(r"\s{2,}((?:Eqs?\.|Sec\.|Figs?\.|Dundurs|new\b).*)$")
+ARGUMENT = re.compile(r"  (\w+(?:, \w+)*)  +(\S.*)")
+FURTHER = re.compile(r" {4,}(\S.*)")
+LIKE = re.compile(r"  arguments as for rwedge_(\w+)\(\); (.*)")
+SENTENCE = re.compile(r"(?<=\.)(?<!Fig\.)\s+")
+NUMBER = r"-?[\d.]+(?:e-?\d+)?|pi/2|2\^\d+|\S+"
+WITHIN = re.compile(rf"({NUMBER}) (<=?) (.+?) (<=?) ({NUMBER})")
+BEYOND = re.compile(rf"(\|?\w*\|?) ?([<>]=?) ({NUMBER})(?: .*)?")
+TO = re.compile(rf"(0, or )?({NUMBER}) to ({NUMBER})(?: .*)?")
+AT_LEAST = re.compile(rf"(0, or )?at least ({NUMBER})(?: .*)?")
+
+
+class Refused(Exception):
+    """The header breaks a convention."""
+
+
+@dataclass
+class Domain:
+    """What is said of an argument. text is the header's; conditions are those of its clauses that can be checked."""
+
+    text: str
+    conditions: list[str] = field(default_factory=list)
+    low: float = -math.inf
+    high: float = math.inf
+    low_open: bool = False
+    high_open: bool = False
+    or_zero: bool = False  # 0 is allowed too, though below low
+    finite: bool = True  # HUGE_VAL is outside
+
+    @property
+    def allowed(self) -> str:
+        """The conditions in a few words, for messages."""
+        return " and ".join(self.conditions)
+
+
+@dataclass
+class Parameter:
+    name: str
+    declared: str  # in C
+    role: str
+    kind: str  # double, int32_t, size_t, contact or series
+    domain: Domain | None = None
+    size: tuple[str, ...] = ()  # of an array: the names of the sizes whose product it has
+    optional: bool = False  # an output that may be NULL
+    given_by: str = ""  # of a size: the function that tells it
+    described: bool = False  # in the function's own comment
+
+
+@dataclass
+class Function:
+    name: str  # without rwedge_
+    returns: str
+    result: str  # value, status, text or nothing
+    parameters: list[Parameter]
+    section: str
+    dimensional: bool
+    line: int
+    comment: list[str]  # as written, without the stars
+    introduction: list[list[str]]  # the comments that stand alone between the declaration before and this one
+    text: str = ""  # the prose
+    equation: str = ""
+    errors: list[str] = field(default_factory=list)
+    accuracy: list[str] = field(default_factory=list)
+    array_of: str = ""  # the function whose results for many points it gives: "The same ..."
+
+    def of(self, *roles: str) -> list[Parameter]:
+        return [p for p in self.parameters if p.role in roles]
+
+    @property
+    def family(self) -> str:
+        """contact or series where the function is of an object, as the name says too, or nothing."""
+        return next((p.kind for p in self.of("handle", "changed", "created")), "")
+
+    @property
+    def method(self) -> str:
+        return self.name[len(self.family) + 1:] if self.family else self.name
+
+    @property
+    def inputs(self) -> list[Parameter]:
+        """The numbers and arrays that a user gives."""
+        return self.of("in", "in array")
+
+    @property
+    def outputs(self) -> list[Parameter]:
+        return self.of("out", "out array")
+
+    @property
+    def pointwise(self) -> bool:
+        """Are all its arrays of one size, point by point, with some of them outputs?"""
+        sizes = {p.size for p in self.of("in array", "out array")}
+        return len(sizes) == 1 and len(next(iter(sizes))) == 1 and bool(self.of("in array") and self.of("out array")) \
+            and not self.of("out", "created")
+
+
+@dataclass
+class Interface:
+    introduction: list[str]
+    statuses: dict[str, int]
+    functions: list[Function]
+
+    def __getitem__(self, name: str) -> Function:
+        return next(f for f in self.functions if f.name == name)
+
+    def __contains__(self, name: str) -> bool:
+        return any(f.name == name for f in self.functions)
+
+
+def number(text: str) -> float | None:
+    """A bound, where it is one number."""
+    if text == "pi/2":
+        return math.pi / 2
+    if match := re.fullmatch(r"2\^(\d+)", text):
+        return 2.0 ** int(match[1])
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def clauses(text: str) -> list[str]:
+    """The parts of a domain's line between commas, up to its first remark; and a remark that begins with "not"."""
+    before, *remarks = re.split(r"[;:] ", text)
+    parts = before.replace("0, or ", "0\0or ").split(", ")
+    return [p.replace("\0", ", ").strip() for p in parts] + [r for r in remarks if r.startswith("not ")]
+
+
+def bound(domain: Domain, sign: str, value: float | None) -> None:
+    if value is None:
+        return
+    if sign[0] == ">":
+        domain.low, domain.low_open = value, sign == ">"
+    else:
+        domain.high, domain.high_open = value, sign == "<"
+
+
+def domain_of(text: str, name: str, others: set[str]) -> Domain:
+    """The conditions on one argument in the line that it shares with others."""
+    domain = Domain(text, finite="HUGE_VAL" not in text)
+    for clause in clauses(text):
+        if clause in ("finite", "any integer") or clause.startswith("not "):
+            pass
+        elif match := WITHIN.fullmatch(clause):
+            if match[3] in others:
+                continue
+            bound(domain, match[2].replace("<", ">"), number(match[1]))
+            bound(domain, match[4], number(match[5]))
+        elif match := TO.fullmatch(clause):
+            domain.or_zero |= bool(match[1])
+            bound(domain, ">=", number(match[2]))
+            bound(domain, "<=", number(match[3]))
+        elif match := AT_LEAST.fullmatch(clause):
+            domain.or_zero |= bool(match[1])
+            bound(domain, ">=", number(match[2]))
+        elif match := BEYOND.fullmatch(clause):
+            if match[1].strip("|") in others:
+                continue
+            value = number(match[3])
+            bound(domain, match[2], value)
+            if match[1].startswith("|") and value is not None:
+                bound(domain, match[2].replace("<", ">"), -value)
+        elif not re.search(r"[<>]=|[<>] ", clause):
+            continue  # a meaning or a unit
+        domain.conditions.append(clause)
+    return domain
+
+
+class Reader:
+    """Reads the header from top to bottom."""
+
+    def __init__(self, path: Path) -> None:
+        self.path, self.lines = path, path.read_text(encoding="ascii").split("\n")
+        self.interface = Interface([], {}, [])
+        self.section = ""
+        self.shared: dict[bool, dict[str, tuple[str, set[str]]]] = {False: {}, True: {}}
+        self.dimensional, self.until = False, ""
+        self.alone: list[list[str]] = []  # comments that stand alone
+        self.comment: list[str] = []
+
+    def refuse(self, line: int, what: str) -> None:
+        raise Refused(f"{self.path}:{line}: {what}")
+
+    def read(self) -> Interface:
+        i = 0
+        while i < len(self.lines):
+            line, first = self.lines[i], i + 1
+            if match := SECTION.fullmatch(line):
+                self.begin_section(match[1])
+            elif line.startswith("/*"):
+                while "*/" not in self.lines[i]:
+                    i += 1
+                    if i == len(self.lines):
+                        self.refuse(first, "a comment without an end")
+                self.take_comment([re.sub(r"^(/\*| \*) ?|\s*\*/$", "", x) for x in self.lines[first - 1:i + 1]], first)
+            elif line.startswith("RWEDGE_API"):
+                while ";" not in self.lines[i]:
+                    i += 1
+                    if i == len(self.lines) or not self.lines[i].startswith(" "):
+                        self.refuse(first, "a declaration without an end")
+                self.take_declaration(" ".join(" ".join(self.lines[first - 1:i + 1]).split()), first)
+            elif line == "enum {":
+                i = self.take_statuses(i + 1)
+            elif not line:
+                self.alone += [self.comment] if self.comment else []
+                self.comment = []
+            elif re.match(r"# *define +\w+\(", line):
+                self.refuse(first, f"a macro with arguments: {line}")
+            elif not re.match(r"#|extern \"C\" \{$|\}$|typedef struct (rwedge_\w+) \1;$", line):
+                self.refuse(first, f"neither a comment nor a declaration of the conventions: {line}")
+            if line.startswith("typedef"):
+                self.alone = self.comment = []
+            i += 1
+        return self.interface
+
+    def begin_section(self, title: str) -> None:
+        self.section, self.alone, self.comment = title, [], []
+        if self.until and self.until in title.lower():
+            self.dimensional = False
+
+    def take_comment(self, lines: list[str], first: int) -> None:
+        self.comment = self.comment + lines
+        if not self.interface.introduction and lines[0].startswith("rwedge:"):
+            self.interface.introduction = lines
+        if any(re.search("[Aa]rguments that return", x) for x in lines):
+            if match := re.search(r"From here to the (\w+)", " ".join(lines)):
+                self.dimensional, self.until = True, match[1]
+            elif self.shared[False]:
+                self.refuse(first, 'a second list of arguments must say for what it holds: "From here to the ..."')
+            self.shared[self.dimensional] = self.listed(lines)[0]
+
+    def take_statuses(self, i: int) -> int:
+        while not self.lines[i].startswith("}"):
+            match = re.match(r"    (RWEDGE_[A-Z]+) = (\d+)(?:,|$|  )", self.lines[i])
+            if not match:
+                self.refuse(i + 1, f"not a status with its value: {self.lines[i].strip()}")
+            self.interface.statuses[match[1]] = int(match[2])
+            i += 1
+        return i
+
+    @staticmethod
+    def listed(lines: list[str]) -> tuple[dict[str, tuple[str, set[str]]], list[str]]:
+        """name -> (text, names of its line), of the lines "  name, name  text"; and the lines that are not of such."""
+        found: dict[str, tuple[str, set[str]]] = {}
+        rest, names = [], []
+        for line in lines:
+            if (match := ARGUMENT.fullmatch(EQUATION.sub("", line))) and not LIKE.match(line):
+                names = match[1].split(", ")
+                found.update((n, (match[2].strip(), set(names) - {n})) for n in names)
+            elif names and (match := FURTHER.fullmatch(line)):
+                found.update((n, (f"{found[n][0]} {match[1].strip()}", found[n][1])) for n in names)
+            else:
+                names = []
+                rest.append(line)
+        return found, rest
+
+    def take_declaration(self, text: str, line: int) -> None:
+        match = re.fullmatch(r"RWEDGE_API (.*?) ?rwedge_([a-z0-9_]+)\(([^()]*)\);", text)
+        if not match or match[1] not in RETURNS:
+            self.refuse(line, f"not a declaration of the conventions: {text}")
+        returns, name, listed = match.groups()
+        if not self.comment:
+            self.refuse(line, f"rwedge_{name}() has no comment right above it")
+        if name in self.interface:
+            self.refuse(line, f"rwedge_{name}() is declared twice")
+        if not listed:
+            self.refuse(line, f"rwedge_{name}() has no parameters, which is not (void)")
+        parameters = [self.parameter(p, line) for p in listed.split(", ") if p != "void"]
+        function = Function(name, returns, "", parameters, self.section, self.dimensional, line, self.comment, self.alone)
+        function.result = ("nothing" if returns == "void" else "text" if returns.startswith("const") else
+                           "status" if returns == "int32_t" and function.of("out", "out array", "created", "changed")
+                           else "value")
+        if function.of("out", "out array", "created") and function.result != "status":
+            self.refuse(line, f"rwedge_{name}() has outputs: it must return a status, int32_t")
+        if function.family and not name.startswith(function.family + "_"):
+            self.refuse(line, f"rwedge_{name}() is a function of a {function.family}: its name must say so")
+        self.describe(function)
+        self.interface.functions.append(function)
+        self.comment, self.alone = [], []
+
+    def parameter(self, text: str, line: int) -> Parameter:
+        for pattern, role in ROLES:
+            if match := re.fullmatch(pattern, text):
+                name = re.search(r"(\w+)(?:\[\])?$", text)[1]
+                kind = match[1] if "rwedge_" in pattern else re.search(r"double|int32_t|size_t", text)[0]
+                return Parameter(name, text, role, kind)
+        self.refuse(line, f"not a parameter of the conventions: {text}")
+
+    def describe(self, function: Function) -> None:
+        own, rest = self.listed(function.comment)
+        before = self.interface.functions[-1] if rest[0].startswith("The same") else None
+        like = next((m for m in map(LIKE.match, rest) if m), None)
+        if like:
+            start = rest.index(like.string)
+            end = next(i for i in range(start + 1, len(rest)) if not rest[i].startswith("  "))
+            rest[start:end] = [f"{like[2]} {' '.join(x.strip() for x in rest[start + 1:end])}".strip().removesuffix(".") + "."]
+            before_like = self.interface[like[1]]
+        equations = [m[1] for m in map(EQUATION.search, function.comment) if m]
+        prose = [without for x in rest if (without := EQUATION.sub("", x)) or not x]
+        function.text = "\n\n".join(" ".join(" ".join(p).split()) for p in paragraphs(prose))
+        function.equation = " ".join(equations) or (before.equation if before else "")
+        function.errors = list(dict.fromkeys(re.findall(r"RWEDGE_E[A-Z]+", " ".join(function.comment))))
+        if before:
+            function.array_of = before.name
+            function.errors += [e for e in before.errors if e not in function.errors]
+        function.accuracy = [s for s in SENTENCE.split(" ".join(function.text.split())) if re.search(r"[Ee]rror (below|of)\b", s)]
+        if before and not function.accuracy:
+            function.accuracy = before.accuracy
+        for p in function.parameters:
+            self.describe_parameter(function, p, own, before or (before_like if like else None))
+        for name in own:
+            if name not in {p.name for p in function.parameters}:
+                self.refuse(function.line, f"the comment of rwedge_{function.name}() describes {name}, which it does not have")
+
+    def describe_parameter(self, function: Function, p: Parameter, own: dict, before: Function | None) -> None:
+        if p.role in ("handle", "changed", "created"):
+            return
+        p.described = p.name in own
+        if p.role in ("in array", "out array"):
+            p.size = self.size_of(function, p, own.get(p.name, ("", set()))[0])
+        if p.role in ("out", "out array"):
+            p.optional = "may be NULL" in own.get(p.name, ("", set()))[0]
+            return
+        text, together = own.get(p.name) or (None, set())
+        earlier = next((q.domain for q in before.parameters if q.name == p.name), None) if before else None
+        if text is None and earlier:
+            p.domain = earlier
+            return
+        if text is None:
+            text, together = self.shared[function.dimensional].get(p.name, (None, set()))
+        if p.role == "size":
+            match = re.search(r"rwedge_(\w+)\(\)", text or "")
+            p.given_by = match[1] if match else ""
+            p.domain = domain_of(text, p.name, together) if text else None
+        elif text is None:
+            self.refuse(function.line, f"rwedge_{function.name}(): the domain of {p.name} is said neither here nor in the list of "
+                                       "arguments that return")
+        else:
+            p.domain = domain_of(text, p.name, together)
+            if not p.domain.conditions:
+                self.refuse(function.line, f"rwedge_{function.name}(): no condition in the domain of {p.name}: {text}")
+
+    def size_of(self, function: Function, p: Parameter, text: str) -> tuple[str, ...]:
+        """What the line of an output array says it receives, or else the size in front of the array."""
+        sizes = [q.name for q in function.of("size")]
+        if match := re.search(r"receives? (\w+(?: \* \w+)*) numbers", text):
+            said = tuple(match[1].split(" * "))
+            if not set(said) <= set(sizes):
+                self.refuse(function.line, f"rwedge_{function.name}(): {p.name} receives {match[1]} numbers, which are not sizes")
+            return said
+        before = [q.name for q in function.parameters[:function.parameters.index(p)] if q.role == "size"]
+        if not before:
+            self.refuse(function.line, f"rwedge_{function.name}(): no size stands before the array {p.name}")
+        if p.role == "out array" and len(sizes) > 1:
+            self.refuse(function.line, f"rwedge_{function.name}(): of {p.name} must be said: receives ... numbers")
+        return (before[-1],)
+
+
+def paragraphs(lines: list[str]) -> list[list[str]]:
+    found: list[list[str]] = [[]]
+    for line in lines:
+        if line.strip():
+            found[-1].append(line)
+        elif found[-1]:
+            found.append([])
+    return [p for p in found if p]
+
+
+def read(path: str | Path) -> Interface:
+    return Reader(Path(path)).read()
+
+
+def main() -> None:
+    *options, path = sys.argv[1:] or [""]
+    try:
+        interface = read(path)
+    except (Refused, OSError) as error:
+        sys.exit(f"REFUSED: {error}")
+    if options == ["--names"]:
+        print("\n".join("rwedge_" + f.name for f in interface.functions))
+    else:
+        print(json.dumps(dataclasses.asdict(interface), indent=1))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The reader of the header: what it finds, and that it refuses what breaks a convention, with the number of the line.
+
+The conventions are also those that MATLAB's loadlibrary and clib take, by MathWorks' pages "Limitations to Shared Library
+Support", "Pass Arguments to Shared C Library Functions" and "Limitations to C/C++ Support": numbers, arrays of doubles and
+pointers to structures that are not defined, and no callbacks, structures by value, variadic functions or macros with arguments.
+"""
+import tempfile
+import unittest
+from pathlib import Path
+
+from header import Refused, read
+
+HEADER = Path(__file__).resolve().parents[2] / "include" / "rwedge.h"
+# In place of the last function.
+REFUSED = """\
+RWEDGE_API double rwedge_v(double (*function)(double));
+RWEDGE_API long double rwedge_v(double x);
+RWEDGE_API double rwedge_v(long double x);
+RWEDGE_API double rwedge_v(double _Complex x);
+RWEDGE_API double rwedge_v(int32_t n, ...);
+RWEDGE_API double rwedge_v(unsigned n);
+RWEDGE_API double rwedge_v(uint64_t n);
+RWEDGE_API double rwedge_v(double **x);
+RWEDGE_API double rwedge_v(double ***x);
+RWEDGE_API double rwedge_v(rwedge_contact contact);
+RWEDGE_API rwedge_contact rwedge_v(double x);
+RWEDGE_API rwedge_contact *rwedge_v(double x);
+RWEDGE_API double *rwedge_v(double x);
+RWEDGE_API double rwedge_v(double x[3][3]);
+RWEDGE_API double rwedge_v(const char **text);
+RWEDGE_API double rwedge_v();
+RWEDGE_API extern double rwedge_v;
+typedef double (*rwedge_v)(double);
+typedef struct { double x; } rwedge_v;
+struct rwedge_v { unsigned x : 4; };
+union rwedge_v { double x; int32_t n; };
+static double rwedge_v(double x) { return x; }
+#define RWEDGE_V(x) (x)
+RWEDGE_API double rwedge_v(double unheard_of);
+RWEDGE_API double rwedge_v(double x, double *y);
+RWEDGE_API int32_t rwedge_v(const double x[], double *y);
+RWEDGE_API int32_t rwedge_v(const rwedge_contact *contact, double *y);
+RWEDGE_API int32_t rwedge_contact_v(size_t n, const double x[], size_t m, const double y[], double p[]);
+RWEDGE_API double rwedge_load(double alpha);
+""".splitlines()
+
+
+def declared(comment, declaration):
+    """The description of a function that is added to the header."""
+    text = HEADER.read_text(encoding="ascii")
+    before, after = text.split("\n#ifdef __cplusplus\n}\n")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "rwedge.h"
+        path.write_text(f"{before}\n{comment}\n{declaration}\n\n#ifdef __cplusplus\n}}\n{after}", encoding="ascii")
+        return read(path).functions[-1], before.count("\n") + 1 + comment.count("\n") + 1
+
+
+class Reader(unittest.TestCase):
+    def test_what_breaks_a_convention_is_refused_with_its_line(self):
+        for declaration in REFUSED:
+            with self.subTest(declaration), self.assertRaises(Refused) as refused:
+                declared("/* V. */", declaration)
+            line = HEADER.read_text(encoding="ascii").split("\n#ifdef __cplusplus\n}\n")[0].count("\n") + 3
+            self.assertIn(f"rwedge.h:{line}: ", str(refused.exception))
+
+    def test_comments_that_break_a_convention_are_refused(self):
+        for comment in ("", "/* V.\n *   z  not an argument of it */", "/* V.\n *   x  a length */",
+                        "/* V.\n *   v  receives m numbers */"):
+            with self.subTest(comment), self.assertRaises(Refused):
+                declared(comment, "RWEDGE_API int32_t rwedge_v(double x, size_t n, const double y[], double v[]);")
+
+    def test_all_that_is_said_of_a_function_is_found(self):
+        stress = read(HEADER)["stress"]
+        self.assertEqual([p.role for p in stress.parameters], ["in"] * 5 + ["out"] * 3)
+        self.assertEqual((stress.result, stress.section, stress.family), ("status", "Interior stresses", ""))
+        self.assertEqual(stress.equation, "Eq. (28), (32), (33) with E4, E8; new")
+        self.assertEqual(stress.errors, ["RWEDGE_EDOMAIN", "RWEDGE_ENULL"])
+        self.assertEqual(len(stress.accuracy), 1)
+        y = stress.parameters[4].domain
+        self.assertEqual((y.low, y.low_open, y.finite), (0, False, True))
+        self.assertEqual(y.conditions, ["finite", "y >= 0", "not the apex (0, 0) of the sharp wedge"])
+        stresses = read(HEADER)["stresses"]
+        self.assertEqual((stresses.array_of, stresses.equation, stresses.errors), ("stress", stress.equation, stress.errors))
+        self.assertEqual(stresses.parameters[4].size, ("n",))
+
+    def test_domains_become_bounds(self):
+        function, _ = declared("/* V.\n *   p, q  0, or 1e-3 to 2^4: remark\n *   r  |r| < pi/2\n *   s  at least 3\n"
+                               " *   t  > 0; HUGE_VAL too\n *   u, v  -1 < u <= 0.5, finite */",
+                               "RWEDGE_API double rwedge_v(double p, double q, double r, double s, double t, double u, double v);")
+        p, q, r, s, t, u, v = (p.domain for p in function.parameters)
+        self.assertEqual((p.low, p.high, p.or_zero, p.finite), (1e-3, 16, True, True))
+        self.assertEqual(p.conditions, q.conditions)
+        self.assertEqual((r.low, r.high, r.low_open, r.high_open), (-r.high, r.high, True, True))
+        self.assertEqual((s.low, t.low, t.low_open, t.finite), (3, 0, True, False))
+        self.assertEqual((u.low, u.low_open, u.high, v.low), (-1, True, 0.5, -float("inf")))
+
+    def test_arrays_of_two_sizes_and_sizes_that_a_function_tells(self):
+        function, _ = declared(
+            "/* V.\n *   P  any integer\n *   x  finite\n *   sxx  receives loads * n numbers: load i, point j at [i n + j] */",
+            "RWEDGE_API int32_t rwedge_contact_v(const rwedge_contact *contact, size_t loads, const double P[], size_t n,\n"
+            "    const double x[], double sxx[]);")
+        self.assertEqual([p.size for p in function.parameters if p.size], [("loads",), ("n",), ("loads", "n")])
+        function, _ = declared("/* V.\n *   n      rwedge_contact_memory()\n *   state  receives n numbers */",
+                               "RWEDGE_API int32_t rwedge_contact_v(const rwedge_contact *contact, size_t n, double state[]);")
+        self.assertEqual(function.of("size")[0].given_by, "contact_memory")
+        function, _ = declared("/* V.\n *   state  finite */", "RWEDGE_API int32_t rwedge_contact_v(size_t n, "
+                               "const double state[], rwedge_contact **contact);")
+        self.assertEqual([p.role for p in function.parameters], ["size", "in array", "created"])
+
+
+if __name__ == "__main__":
+    unittest.main()

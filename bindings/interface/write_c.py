@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes entries.h: every function that has numbers as a call of one form, with what its arguments and results are. The MEX
+file and the tests that go through all functions are loops over this table."""
+from __future__ import annotations
+
+import math
+import textwrap
+
+from header import Function, Interface, Parameter
+
+TOP = """\
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
+ *
+ * Every function of the header that has a number among its arguments or results, or makes an
+ * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
+ * free. */
+/* clang-format off */
+#ifndef RWEDGE_ENTRIES_H
+#define RWEDGE_ENTRIES_H
+
+#include "rwedge.h"
+
+#include <float.h>
+#include <math.h>
+
+enum {{
+    ENTRY_ARGUMENTS = {arguments}, /* the most that a function has */
+    ENTRY_RESULTS = {results},
+    ENTRY_SIZES = {sizes}
+}};
+
+/* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
+ * integer is a double that is whole and fits. A function with a value has the status RWEDGE_OK. */
+typedef int32_t entry_call(void *object, const size_t n[], const double *const v[],
+                           double *const r[], void **made);
+
+typedef struct {{
+    const char *name;
+    const char *allowed; /* the header's conditions */
+    double low, high;
+    char low_open, high_open; /* the bound itself is outside */
+    char or_zero;             /* 0 is inside, though below low */
+    char finite;              /* infinity is outside */
+    char whole;               /* an int32_t */
+    signed char size;         /* which of the sizes an array has; -1 for a number */
+}} entry_argument;
+
+typedef struct {{
+    const char *name;
+    signed char sizes[2]; /* an array of this size, of the product of both; -1 for none */
+}} entry_result;
+
+typedef struct {{
+    const char *name;
+    const char *teller; /* the function that tells the size, or NULL where an array does */
+    const char *allowed;
+}} entry_size;
+
+typedef struct {{
+    const char *name;
+    const char *family; /* "contact", "series", or "" */
+    entry_call *call;
+    char takes_object, changes_object, makes_object, has_status;
+    char pointwise;       /* all its arrays are of one size, point by point */
+    unsigned errors;      /* 1 << status, for those that the header names */
+    const char *array_of; /* the function whose results it gives for many points, or NULL */
+    int arguments, results, sizes;
+    const entry_argument *argument;
+    const entry_result *result;
+    const entry_size *size;
+}} entry;
+
+#define ENTRY(name, statements)                                                                    \\
+    static int32_t entry_##name(void *object, const size_t n[], const double *const v[],           \\
+                                double *const r[], void **made)                                    \\
+    {{                                                                                              \\
+        (void)object, (void)n, (void)v, (void)r, (void)made;                                       \\
+        statements;                                                                                \\
+    }}
+"""
+
+
+def number(value: float) -> str:
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "-INFINITY"
+    return repr(value)
+
+
+def argument(f: Function, p: Parameter) -> str:
+    d, sizes = p.domain, [q.name for q in f.of("size")]
+    whole = p.kind == "int32_t"
+    allowed = ", ".join((["whole"] if whole else []) + d.conditions)
+    size = sizes.index(p.size[0]) if p.size else -1
+    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole]
+    return f'{{"{p.name}", "{allowed}", {number(d.low)}, {number(d.high)}, {", ".join(str(int(x)) for x in flags)}, {size}}}'
+
+
+def result(f: Function, name: str, size: tuple[str, ...]) -> str:
+    sizes = [q.name for q in f.of("size")]
+    of = [*(sizes.index(n) for n in size), -1, -1][:2]
+    return f'{{"{name}", {{{of[0]}, {of[1]}}}}}'
+
+
+def size(p: Parameter) -> str:
+    allowed = ", ".join(p.domain.conditions) if p.domain else ""
+    return f'{{"{p.name}", {quoted(p.given_by)}, "{allowed}"}}'
+
+
+def quoted(text: str) -> str:
+    return f'"{text}"' if text else "NULL"
+
+
+def call(f: Function) -> str:
+    passed = []
+    sizes = f.of("size")
+    for p in f.parameters:
+        k = (f.inputs if p in f.inputs else f.outputs if p in f.outputs else sizes if p in sizes else [p]).index(p)
+        passed.append({
+            "in": f"v[{k}][0]" if p.kind == "double" else f"(int32_t)v[{k}][0]", "in array": f"v[{k}]", "size": f"n[{k}]",
+            "out": f"r[{k}]", "out array": f"r[{k}]", "handle": f"(const rwedge_{p.kind} *)object",
+            "changed": f"(rwedge_{p.kind} *)object", "created": f"(rwedge_{p.kind} **)made"}[p.role])
+    text = f"rwedge_{f.name}({', '.join(passed)})"
+    if f.result == "status":
+        return f"return {text}"
+    conversion = "" if f.returns == "double" else "(double)"
+    return f"r[0][0] = {conversion}{text}; return RWEDGE_OK"
+
+
+def adapter(f: Function) -> str:
+    return textwrap.fill(f"ENTRY({f.name}, {call(f)})", 100, subsequent_indent="      ", break_long_words=False) + "\n"
+
+
+def row(f: Function, statuses: dict[str, int]) -> str:
+    arguments, sizes = f.inputs, f.of("size")
+    flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise]
+    results = f.outputs or ([None] if f.result == "value" else [])
+    errors = sum(1 << statuses[e] for e in f.errors)
+    lists = [f"{f.name}_{what}" if count else "NULL"
+             for what, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
+    return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
+            f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)}}},")
+
+
+def tables(f: Function) -> str:
+    results = [result(f, p.name, p.size) for p in f.outputs] or ([result(f, "value", ())] if f.result == "value" else [])
+    return "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
+                   for kind, items in (("argument", [argument(f, p) for p in f.inputs]), ("result", results),
+                                       ("size", [size(p) for p in f.of("size")])) if items)
+
+
+def entries(interface: Interface) -> list[Function]:
+    return [f for f in interface.functions if f.result in ("value", "status")]
+
+
+def entries_h(interface: Interface) -> str:
+    listed = entries(interface)
+    most = {"arguments": max(len(f.inputs) for f in listed), "results": max(len(f.outputs) for f in listed),
+            "sizes": max(len(f.of("size")) for f in listed)}
+    return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
+                      "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", "#endif", ""])

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the functions and classes for MATLAB and GNU Octave: each a call of rwedge_mex, with the comment of rwedge.h as its
+help text. What is not the same for every function of a class is in rwedge_contact.m.in and rwedge_series.m.in."""
+from __future__ import annotations
+
+import re
+
+from header import EQUATION, Function, Interface
+
+IDENTIFIERS = {"DOMAIN": "domain", "RANGE": "range", "NOCONV": "noconv", "NOMEM": "memory", "SLIDING": "sliding", "RANK": "rank",
+               "ABSENT": "absent"}
+ARRAYS = "The arguments are arrays of one size, or scalars, which go with every element."
+LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
+
+
+def outputs(f: Function) -> list[str]:
+    return [p.name for p in f.outputs] or (["value"] if f.result in ("value", "text") else [])
+
+
+def inputs(f: Function) -> list[str]:
+    return [p.name for p in f.inputs]
+
+
+def is_method(f: Function) -> bool:
+    """Is it a method that is a call and nothing else?"""
+    return bool(f.family) and not f.of("created") and f.result != "nothing"
+
+
+def call(results: list[str], name: str, arguments: list[str]) -> str:
+    """[p, q] = name(x)"""
+    left = f"[{', '.join(results)}] = " if len(results) > 1 else f"{results[0]} = " if results else ""
+    return f"{left}{name}({', '.join(arguments)})"
+
+
+def without_pointers(text: str, method: bool) -> str:
+    """A method's object may have been deleted, which is rwedge:handle; nothing else can be NULL."""
+    text = text.replace("RWEDGE_ENULL", "rwedge:handle") if method else re.sub(r"(?m)[,;] RWEDGE_ENULL|^RWEDGE_ENULL, ", "", text)
+    text = re.sub(r"[;,] (NaN|0|and) for NULL| or NULL|; each may be NULL|, never NULL", "", text)
+    return re.sub(r" ?\bNaN for NULL\. ?", "", text)
+
+
+def shared(f: Function) -> list[str]:
+    """The domains that the comment leaves to the list of arguments that return."""
+    found: dict[str, list[str]] = {}
+    for p in f.inputs:
+        if p.domain and not p.described:
+            found.setdefault(p.domain.text, []).append(p.name)
+    width = max((len(", ".join(n)) for n in found.values()), default=0)
+    return [f"  {', '.join(names):{width}}  {text}" for text, names in found.items()]
+
+
+def help_lines(f: Function) -> list[str]:
+    """The help text after its first line: the comment, and the arguments that it does not list itself."""
+    method = bool(f.family) and f.method not in ("create", "fit") and f.of("handle", "changed") != []
+    lines = [EQUATION.sub(r"   \1", line) for line in f.comment if not re.fullmatch(r"  \w+  +receives the handle", line)]
+    text = without_pointers("\n".join(lines), method).replace(" Free with rwedge_series_destroy().", "")
+    text = text.replace("Unless RWEDGE_OK, the contact is as before.", "After an error the contact is as before; of\n"
+                        "vectors, the loads before the one that is refused stay.")
+    text = re.sub(r"(rwedge_(?:contact|series))_create\(", r"\1(", text)
+    text = re.sub(r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2(", text)
+    text = "\n".join([*text.split("\n"), *shared(f)])
+    for c, ours in IDENTIFIERS.items():
+        text = text.replace(f"RWEDGE_E{c}", f"rwedge:{ours}")
+    return text.replace("HUGE_VAL", "Inf").split("\n")
+
+
+def commented(lines: list[str], margin: str) -> str:
+    return "".join(f"{margin}%   {line}".rstrip() + "\n" for line in lines)
+
+
+def enough(count: int, form: str, margin: str) -> str:
+    """What refuses a call with fewer arguments: it would end in words about the function's own lines."""
+    if not count:
+        return ""
+    return f"{margin}if nargin < {count}\n{margin}    error('rwedge:arguments', 'too few arguments: {form}');\n{margin}end\n"
+
+
+def function_text(f: Function) -> str:
+    name = "rwedge_" + f.name
+    form = call(outputs(f), name, inputs(f))
+    lines = help_lines(f)
+    notes = ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
+    if any("rwedge:absent" in line for line in lines):
+        notes.append("Where rwedge:absent is said above, the results are NaN, and no error.")
+    return (f"function {form}\n%{name.upper()}  {form}\n" + commented(lines + notes, "") + enough(len(inputs(f)), form, "") +
+            call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";\nend\n" + LICENCE)
+
+
+def method_text(f: Function) -> str:
+    form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
+    margin = " " * 8
+    return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
+            commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
+            f"{margin}    " + call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]) +
+            f";\n{margin}end\n")
+
+
+def maker_text(f: Function) -> str:
+    """A function that makes an object other than by the class's own name: a static method."""
+    form = call([f.family], f"rwedge_{f.family}.{f.method}", inputs(f))
+    margin = " " * 8
+    return (f"{margin}function {call([f.family], f.method, inputs(f))}\n{margin}%{f.method.upper()}  {form}\n" +
+            commented(help_lines(f), margin) + enough(len(inputs(f)), form, margin + "    ") +
+            f"{margin}    {f.family} = rwedge_{f.family}();\n"
+            f"{margin}    {call([f.family + '.number'], 'rwedge_mex', [repr(f.name), *inputs(f)])};\n{margin}end\n")
+
+
+def class_text(interface: Interface, family: str, template: str) -> str:
+    own = [f for f in interface.functions if f.family == family]
+    makers = [f for f in own if f.of("created") and not f.of("handle") and f.method != "create"]
+    forms = "".join(f"%   {call(outputs(f), family[0] + '.' + f.method, inputs(f))}\n" for f in own if is_method(f))
+    text = re.sub(r"^% SPDX[^\n]*\n", "", template)
+    text = text.replace("%@forms\n", forms)
+    text = text.replace("        %@methods\n", "".join(method_text(f) for f in own if is_method(f)))
+    static = "    methods (Static)\n" + "\n".join(map(maker_text, makers)) + "    end\n" if makers else ""
+    text = text.replace("    %@static\n", static)
+    for f in own:
+        text = re.sub(rf"(?m)^( *)%@{f.name}\n", lambda m: commented(help_lines(f), m[1]), text)
+    return text + LICENCE
+
+
+def files(interface: Interface, templates: dict[str, str]) -> dict[str, str]:
+    made = {f"rwedge_{f.name}.m": function_text(f) for f in interface.functions if not f.family and not f.array_of}
+    made.update({f"rwedge_{family}.m": class_text(interface, family, text) for family, text in templates.items()})
+    return made

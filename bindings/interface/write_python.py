@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the Python package takes from the header, written when the package is built: write_python.py rwedge.h FOLDER
+
+    _header.py   FUNCTIONS: types, domains, sources, and the docstrings
+    _made.py     functions and methods that no module defines by hand
+    loops.h      the loops of the ufuncs, for src/loops.c
+    __init__.pyi the types for checkers
+"""
+from __future__ import annotations
+
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+from header import SENTENCE, Function, Interface, read
+
+IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
+    (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."), (r"RWEDGE_E\w+", "NaN"),
+    (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
+IN_GENERAL = ((r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.", ""), (r"RWEDGE_E\w+(?:[,;] RWEDGE_E\w+)*[.;]? ?", ""),
+              (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
+# What the classes of src/rwedge/ define by hand, as it does more than to call the library.
+BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_half_width", "contact_stick_half_width",
+           "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
+           "contact_yield_factor", "series_create", "series_fit", "series_destroy", "series_terms", "series_coefficient",
+           "series_residual", "series_pressure", "series_potential", "series_stress", "stresses", "elastic_limits", "version",
+           "strerror"}
+
+
+def one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def replaced(text: str, pairs: tuple) -> str:
+    for c, python in pairs:
+        text = re.sub(c, python, text)
+    return text
+
+
+def is_ufunc(f: Function) -> bool:
+    """Does it take and give nothing but numbers?"""
+    return f.result in ("value", "status") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
+
+
+def is_general(f: Function) -> bool:
+    """Is it made from its description alone?"""
+    made = not is_ufunc(f) and f.name not in BY_HAND
+    if made and (f.of("created") or f.result == "nothing"):
+        sys.exit(f"write_python.py: rwedge_{f.name}() makes or frees an object: write its method in src/rwedge/_{f.family}.py, and "
+                 "name it in BY_HAND")
+    return made
+
+
+def units(f: Function) -> str:
+    natural = not f.dimensional and f.section != "Materials"
+    return "Natural units: lengths in b, stresses in theta/A." if natural else "Any consistent set of units."
+
+
+def source(f: Function, before: str) -> str:
+    """A formula that has no source has that of the one before: "at the surface"."""
+    return one_line(f.equation) or (before if is_ufunc(f) else "")
+
+
+def listed(names: list[str], kind: str, f: Function) -> list[str]:
+    lines = []
+    for name in names:
+        domain = next(p.domain for p in f.parameters if p.name == name)
+        lines += [f"{name} : {kind}", *textwrap.wrap(replaced(domain.text, IN_PYTHON), 96, initial_indent="    ",
+                                                      subsequent_indent="    ")]
+    return lines
+
+
+def docstring(f: Function, equation: str) -> str:
+    """The help on a function, as NumPy's users are used to it."""
+    ufunc = is_ufunc(f)
+    text = replaced(f.text, IN_PYTHON if ufunc else IN_GENERAL)
+    *general, own = text.split("\n\n")
+    first, *rest = SENTENCE.split(one_line(own), maxsplit=1)
+    domain = [] if "NaN outside the domain" in text or not ufunc else ["NaN outside the domain."]
+    inputs, outputs = [p.name for p in f.inputs], [p.name for p in f.outputs]
+    lines = [f"{f.method}({', '.join(inputs)})", "", *textwrap.wrap(first, 100), ""]
+    if inputs:
+        lines += ["Parameters", "----------", *listed(inputs, "array_like" if ufunc else "float or array_like", f), ""]
+    shape = ", in the broadcast shape of the arguments" if ufunc else ""
+    lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : float64{shape}"]
+    notes = one_line(" ".join([*rest, *general, *domain, units(f)]))
+    return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
+
+
+def header_py(interface: Interface) -> str:
+    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h: do not edit."""',
+             "from __future__ import annotations", "", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
+    equation = ""
+    for f in interface.functions:
+        equation = source(f, equation)
+        kind = "ufunc" if is_ufunc(f) else "general" if is_general(f) else "by hand"
+        about = {
+            "result": f.returns,
+            "parameters": tuple((re.sub(r" ?\w+(\[\])?$", " *" if "[" in p.declared else "", p.declared), p.name)
+                                for p in f.parameters),
+            "roles": tuple(p.role for p in f.parameters),
+            "sizes": {p.name: p.size for p in f.parameters if p.size},
+            "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
+            "source": equation,
+            "domains": {p.name: replaced(p.domain.text, IN_PYTHON) for p in f.parameters if p.domain},
+            "made": kind, "family": f.family,
+            "doc": docstring(f, equation) if kind != "by hand" else ""}
+        lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]
+    return "\n".join([*lines, "}", ""])
+
+
+def formula_loops(interface: Interface) -> list[str]:
+    """One loop for every signature of functions with a value: doubles first, integers after them."""
+    found = {}
+    for f in interface.functions:
+        if is_ufunc(f) and f.result == "value":
+            kinds = [p.kind for p in f.parameters]
+            doubles = kinds.count("double")
+            if kinds != ["double"] * doubles + ["int32_t"] * (len(kinds) - doubles):
+                sys.exit(f"write_python.py: rwedge_{f.name}() takes an integer before a double: src/loops.c has no loop for that")
+            arguments = [f"IN({k})" if kind == "double" else f"narrow(AT(const int64_t, {k}))" for k, kind in enumerate(kinds)]
+            name = "".join(kind[0] for kind in kinds)
+            found[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
+    return list(found.values())
+
+
+def points(f: Function, many: Function) -> tuple[int, int, int, str]:
+    """The row of a function of points; many is the function that takes n of them, where there is one."""
+    inputs, outputs = many.inputs, many.outputs
+    roles = [p.role for p in inputs]
+    shared = roles.count("in") if many.pointwise else 0
+    at_once = many.pointwise and roles == ["in"] * shared + ["in array"] * (len(roles) - shared)
+    shared = shared if at_once else 0
+    objects = len(many.of("handle"))
+    passed = []
+    for p in many.parameters:
+        k = inputs.index(p) if p in inputs else outputs.index(p) if p in outputs else 0
+        value = f"s[{k}]" if k < shared else f"*in[{k - shared}]"
+        passed.append({"handle": "o", "size": "n", "in array": f"in[{k - shared}]", "out": f"out[{k}]", "out array": f"out[{k}]",
+                       "in": value if p.kind == "double" else f"(int32_t){value}"}[p.role])
+    call = f"rwedge_{many.name}({', '.join(passed)})"
+    count = len(outputs) or 1
+    if many.result == "value":
+        call = f"status_of(*out[0] = {call})"
+    sizes = f"{objects}, {shared}, {len(inputs) - shared}, {count}, {'BLOCK' if at_once else 1}"
+    return shared, len(inputs) - shared, count, f"POINTS({f.name}, {sizes},\n       {call})"
+
+
+def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
+    rows = []
+    for f in interface.functions:
+        plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL"} and (f.pointwise or not f.of("in array", "out array"))
+        of_object = f.of("handle") and f.inputs and not f.of("created") and plain
+        if is_ufunc(f) and f.result == "status" or of_object:
+            many = next((g for g in interface.functions if g.array_of == f.name), f)
+            rows.append(points(f, many))
+    return rows
+
+
+def loops_h(interface: Interface) -> str:
+    rows = points_rows(interface)
+    shared, inputs, outputs = (max(column) for column in list(zip(*rows))[:3])
+    sizes = f"enum {{ MAX_SHARED = {shared}, MAX_INPUTS = {inputs}, MAX_OUTPUTS = {outputs} }};"
+    return "\n".join(["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* Made by bindings/interface from rwedge.h. */", sizes,
+                      macro("FORMULA_LOOPS", formula_loops(interface)), macro("POINTS_ROWS", [r[3] for r in rows]), ""])
+
+
+def macro(name: str, lines: list[str]) -> str:
+    return " \\\n    ".join([f"#define {name}", *(line.replace("\n", " ") for line in lines)])
+
+
+MADE = '''# SPDX-License-Identifier: GPL-3.0-or-later
+"""Made by bindings/interface from rwedge.h: do not edit. What no other module defines."""
+from __future__ import annotations
+
+from typing import Any, SupportsFloat, SupportsIndex
+
+from numpy.typing import ArrayLike, NDArray
+
+from ._general import call
+
+__all__: list[str] = {names}
+
+
+class _Object:
+    def _call(self, name: str, *given: Any) -> Any:
+        raise NotImplementedError
+
+'''
+TYPES = {"in array": "ArrayLike", "double": "SupportsFloat", "int32_t": "SupportsIndex"}
+
+
+def result_type(f: Function) -> str:
+    if f.result == "value":
+        return {"double": "float"}.get(f.returns, "int")
+    types = ["float" if p.role == "out" else "NDArray[Any]" for p in f.outputs]
+    return f"tuple[{', '.join(types)}]" if len(types) > 1 else types[0] if types else "None"
+
+
+def definition(f: Function, margin: str) -> str:
+    """A function, a method, or a property where there is nothing to be given."""
+    parameters = [f"{p.name}: {TYPES.get(p.role) or TYPES[p.kind]}" for p in f.inputs]
+    given = "".join(f", {p.name}" for p in f.inputs)
+    own = ["self"] if f.family else []
+    body = f"return self._call({f.name!r}{given})" if f.family else f"return call({f.name!r}, None{given})"
+    doc = docstring(f, f.equation or "new").replace("\\", "\\\\").split("\n", 2)[2]
+    lines = ["@property"] if f.family and not f.inputs and f.of("handle") else []
+    lines += [f"def {f.method}({', '.join(own + parameters)}) -> {result_type(f)}:",
+              *textwrap.indent(f'"""{doc}\n"""', "    ").split("\n"), f"    {body}", ""]
+    return "\n".join(margin + x if x else x for x in lines)
+
+
+def made_py(interface: Interface) -> str:
+    made = [f for f in interface.functions if is_general(f)]
+    text = MADE.format(names=[f.name for f in made if not f.family])
+    text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
+    for family in ("contact", "series"):
+        methods = [definition(f, "    ") for f in made if f.family == family]
+        text += f"\nclass {family.title()}Methods(_Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
+    return text
+
+
+PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
+from typing import Any
+
+from numpy import ufunc
+from numpy.typing import ArrayLike, NDArray
+
+from ._contact import Contact as Contact
+from ._contact import YieldFactor as YieldFactor
+from ._library import Error as Error
+from ._library import SlidingError as SlidingError
+from ._series import Series as Series
+
+__version__: str
+__all__ = [
+{names}
+]
+
+{ufuncs}
+
+def stresses(
+    alpha: ArrayLike, f: ArrayLike, c: ArrayLike, x: ArrayLike, y: ArrayLike
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
+'''
+
+
+def init_pyi(interface: Interface) -> str:
+    public = ["Contact", "Error", "Series", "SlidingError", "YieldFactor", "stresses"]
+    functions = [f for f in interface.functions if is_ufunc(f) or is_general(f) and not f.family]
+    names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
+                          subsequent_indent="    ")
+    ufuncs = []
+    for f in functions:
+        results = f" -> ({', '.join(p.name for p in f.outputs)})" if f.outputs else ""
+        ufuncs.append(f"# ({', '.join(p.name for p in f.inputs)}){results}")
+        ufuncs.append(f"{f.name}: ufunc" if is_ufunc(f) else f"from ._made import {f.name} as {f.name}")
+    return PYI.format(names="\n".join(names), ufuncs="\n".join(ufuncs))
+
+
+def texts(interface: Interface) -> dict[str, str]:
+    return {"_header.py": header_py(interface), "loops.h": loops_h(interface), "_made.py": made_py(interface),
+            "__init__.pyi": init_pyi(interface)}
+
+
+if __name__ == "__main__":
+    for name, text in texts(read(sys.argv[1])).items():
+        (Path(sys.argv[2]) / name).write_text(text, encoding="ascii")

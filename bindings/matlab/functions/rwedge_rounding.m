@@ -1,0 +1,14 @@
+function value = rwedge_rounding(theta, R)
+%RWEDGE_ROUNDING  value = rwedge_rounding(theta, R)
+%   Half-width of the rounding from its radius, a = R theta, length.   Sec. 2
+%     R  radius, length, finite, >= 0
+%     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+%
+%   The arguments are arrays of one size, or scalars, which go with every element.
+if nargin < 2
+    error('rwedge:arguments', 'too few arguments: value = rwedge_rounding(theta, R)');
+end
+value = rwedge_mex('rounding', theta, R);
+end
+
+% SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The call of any function by the description of the header, for the functions and methods of _made.py, which has what no other
+module defines. Scalars are floats, arrays of one size have one dimension, results of two sizes have two."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._header import FUNCTIONS
+from ._library import ERANGE, Error, check, function, integer, real
+
+_TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
+
+
+def _numbers(name: str, given: Any) -> NDArray[Any]:
+    array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe"))
+    if array.ndim != 1:
+        raise Error(f"{name} has the shape {array.shape}: it must be of one dimension", ERANGE)
+    return array
+
+
+class _Call:
+    """One call: the arguments of C, from those of Python."""
+
+    def __init__(self, name: str, address: Any, given: tuple[Any, ...]) -> None:
+        self.name, self.about, self.address = name, FUNCTIONS[name], address
+        inputs = [n for (_, n), role in zip(self.about["parameters"], self.about["roles"]) if role in ("in", "in array")]
+        self.given, self.sizes = dict(zip(inputs, given)), self._given_sizes()
+        self.outputs: dict[str, NDArray[Any]] = {}
+
+    def _given_sizes(self) -> dict[str, int]:
+        return {size: function(teller)(self.address) for size, teller in self.about["given by"].items()}
+
+    def _measure(self, name: str, array: NDArray[Any]) -> None:
+        (size,) = self.about["sizes"][name]
+        if self.sizes.setdefault(size, array.size) != array.size:
+            raise Error(f"{name} has {array.size} numbers, where {self.sizes[size]} are needed", ERANGE)
+
+    def arguments(self) -> list[Any]:
+        values = []
+        for (kind, name), role in zip(self.about["parameters"], self.about["roles"]):
+            if role == "in array":
+                self.given[name] = _numbers(name, self.given[name])
+                self._measure(name, self.given[name])
+            elif role == "in":
+                self.given[name] = _TYPES[kind](name, self.given[name])
+        for (_, name), role in zip(self.about["parameters"], self.about["roles"]):
+            values.append(self._argument(name, role))
+        return values
+
+    def _argument(self, name: str, role: str) -> Any:
+        if role in ("in", "in array"):
+            value = self.given[name]
+            return value if role == "in" else value.ctypes.data
+        if role == "size":
+            return self.sizes[name]
+        if role in ("handle", "changed"):
+            return self.address
+        self.outputs[name] = np.empty([self.sizes[n] for n in self.about["sizes"].get(name, ())])
+        return self.outputs[name].ctypes.data
+
+    def results(self) -> Any:
+        result = function(self.name)(*self.arguments())
+        if not self.outputs and self.about["result"] != "int32_t":
+            return result
+        check(self.name, result, {n: v for n, v in self.given.items() if not isinstance(v, np.ndarray)})
+        results = tuple(array if array.ndim else float(array) for array in self.outputs.values())
+        return results if len(results) > 1 else results[0] if results else None
+
+
+def call(name: str, address: Any, *given: Any) -> Any:
+    """The results of rwedge_name(): a number, an array, or a tuple of them."""
+    return _Call(name, address, given).results()

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "book.h"
+
+#include "about.h"
+#include "calculator.h"
+#include "table_sheets.h"
+#include "text/message.h"
+
+#include <stdlib.h>
+
+/* The sheets, in their order. */
+enum {
+    SHEET_CALCULATOR,
+    SHEET_ELASTIC_LIMIT,
+    SHEET_MAX_TENSION,
+    SHEET_CONTACT_LAW,
+    SHEET_CRITICAL_FRICTION,
+    SHEET_ABOUT
+};
+
+static bool fill(xlsx *book, const limit_table *table)
+{
+    static const char *const names[] = {"Calculator",  "Elastic limit",     "Maximum tension",
+                                        "Contact law", "Critical friction", "About"};
+    for (int i = 0; i <= SHEET_ABOUT; i++)
+        xlsx_sheet(book, names[i]);
+    xlsx_turn_to(book, SHEET_ELASTIC_LIMIT);
+    bool done = sheet_elastic_limit(book, table);
+    xlsx_turn_to(book, SHEET_MAX_TENSION);
+    sheet_max_tension(book);
+    xlsx_turn_to(book, SHEET_CONTACT_LAW);
+    sheet_contact_law(book);
+    xlsx_turn_to(book, SHEET_CRITICAL_FRICTION);
+    done = sheet_critical_friction(book) && done;
+    xlsx_turn_to(book, SHEET_ABOUT);
+    sheet_about(book);
+    xlsx_turn_to(book, SHEET_CALCULATOR);
+    sheet_calculator(book, table);
+    return done;
+}
+
+static bool write_book(const limit_table *table, output *out)
+{
+    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false);
+    if (book == NULL || !fill(book, table)) {
+        failure("%s: %s", out->name,
+                book == NULL ? XLSX_NOT_BEGUN : "a value of the tables could not be computed");
+        xlsx_discard(book);
+        return false;
+    }
+    const char *problem = xlsx_finish(book, out);
+    if (problem != NULL)
+        failure("%s: %s", out->name, problem);
+    return problem == NULL;
+}
+
+bool book_write(output *out)
+{
+    limit_table *table = malloc(sizeof *table);
+    bool done = false;
+    if (table == NULL)
+        failure("out of memory");
+    else if (!limit_table_fill(table))
+        failure("the elastic limit: a value could not be computed");
+    else
+        done = write_book(table, out);
+    free(table);
+    return done;
+}

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The workbook as a file. */
+#ifndef CLI_BOOK_H
+#define CLI_BOOK_H
+
+#include "system/output.h"
+
+#include <stdbool.h>
+
+/* False, with the reason said, where it could not be made. */
+bool book_write(output *out);
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One of two values that are both computed, chosen by the sign of a third.
+ *
+ * A file that defines RW_VECTORS before it includes this has loops that are to become vector
+ * instructions. A condition is in their way: compilers move into its branches what only one of
+ * them needs, and a loop with branches stays a loop of single numbers. There the bits are
+ * masked. Elsewhere a condition is quicker. */
+#ifndef RW_SELECT_H
+#define RW_SELECT_H
+
+#include "base/inline.h"
+
+#include <stdint.h>
+#include <string.h>
+
+RW_INLINE uint64_t rw_bits_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+RW_INLINE double rw_double_of(uint64_t bits)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* yes where sign < 0, else no. Not for the sign -0. */
+RW_INLINE double rw_if_negative(double sign, double yes, double no)
+{
+#ifdef RW_VECTORS
+    const uint64_t otherwise = (rw_bits_of(sign) >> 63) - 1; /* all bits, or none */
+    return rw_double_of((rw_bits_of(yes) & ~otherwise) | (rw_bits_of(no) & otherwise));
+#else
+    return sign < 0 ? yes : no;
+#endif
+}
+
+#endif

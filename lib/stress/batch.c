@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#define RW_VECTORS
+#include "stress/batch.h"
+
+#include "stress/closed_form.h"
+
+enum { LANES = 8 };          /* a multiple of what vector units hold */
+enum { WORTH_A_VECTOR = 3 }; /* two points are quicker one by one */
+
+RW_INLINE void put(rw_fields *fields, int i, rw_field field)
+{
+    fields->G_re[i] = field.G_re;
+    fields->G_im[i] = field.G_im;
+    fields->H_re[i] = field.H_re;
+    fields->H_im[i] = field.H_im;
+}
+
+typedef rw_field formula(const rw_potential *p, rw_place at);
+
+/* Inlined for each formula and processor, the loop becomes vector instructions. */
+RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count,
+                     const double *restrict x, const double *restrict y, rw_fields *restrict fields)
+{
+    for (int first = 0; first < count; first += LANES)
+        for (int i = first; i < first + LANES; i++) {
+            const rw_field right = right_field(p, rw_place_of(p, x[i], y[i]));
+            put(fields, i, rw_mirrored(p, x[i], y[i], right));
+        }
+}
+
+RW_INLINE void apply_its_formula(const rw_potential *p, int count, const double x[],
+                                 const double y[], rw_fields *fields)
+{
+    if (p->alpha >= 1)
+        apply(rw_hertz_field, p, count, x, y, fields);
+    else
+        apply(rw_rounded_field, p, count, x, y, fields);
+}
+
+static void apply_baseline(const rw_potential *p, int count, const double x[], const double y[],
+                           rw_fields *fields)
+{
+    apply_its_formula(p, count, x, y, fields);
+}
+
+/* The same for processors with vectors of four numbers, which the baseline of x86-64 does not
+ * have. */
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
+__attribute__((target("avx2"))) static void
+apply_avx2(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
+{
+    apply_its_formula(p, count, x, y, fields);
+}
+
+static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
+                       rw_fields *fields)
+{
+    (__builtin_cpu_supports("avx2") ? apply_avx2 : apply_baseline)(p, count, x, y, fields);
+}
+#else
+static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
+                       rw_fields *fields)
+{
+    apply_baseline(p, count, x, y, fields);
+}
+#endif
+
+void rw_potential_fields(const rw_potential *potential, int count, const double x[],
+                         const double y[], rw_fields *fields)
+{
+    if (count < WORTH_A_VECTOR) {
+        for (int i = 0; i < count; i++)
+            put(fields, i, rw_potential_at(potential, x[i], y[i]));
+        return;
+    }
+    double usual_x[RW_BATCH], usual_y[RW_BATCH];
+    bool extreme = false;
+    for (int i = 0; i < count; i++) {
+        const bool is_usual = !rw_is_extreme(potential, rw_place_of(potential, x[i], y[i]));
+        usual_x[i] = is_usual ? x[i] : potential->half_width;
+        usual_y[i] = is_usual ? y[i] : 0;
+        extreme = extreme || !is_usual;
+    }
+    for (int i = count; i % LANES != 0; i++) { /* fills the last vector */
+        usual_x[i] = usual_x[count - 1];
+        usual_y[i] = usual_y[count - 1];
+    }
+    apply_best(potential, count, usual_x, usual_y, fields);
+    for (int i = 0; extreme && i < count; i++)
+        if (rw_is_extreme(potential, rw_place_of(potential, x[i], y[i])))
+            put(fields, i, rw_potential_at(potential, x[i], y[i]));
+}

@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The C sources are laid out as .clang-format says, and no line of theirs is longer than its 100 columns. (clang-format leaves
+# comments and strings alone, however long they are.)
+#     layout.sh SOURCE
+set -eu
+cd "$1"
+version=14
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# what a program writes is laid out by that
+find include lib cli tests bindings -name '*.[ch]' -exec grep -L 'change that, not this' {} + >"$work/files"
+[ "$(wc -l <"$work/files")" -gt 100 ] || { echo "FAILED: the sources were not found"; exit 1; }
+
+status=0
+while IFS= read -r file; do
+    # a byte 10xxxxxx continues a character, and is no column
+    LC_ALL=C sed 's/[\x80-\xbf]//g' "$file" | LC_ALL=C awk -v file="$file" 'length > 100 { print file ":" NR ": longer than 100 columns" }'
+done <"$work/files" >"$work/long"
+if [ -s "$work/long" ]; then
+    cat "$work/long"
+    status=1
+fi
+
+clang_format=''
+for name in clang-format-$version clang-format; do
+    "$name" --version 2>/dev/null | grep -q " version $version\." && clang_format=$name && break
+done
+if [ -n "$clang_format" ]; then
+    tr '\n' '\0' <"$work/files" | xargs -0 "$clang_format" --dry-run --Werror || status=1
+fi
+[ $status = 0 ] || { echo "FAILED: the layout of the sources"; exit 1; }
+[ -n "$clang_format" ] || { echo "SKIPPED: no clang-format $version here, others lay out otherwise; the length of lines was checked"; exit 77; }
+echo "ok: $(wc -l <"$work/files") sources"

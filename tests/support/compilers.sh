@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by what builds the library without CMake. Runs in the top folder.
+
+# What lib/CMakeLists.txt compiles every file of the library with, from gcc and clang.
+library_options='-std=c99 -ffp-contract=off -fno-math-errno'
+
+# options_of COMPILER FILE - the same, and what clang needs not to raise exceptions.
+options_of()
+{
+    case $1,$2 in
+    *clang*,*/batch.c) echo "$library_options -ffp-exception-behavior=ignore" ;;
+    *clang*) echo "$library_options -ffp-exception-behavior=maytrap" ;;
+    *) echo "$library_options" ;;
+    esac
+}
+
+# compilers_here - gcc, gcc-*, clang, clang-* on this machine, each once whatever its names.
+compilers_here()
+{
+    seen=' '
+    for directory in $(echo "$PATH" | tr : ' '); do
+        for path in "$directory"/gcc "$directory"/clang "$directory"/gcc-[0-9]* "$directory"/clang-[0-9]*; do
+            case $path in *[!0-9]) case $path in */gcc | */clang) ;; *) continue ;; esac ;; esac
+            [ -x "$path" ] || continue
+            real=$(realpath "$path")
+            case $seen in *" $real "*) continue ;; esac
+            seen="$seen$real "
+            basename "$path"
+        done
+    done
+}

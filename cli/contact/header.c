@@ -21,8 +21,8 @@ static bool copy_names(const csv_input *in, header *names)
     return false;
 }
 
-/* The letters and digits of two names, whatever stands between them; the first has that many
- * characters. */
+/* Whether two names have the same letters and digits, whatever stands between them. The first has
+ * `length` characters. */
 static bool is_like(const char *a, size_t length, const char *b)
 {
     for (const char *end = a + length;; a++, b++) {
@@ -57,7 +57,7 @@ static bool find(const csv_input *in, int input, header *names)
 
 /* ---- Columns that are none, but must be meant for one ---- */
 
-/* Other usual names. What they mean may be given in its own name, and they are then columns like
+/* Other usual names of inputs. Where the input is given by its own name too, they are columns like
  * any other. */
 static const struct {
     const char *name;
@@ -95,8 +95,8 @@ static bool is_given_somehow(const header *names, const input_texts *options, in
            (input_alternative(input) >= 0 && is_given(names, options, input_alternative(input)));
 }
 
-/* "Yield stress", " f" and "Q [N/mm]" are slips; but p beside P, or F beside f, may be another
- * thing. */
+/* The input whose name this nearly is: "Yield stress", " f" and "Q [N/mm]" are slips. But p beside
+ * P, or F beside f, may be another thing. */
 static int slip_for(const header *names, const char *name, size_t length,
                     const bool wanted[INPUT_COUNT], const input_texts *options)
 {
@@ -129,8 +129,8 @@ static bool is_input(const header *names, size_t column)
     return false;
 }
 
-/* Passed through, a column that is meant for an input would be missed by nobody: friction is 0
- * by default. */
+/* If a column that is meant for an input passed through, nobody would notice: friction, for one, is
+ * 0 by default. */
 static bool check_other(const csv_input *in, const header *names, size_t column,
                         const bool wanted[INPUT_COUNT], const input_texts *options)
 {

@@ -12,10 +12,13 @@ typedef struct {
     size_t column[INPUT_COUNT]; /* where each input is; count where it is not there */
 } header;
 
-/* Reads the header row and finds the inputs in it; only those of which wanted is true, the
- * others are columns like any other. The options, NULL for none, give inputs that need no
- * column. False, with the reason said, where there is no such row, an input is there twice, or
- * another column has a name that is a slip of an input's, or stands for one that nothing gives.
+/* Reads the header row and finds the wanted inputs in it; other names are columns like any other.
+ * An input that the options give needs no column; the options may be NULL. False, with the reason
+ * said,
+ *   - where there is no header row,
+ *   - where an input is there twice,
+ *   - where a name is nearly that of an input,
+ *   - where a name usually means an input that nothing gives.
  * Free it in either case. */
 bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options,
                  header *names);

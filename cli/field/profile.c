@@ -44,7 +44,7 @@ typedef struct {
     int64_t points; /* from edge to edge, where not 0 */
 } plan;
 
-/* Equal steps of the angle whose sine x/b is: the ends and the middle are hit exactly. */
+/* x/b is the sine of an angle that grows in equal steps. The ends and the middle are exact. */
 static double x_of(const plan *what, int64_t i)
 {
     if (what->points == 0)

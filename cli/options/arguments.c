@@ -40,7 +40,7 @@ static int unknown_option(const syntax *grammar, const char *option)
     return usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
-/* popt goes on without what it could not store: an option would be missed by nobody. */
+/* popt goes on without an option that it has no memory for; nobody would notice. */
 static bool is_out_of_memory(void)
 {
     return errno == ENOMEM;

@@ -8,8 +8,8 @@
 
 #include <popt.h>
 
-/* Each option of a command's table has a number of its own, its val, from 1 up to this; its arg
- * is NULL, so that popt hands every value over. The first few are common to all commands. */
+/* Each option of a command's table has a number, its val, from 1 to OPTION_LIMIT - 1. Its arg is
+ * NULL, so that popt hands every value over. The first few are common to all commands. */
 enum {
     OPTION_HELP = 1,
     OPTION_FORMAT,
@@ -36,8 +36,8 @@ typedef struct {
     poptContext context;
 } arguments;
 
-/* Reads a command line whose argv[0] is the whole command, "rwedge table". False where the
- * command is to end at once, with the status: after --help, or a mistake. Free what it gave in
+/* Reads a command line whose argv[0] is the whole command, "rwedge table". False, with the exit
+ * status, where the command ends at once: after --help, or after a mistake. Free the arguments in
  * either case. */
 bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
                     int *status);

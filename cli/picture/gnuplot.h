@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* gnuplot, which draws the figures. It is looked for on PATH when one is drawn; nothing else of
- * the program needs it. Only gnuplot.c, which runs it, and gnuplot_script.c, which speaks its
- * language, know of it. */
+/* gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing else needs it.
+ * gnuplot.c runs it, gnuplot_script.c speaks its language, and no other file knows of it. */
 #ifndef CLI_GNUPLOT_H
 #define CLI_GNUPLOT_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of named cells, cell by cell into an output, so that neither long nor wide tables take
- * memory. The formats are in delimited.c (CSV, TSV), json.c and spreadsheet.c (XLSX). */
+/* Rows of named cells. They are written cell by cell, so that neither long nor wide tables take
+ * memory. The formats are delimited (CSV, TSV), json and spreadsheet (XLSX). */
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 

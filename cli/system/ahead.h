@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results computed ahead by threads, and taken one by one in their order: as fast as the machine
- * has processors, in memory that does not grow with their number, and the same whatever the
- * number of threads. */
+/* Threads compute results ahead; the caller takes them one by one, in their order. Memory does not
+ * grow with the number of results, and the results do not depend on the number of threads. */
 #ifndef CLI_AHEAD_H
 #define CLI_AHEAD_H
 
@@ -18,13 +17,13 @@ typedef void ahead_work(const void *context, int64_t i, void *result);
 
 typedef struct ahead ahead;
 
-/* Begins with indices 0 to count - 1, each of whose results takes `size` bytes; context must
- * stay. Threads that cannot be had are done without. NULL, with a message, where memory is
+/* Begins with the indices 0 to count - 1. Each result takes `size` bytes; the context must stay.
+ * Where the system gives fewer threads, those do the work. NULL, with a message, where memory is
  * short. */
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
                    const void *context);
 
-/* The next result; it stays until the call after it. At most count times. */
+/* The next result. It stays until the next call. To be called at most count times. */
 const void *ahead_next(ahead *work);
 
 /* Ends the threads, whatever is left to do. NULL is allowed. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where results go. A file appears whole or not at all: it is written beside its target under
- * another name, flushed to the disk, and renamed; whatever goes wrong before leaves the old file
- * as it was. Standard output, pipes and devices are written to directly, and checked. */
+ * another name, flushed to the disk, and renamed. If anything goes wrong before that, the old file
+ * stays as it was. Standard output, pipes and devices are written to directly; their errors are
+ * noticed too. */
 #ifndef CLI_OUTPUT_H
 #define CLI_OUTPUT_H
 

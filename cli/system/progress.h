@@ -14,8 +14,7 @@ bool progress_wanted(bool rows_to_stdout);
 #define PROGRESS_NO_TOTAL INT64_C(-1)
 void progress_start(bool wanted, int64_t total, const char *unit);
 
-/* Call it for every row: it costs an increment, and a look at the clock every few rows where
- * progress is wanted. */
+/* To be called for every row. It is cheap: it looks at the clock every few rows only. */
 void progress_step(void);
 
 /* Takes the line off the terminal. Safe in a signal handler. */

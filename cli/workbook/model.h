@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the workbook's calculator computes, in C: the cells show these values until the
- * spreadsheet recalculates, and its formulas are these lines once more.
+/* What the workbook's calculator computes, in C. The cells show these values until the spreadsheet
+ * recalculates them, by the formulas in working.c.
  *
- * The elastic limit comes from a table of its two branches, which are interpolated apart:
- * 1/limit^2 is nearly linear in f^2 and in (1-2 nu)^2/3, which is how J2 depends on them, so
- * that a parabola through three nodes of each is exact to 1e-4; in a/b linear in t =
- * ln(tan(phi0/2)), in which the Hertzian end, where a/b has a root, is smooth. */
+ * The elastic limit comes from a table of its two branches, which are interpolated apart.
+ *   - In f and nu: 1/limit^2 is nearly linear in f^2 and in (1-2 nu)^2/3, as J2 is. A parabola
+ *     through three nodes of each is exact to 1e-4.
+ *   - In a/b: the limit is taken as linear in t = ln(tan(phi0/2)). The limit is smooth in t up to
+ *     Hertz' contact; in a/b it has a root there. */
 #ifndef CLI_MODEL_H
 #define CLI_MODEL_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The calculator's working cells: the steps of model.c as formulas, with their names.
  * Names of the form rw_ are the user's, rwt_ these. A step may fail for inputs that the results
- * refuse: nobody looks at it then. What the charts draw is then #N/A, which they leave out. */
+ * refuse; its cell is then not used. What the charts draw is then #N/A, which they leave out. */
 #include "working.h"
 
 #include "formula.h"

@@ -159,7 +159,7 @@ static void no_text_upsets_a_range(void **state)
         if (range_read(text, &values) != NULL)
             continue;
         accepted++;
-        assert_in_range(values.count, 1, RANGE_VALUES_MAX);
+        assert_true(values.count >= 1 && values.count <= RANGE_VALUES_MAX);
         assert_true(isfinite(range_value(&values, 0)) &&
                     isfinite(range_value(&values, values.count - 1)));
         range_free(&values);

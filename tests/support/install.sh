@@ -13,9 +13,9 @@ have()
     esac
 }
 
-# install PACKAGES... - the Debian packages, as root or by sudo. Elsewhere, or without the right to, it says what to install and
+# install_packages PACKAGES... - the Debian packages, as root or by sudo. Elsewhere, or without the right to, it says what to install and
 # fails: with status 1, or 2 where the distribution does not have them.
-install()
+install_packages()
 {
     if ! command -v apt-get >/dev/null 2>&1; then
         echo "Please install:$missing (on Debian or Ubuntu the packages are $*)." >&2
@@ -43,7 +43,7 @@ install()
     case $done in yes) return 0 ;; no) return 1 ;; never) return 2 ;; esac
 }
 
-# require KIND:NAME=PACKAGE[,PACKAGE...] ... - installs the packages of what is missing, or fails as install() does.
+# require KIND:NAME=PACKAGE[,PACKAGE...] ... - installs the packages of what is missing, or fails as install_packages() does.
 require()
 {
     missing='' packages=''
@@ -53,7 +53,7 @@ require()
         packages="$packages $(echo "${need#*=}" | tr , ' ')"
     done
     # shellcheck disable=SC2086
-    [ -z "$missing" ] || install $packages
+    [ -z "$missing" ] || install_packages $packages
 }
 
 # wish KIND:NAME=PACKAGE ... - the same, but nothing fails for want of it. What this distribution does not have is added to the

@@ -421,8 +421,10 @@ RWEDGE_API int32_t rwedge_smith_watson_topper(size_t n, const double sxx[], cons
                                               const double txy[], double E, double nu,
                                               double *value, double *angle);
 
-/* The same at n points: the stress of load i at point j is at [i n + j], i < loads.
- *   value, angle  each receives n numbers
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
  * Nothing is written unless every stress is in the domain. */
 RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sxx[],
                                                     const double syy[], const double txy[],
@@ -444,7 +446,11 @@ RWEDGE_API int32_t rwedge_fatemi_socie(size_t n, const double sxx[], const doubl
                                        const double txy[], double E, double nu, double k_over_sy,
                                        double *value, double *angle);
 
-/* The same at n points, as in rwedge_smith_watson_topper_field(). */
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
 RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[],
                                              const double syy[], const double txy[], double E,
                                              double nu, double k_over_sy, double value[],

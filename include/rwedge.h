@@ -471,13 +471,12 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
 /* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
  *                                                                               Sec. 4 of the paper
  *   samples  number of samples, >= terms, samples * terms <= 2^27
- *   x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
- *            equally spaced) fit best
+ *   x, p     where and what, |x| < 1; 0 or 1e-60 to 1e60 in magnitude. Samples near Chebyshev's
+ *            points (x = cos t, t equally spaced) fit best
  *   terms    >= 1
- * RWEDGE_ENOCONV where the sums of the series could overflow (about 1e301). RWEDGE_ERANK where
- * the samples do not determine the coefficients to half the digits of a double (repeated or
- * clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL,
- * RWEDGE_ENOMEM. */
+ * RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
+ * (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+ * RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV. */
 RWEDGE_API int32_t rwedge_series_fit(size_t samples, const double x[], const double p[],
                                      int32_t terms, rwedge_series **series);
 

@@ -143,6 +143,7 @@ if [ $sanitize = yes ]; then
     build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$' --preset debug
 fi
 if [ $campaign = yes ]; then
+    step "commands of the READMEs" python3 tests/shipped/commands.py . --run
     # every branch of lib/ reached; then what lib/ is checked by
     step "branches of lib/" sh tests/suite/coverage/coverage.sh . build
     step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 300 --jobs "$(processors)"

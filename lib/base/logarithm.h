@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Logarithms of quotients and angles of points, which together are complex logarithms: straight
- * lines of additions, multiplications, divisions and selections. IEEE arithmetic gives them the
- * same bits everywhere, where the math library's log() and atan2() differ from machine to
- * machine, and compilers make vector instructions of a loop over them.
+/* Logarithms of quotients and angles of points, the two parts of a complex logarithm, by
+ * additions, multiplications, divisions and selections (select.h) alone. Their bits are the same
+ * everywhere; those of the math library's log() and atan2() differ between machines. Compilers
+ * make vector instructions of a loop over them. No divisor is 0.
  *
- * Both reduce their quotient to |s| <= 0.2 and sum the one series of atanh and atan. Each is
- * also offered divided by a parameter `over`, whose reciprocal is `per`: where the quotient is
- * near 1, or the angle small, that is accurate relatively however small the parameter, and with
- * over = per = 0 it is the limit. The error is below 3 units of the last digit, and below 4
- * where it is divided. */
+ * Both reduce their quotient to |s| <= 0.2 and sum the one series of atanh and atan. Each can be
+ * divided by a parameter `over`, whose reciprocal is `per`. Where the quotient is near 1, or the
+ * angle small, the result has a small relative error however small the parameter is; with over =
+ * per = 0 it is the limit. The error is below 3 units of the last digit, divided below 4. */
 #ifndef RW_LOGARITHM_H
 #define RW_LOGARITHM_H
 
@@ -21,8 +20,8 @@
 #define RW_LN2 0.69314718055994530942
 
 /* atanh(s)/s for t = s^2, atan(s)/s for t = -s^2: 1 + t/3 + t^2/5 + ... What is left out is
- * below 2e-17 for |t| <= 0.0402. Even and odd powers apart, so that half of them need not wait
- * for the others. */
+ * below 2e-17 for |t| <= 0.0402. Even and odd powers are summed apart: a processor does both at
+ * the same time. */
 RW_INLINE double rw_arc_series(double t)
 {
     const double u = t * t;
@@ -50,8 +49,8 @@ RW_INLINE double rw_log_of_quotient_over(double p, double q, double difference, 
     return k * (RW_LN2 * per) + 2 * s_over * rw_arc_series(s * s);
 }
 
-/* The angle of (x, over y_over)/over, -pi to pi; 0 for the origin. Of the angle in the first
- * octant none, about half or all of pi/4 is turned back. */
+/* The angle of (x, over y_over)/over, -pi to pi; 0 for the origin. The point is mirrored into the
+ * first octant, and turned back there by 0, about pi/8 or pi/4. */
 RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
 {
     const double TURN = 0.4140625, TURN_ANGLE = 0.39257013501182859516, PI = 3.14159265358979323846;
@@ -62,7 +61,7 @@ RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
     const double turn = rw_if_negative(most, 1, rw_if_negative(some, TURN, 0));
     const double turned = rw_if_negative(most, PI / 4, rw_if_negative(some, TURN_ANGLE, 0));
     const double general = (small - turn * large) * per;
-    /* the least normal number is lost in any length but that of the origin */
+    /* DBL_MIN is lost in rounding, but for the origin, whose length would be 0 */
     const double length = large + turn * small + DBL_MIN;
     const double rise = rw_if_negative(steep, general, rw_if_negative(some, general, height));
     const double s_over = rise / length, s = over * s_over;

@@ -4,9 +4,9 @@
  *     b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
  * and 4 (-1)^n/(pi m) for the sharp wedge, where the paper prints (-1)^(2n) (E1).
  *
- * As a function of alpha b_n has zeros, near which the bracket cancels; near alpha = 1 it
- * cancels like (1-alpha)^(3/2) as a whole; and m phi0 loses the digits of m. All three are met
- * by exp(i m phi0) as an integer power in twice the digits. */
+ * The bracket cancels near the zeros of b_n as a function of alpha, and like (1-alpha)^(3/2) near
+ * alpha = 1; and the product m phi0 loses the digits of m. An integer power of exp(i phi0) in
+ * twice the digits serves all three. */
 #include "rwedge.h"
 
 #include "base/domain.h"
@@ -33,8 +33,8 @@ static complex_dd power(complex_dd base, uint32_t exponent)
     return result;
 }
 
-/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]. The smaller one of phi0 and pi/2 - phi0 is the
- * angle that is raised, so that a small sine keeps its relative accuracy. */
+/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], by powers of the smaller one of the angles phi0
+ * and pi/2 - phi0, so that a small sine keeps its relative accuracy. */
 static double bracket(double alpha, uint32_t m)
 {
     const rw_dd sine = rw_dd_from(alpha);
@@ -52,7 +52,7 @@ static double bracket(double alpha, uint32_t m)
 
 double rwedge_coefficient(double alpha, int32_t n)
 {
-    /* for m alpha below it, the bracket is m^2 - 1 to its square */
+    /* For m alpha below it the bracket is m^2 - 1, with a relative error of its square. */
     static const double SHARP = 1e-9;
     if (!rw_is_magnitude(alpha) || n < 0)
         return NAN;

@@ -8,24 +8,16 @@
 
 #include <float.h>
 
-/* ln(p/q), q of the order of 1; p may be so small that it is not a normal number. */
-static double log_of_quotient(double p, double q, double difference)
-{
-    if (p < 0x1p-900)
-        return rw_log_of_quotient(p * 0x1p600, q) - 600 * RW_LN2;
-    return rw_log_of_quotient_over(p, q, difference, 1, 1);
-}
-
 /* Eq. (14): -arcosh(1/t), t = x/c, of which 1 - t is given. */
 static double sharp_wedge(double t, double from_edge)
 {
     const double s = sqrt(from_edge * (1 + t));
-    return 2 / RW_PI * log_of_quotient(t, 1 + s, -(from_edge + s));
+    return 2 / RW_PI * rw_log_of_quotient_over(t, 1 + s, -(from_edge + s), 1, 1);
 }
 
-/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. (A+B)(A-B) =
- * (x+a)(x-a) gives the difference from two that are exact, and where one of A, B is small beside
- * the other the quotient is 1 plus a product of it. */
+/* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. The difference A - B
+ * would cancel: (A+B)(A-B) = (x+a)(x-a) gives it from factors that do not. Where one of A, B is
+ * small beside the other, the quotient is near 1, and its distance from 1 is a product. */
 static double log_of_ratio(double a, double x, double A, double B)
 {
     const double sum = A + B, small = fmin(A, B), past = fabs(x - a), both = x + a;
@@ -36,16 +28,16 @@ static double log_of_ratio(double a, double x, double A, double B)
 /* Eq. (8), 0 < a < c, 0 <= x < c. With s = cos(phi), c0 = cos(phi0) and sin(phi +- phi0) = c0 x
  * +- a s, over c,
  *     pi p = 2 ln((c0 x + a s)/(c0 + s))
- *            + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a:
- * the paper's two logarithms share their singularity at x = a; here it is gone from the first,
- * and the second is multiplied by its zero. */
+ *            + ((x - a)/a) ln|sin(phi+phi0)/sin(phi-phi0)| - 2 phi0 s c/a.
+ * Both of the paper's logarithms are infinite at x = a. Here the first is not, and the second is
+ * multiplied by x - a. */
 static double rounded_wedge(double a, double c, double x)
 {
     const double c0 = sqrt((c - a) / c * ((c + a) / c)), s = sqrt((c - x) / c * ((c + x) / c)),
                  alpha = a / c;
     const double A = c0 * x, B = a * s;
-    const double first =
-        log_of_quotient((A + B) / c, c0 + s, -(c0 * ((c - x) / c) + s * ((c - a) / c)));
+    const double first = rw_log_of_quotient_over((A + B) / c, c0 + s,
+                                                 -(c0 * ((c - x) / c) + s * ((c - a) / c)), 1, 1);
     const double edge = rw_angle(c0, alpha) / alpha * s;
     const double corner = x == a ? 0 : (x - a) / a * log_of_ratio(a, x, A, B);
     return (2 * (first - edge) + corner) / RW_PI;
@@ -58,8 +50,7 @@ double rw_patch_pressure(double a, double c, double x)
         return 0;
     if (a >= c)
         return -sqrt((c - x) / c * ((c + x) / c)) / (a / c);
-    if (a == 0 ||
-        a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit; and x/a might overflow */
+    if (a < x * DBL_EPSILON * DBL_EPSILON) /* sharp to the last bit */
         return sharp_wedge(x / c, (c - x) / c);
     return rounded_wedge(a, c, x);
 }
@@ -75,7 +66,7 @@ double rwedge_pressure(double alpha, double x)
 
 double rwedge_peak_pressure(double alpha)
 {
-    if (!rw_is_magnitude(alpha) || alpha == 0)
+    if (!rw_is_positive(alpha))
         return NAN;
     if (alpha >= 1)
         return 1 / alpha;
@@ -85,7 +76,7 @@ double rwedge_peak_pressure(double alpha)
 
 double rwedge_transition_pressure(double alpha)
 {
-    if (!rw_is_magnitude(alpha) || alpha == 0)
+    if (!rw_is_positive(alpha))
         return NAN;
     if (alpha >= 1)
         return 0;

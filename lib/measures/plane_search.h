@@ -5,7 +5,9 @@
 #ifndef RW_PLANE_SEARCH_H
 #define RW_PLANE_SEARCH_H
 
-#include <math.h>
+#include "base/domain.h"
+#include "base/logarithm.h"
+
 #include <stddef.h>
 
 typedef struct {
@@ -31,8 +33,8 @@ double rw_plane_search(const rw_cycle *cycle, double *angle);
 /* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]. */
 static inline double rw_plane_angle(double cosine, double sine)
 {
-    const double half_pi = 1.57079632679489661923, angle = atan2(sine, cosine) / 2;
-    return angle > -half_pi ? angle : half_pi;
+    const double angle = rw_angle(cosine, sine) / 2;
+    return angle > -RW_HALF_PI ? angle : RW_HALF_PI;
 }
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "stress/closed_form.h"
 
-enum { LANES = 8 };          /* a multiple of what vector units hold */
-enum { WORTH_A_VECTOR = 3 }; /* two points are quicker one by one */
+enum { LANES = 8 };          /* a multiple of the numbers in a vector */
+enum { WORTH_A_VECTOR = 3 }; /* fewer points are quicker one by one */
 
 RW_INLINE void put(rw_fields *fields, int i, rw_field field)
 {
@@ -17,7 +17,8 @@ RW_INLINE void put(rw_fields *fields, int i, rw_field field)
 
 typedef rw_field formula(const rw_potential *p, rw_place at);
 
-/* Inlined for each formula and processor, the loop becomes vector instructions. */
+/* The compiler inlines this for each formula and processor, and makes vector instructions of the
+ * inner loop. */
 RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count,
                      const double *restrict x, const double *restrict y, rw_fields *restrict fields)
 {
@@ -43,8 +44,7 @@ static void apply_baseline(const rw_potential *p, int count, const double x[], c
     apply_its_formula(p, count, x, y, fields);
 }
 
-/* The same for processors with vectors of four numbers, which the baseline of x86-64 does not
- * have. */
+/* Vectors of four numbers, where the processor has them. Every x86-64 has vectors of two. */
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
 __attribute__((target("avx2"))) static void
 apply_avx2(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
@@ -65,6 +65,12 @@ static void apply_best(const rw_potential *p, int count, const double x[], const
 }
 #endif
 
+static bool is_remote(const rw_potential *p, double x, double y)
+{
+    const rw_place at = rw_place_of(p, x, y);
+    return rw_is_remote(at.x, at.y);
+}
+
 void rw_potential_fields(const rw_potential *potential, int count, const double x[],
                          const double y[], rw_fields *fields)
 {
@@ -73,20 +79,20 @@ void rw_potential_fields(const rw_potential *potential, int count, const double 
             put(fields, i, rw_potential_at(potential, x[i], y[i]));
         return;
     }
-    double usual_x[RW_BATCH], usual_y[RW_BATCH];
-    bool extreme = false;
-    for (int i = 0; i < count; i++) {
-        const bool is_usual = !rw_is_extreme(potential, rw_place_of(potential, x[i], y[i]));
-        usual_x[i] = is_usual ? x[i] : potential->half_width;
-        usual_y[i] = is_usual ? y[i] : 0;
-        extreme = extreme || !is_usual;
+    double near_x[RW_BATCH], near_y[RW_BATCH];
+    bool all_near = true;
+    for (int i = 0; i < count; i++) { /* the edge takes the place of a remote point */
+        const bool near = !is_remote(potential, x[i], y[i]);
+        near_x[i] = near ? x[i] : potential->half_width;
+        near_y[i] = near ? y[i] : 0;
+        all_near = all_near && near;
     }
     for (int i = count; i % LANES != 0; i++) { /* fills the last vector */
-        usual_x[i] = usual_x[count - 1];
-        usual_y[i] = usual_y[count - 1];
+        near_x[i] = near_x[count - 1];
+        near_y[i] = near_y[count - 1];
     }
-    apply_best(potential, count, usual_x, usual_y, fields);
-    for (int i = 0; extreme && i < count; i++)
-        if (rw_is_extreme(potential, rw_place_of(potential, x[i], y[i])))
+    apply_best(potential, count, near_x, near_y, fields);
+    for (int i = 0; !all_near && i < count; i++)
+        if (is_remote(potential, x[i], y[i]))
             put(fields, i, rw_potential_at(potential, x[i], y[i]));
 }

@@ -8,14 +8,14 @@
  *     A  = (i/2) ln( e^(-2i phi0) S-/S+ ),
  *     B  = i ln( -i e^(i phi0) S+/(cos(zeta) + c0) )
  *
- * for x >= 0; the other half follows by symmetry. Nothing in it is large that cancels: near z =
- * alpha, where A is infinite, it is multiplied by z - alpha, and far away A, B and R all are
- * small, as G is. sin v, cos v, sinh w, cosh w are nonnegative and each is had from z by square
- * roots to full relative accuracy.
+ * for x >= 0; the other half follows by symmetry. No large terms cancel. A is infinite at z =
+ * alpha, but it is multiplied by z - alpha there. Far away A, B and R are small, as G is. sin v,
+ * cos v, sinh w, cosh w are nonnegative and come from z by square roots, each to full relative
+ * accuracy.
  *
- * The formula for a point is a straight line without a call or a branch. A file that defines
- * RW_VECTORS makes vector instructions of a loop over it. No divisor is 0 at any point and no
- * root has a negative argument, so that no exception is raised however it is compiled. */
+ * The formula for a point has no call and no branch: compilers can make vector instructions of a
+ * loop over it (select.h). No divisor is 0 and no root has a negative argument, whichever value
+ * is selected later. So no compiler can make it raise division by zero or invalid. */
 #ifndef RW_CLOSED_FORM_H
 #define RW_CLOSED_FORM_H
 
@@ -24,8 +24,8 @@
 #include "base/logarithm.h"
 #include "stress/potential.h"
 
-/* A point of the right half, over the half-width, and the differences that count where they are
- * small. */
+/* A point of the right half over the half-width. The two differences are taken before the
+ * division, which would lose their digits. */
 typedef struct {
     double x, y;
     double beyond, past; /* x - 1, x - alpha */
@@ -53,7 +53,8 @@ RW_INLINE rw_field rw_hertz_field_at(const rw_potential *p, rw_place at, rw_elli
  * |S-|^2 = 4 c0 alpha sin(v) cos(v). */
 RW_INLINE double log_part_of_A(const rw_potential *p, const rw_elliptic *e, double past)
 {
-    /* lost in any product but 0, at z = alpha, for whose logarithm any positive number will do */
+    /* Added to the product it is lost in rounding, but for z = alpha, where the product is 0.
+     * There the logarithm is multiplied by 0, and any finite one will do. */
     static const double ZERO_SQUARED = 0x1p-1000;
     const double plus = e->x + p->alpha, y2 = e->y * e->y;
     const double sine = p->c0 * e->sin_v + p->alpha * e->cos_v;
@@ -64,9 +65,8 @@ RW_INLINE double log_part_of_A(const rw_potential *p, const rw_elliptic *e, doub
                                            p->per_alpha);
 }
 
-/* The real part of A over alpha, phi0/alpha less half the angle of S-/S+. As sums over cosh(w)
- * and sinh(w) of which cosh(w) - sinh(w) is `shrink`, neither side of the triangle cancels for
- * large w. */
+/* The real part of A over alpha, phi0/alpha less half the angle of S-/S+. `shrink` is cosh(w) -
+ * sinh(w): with it neither coordinate cancels for large w. */
 RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, double shrink)
 {
     const double alpha = p->alpha, c0 = p->c0, cos_2phi0 = 1 - 2 * alpha * alpha,
@@ -78,8 +78,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
     return 0.5 * rw_angle_over(x, y, alpha, p->per_alpha);
 }
 
-/* alpha < 1. With half the angles E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all of it
- * nonnegative, and |E|^2 - 1 = -2 c0 cos(v)/E_size. */
+/* For alpha < 1. E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all three nonnegative, and
+ * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
 RW_INLINE rw_field rw_rounded_field_at(const rw_potential *p, rw_place at, rw_elliptic e)
 {
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
@@ -110,8 +110,8 @@ RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at)
     return rw_rounded_field_at(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
 }
 
-/* From the right half to where the point is: p is even, G(-conj z) = -conj G(z). On the surface
- * outside the contact there is no pressure, to the last bit. */
+/* The field at the point itself, from that at its mirror image in the right half: p is even, so
+ * G(-conj z) = -conj G(z). On the surface outside the contact the pressure is exactly 0. */
 RW_INLINE rw_field rw_mirrored(const rw_potential *p, double x, double y, rw_field right)
 {
     const double left = x + 0.0, inside = fabs(x) - p->half_width;
@@ -119,20 +119,6 @@ RW_INLINE rw_field rw_mirrored(const rw_potential *p, double x, double y, rw_fie
     return (rw_field){rw_if_negative(left, -right.G_re, right.G_re),
                       rw_if_negative(pressed, right.G_im, 0), right.H_re,
                       rw_if_negative(left, -right.H_im, right.H_im)};
-}
-
-/* Below this the fourth powers of alpha and |z| would underflow. */
-#define RW_TINY 0x1p-200
-
-RW_INLINE bool rw_is_at_apex(const rw_potential *p, rw_place at)
-{
-    return p->alpha < RW_TINY && at.x < RW_TINY && at.y < RW_TINY;
-}
-
-/* Remote, or at the apex of a tip so small that its squares underflow. */
-RW_INLINE bool rw_is_extreme(const rw_potential *p, rw_place at)
-{
-    return rw_is_remote(at.x, at.y) || rw_is_at_apex(p, at);
 }
 
 #endif

@@ -11,17 +11,19 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* A point with x >= 0: all of these are nonnegative, and each is accurate relatively. */
+/* A point with x >= 0. All members are nonnegative and have a small relative error. */
 typedef struct {
     double x, y;
     double sin_v, cos_v, sinh_w, cosh_w;
     double cos2; /* |cos(zeta)|^2, not 0 */
 } rw_elliptic;
 
-/* x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1. sinh(w) cos(v) = y and sinh(w)^2 -
- * cos(v)^2 = |z|^2 - 1 =: m: a quadratic whose larger root has no cancellation. Where m cancels
- * (|z| near 1) its error is small beside 2 y. The root of its discriminant is |cos(zeta)|^2;
- * next to the edge x = 1, y = 0, where y^2 would underflow, it stays away from 0. */
+/* For x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1.
+ *
+ * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m make a quadratic equation. Its
+ * larger root has no cancellation, and the smaller one is y over it. m itself cancels for |z|
+ * near 1, but its error is then small beside 2 y. The root of the discriminant is |cos(zeta)|^2.
+ * DBL_MIN keeps it away from 0 at the edge x = 1, y = 0; elsewhere it is lost in rounding. */
 RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
 {
     const double m = beyond * (x + 1) + y * y;
@@ -37,20 +39,13 @@ RW_INLINE rw_elliptic rw_elliptic_at(double x, double y, double beyond)
                          .cos2 = cos2};
 }
 
-/* The same; false where the point cannot be told from the edge. */
-static inline bool rw_elliptic_coordinates(double x, double y, double beyond, rw_elliptic *e)
-{
-    *e = rw_elliptic_at(x, y, beyond);
-    return e->cos2 > 0x1p-511;
-}
-
-/* Beyond 1e8 R = 1/(2z) to the last bit. */
+/* Beyond 1e8 half-widths R is 1/(2z) to the last bit. */
 static inline bool rw_is_remote(double x, double y)
 {
     return x > 1e8 || y > 1e8;
 }
 
-/* A point that far, from any direction. */
+/* A remote point. */
 typedef struct {
     double cosine, sine; /* of the angle of z */
     double R_re, R_im;   /* 1/(2z) */

@@ -12,9 +12,9 @@ static inline double rw_first_coefficient(const rw_potential *p)
     return p->alpha < 1 ? 2 / RW_PI * (p->phi0_over_alpha + p->c0) : 1 / p->alpha;
 }
 
-/* The coefficients b_n, as many as count where |R| is below 1/4. From exp(i m phi0) by repeated
- * rotation: accurate absolutely, which is all that a sum needs; rwedge_coefficient() has them
- * relatively. */
+/* The coefficients b_n, as many as count where |R| is below 1/4. They come from exp(i m phi0) by
+ * repeated rotation. Their absolute error is small, which is enough for a sum. Those of
+ * rwedge_coefficient() have a small relative error. */
 enum { RW_FAR_TERMS = 16 };
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS]);
 

@@ -4,20 +4,6 @@
 #include "stress/closed_form.h"
 #include "stress/far_series.h"
 
-/* Brings a point at the apex nearer to RW_TINY, if need be repeatedly; |z|^2 stays negligible
- * beside 1. */
-static const double ZOOM = 0x1p150;
-static const double LN_ZOOM = 150 * RW_LN2;
-
-/* Below this, and |z| > RW_TINY, the wedge is sharp to the last bit; and products of alpha and z
- * might underflow. */
-static const double SHARP = 0x1p-260;
-
-static double reciprocal(double alpha)
-{
-    return alpha < SHARP ? 0 : 1 / alpha;
-}
-
 void rw_potential_init_patch(rw_potential *potential, double a, double c)
 {
     const double alpha = a / c;
@@ -25,7 +11,7 @@ void rw_potential_init_patch(rw_potential *potential, double a, double c)
     potential->per_half_width = 1 / c;
     potential->a = a;
     potential->alpha = alpha;
-    potential->per_alpha = reciprocal(alpha);
+    potential->per_alpha = alpha == 0 ? 0 : 1 / alpha;
     potential->c0 = alpha < 1 ? sqrt((c - a) / c * (1 + alpha)) : 0;
     potential->phi0_over_alpha = alpha == 0 ? 1 : rw_angle(potential->c0, fmin(alpha, 1)) / alpha;
 }
@@ -45,31 +31,6 @@ static rw_field remote_field(const rw_potential *p, rw_place at)
                       -ray.sine * (G_im * ray.cosine - G_re * ray.sine)};
 }
 
-static rw_place zoomed_place(rw_place at)
-{
-    return (rw_place){.x = at.x * ZOOM, .y = at.y * ZOOM, .beyond = -1, .past = at.past * ZOOM};
-}
-
-static rw_potential zoomed_potential(const rw_potential *p)
-{
-    rw_potential zoomed = *p;
-    zoomed.alpha *= ZOOM;
-    zoomed.per_alpha = reciprocal(zoomed.alpha);
-    return zoomed;
-}
-
-/* alpha and |z| so small that their squares underflow: the fields depend on z/alpha and
- * ln(alpha) alone there, and only Im G has the logarithm. */
-static rw_field apex_field(const rw_potential *p, rw_place at)
-{
-    if (!rw_is_at_apex(p, at))
-        return rw_rounded_field(p, at);
-    const rw_potential zoomed = zoomed_potential(p);
-    rw_field field = apex_field(&zoomed, zoomed_place(at));
-    field.G_im -= 2 / RW_PI * LN_ZOOM;
-    return field;
-}
-
 rw_field rw_potential_at(const rw_potential *potential, double x, double y)
 {
     const rw_place at = rw_place_of(potential, x, y);
@@ -77,7 +38,5 @@ rw_field rw_potential_at(const rw_potential *potential, double x, double y)
         return rw_mirrored(potential, x, y, remote_field(potential, at));
     if (potential->alpha >= 1)
         return rw_mirrored(potential, x, y, rw_hertz_field(potential, at));
-    if (rw_is_at_apex(potential, at))
-        return rw_mirrored(potential, x, y, apex_field(potential, at));
     return rw_mirrored(potential, x, y, rw_rounded_field(potential, at));
 }

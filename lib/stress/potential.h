@@ -1,18 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1: all stresses are
+/* The potential G(z) = (1/pi) int p(t)/(t-z) dt of a pressure p on |t| < 1. All stresses are
  * made of G and y G'. Natural units: lengths in the half-width of the contact, stresses in
  * theta/A; alpha is the rounding over the half-width. */
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
-#include <stdbool.h>
-
-/* What depends on the contact alone; made once for any number of points. */
+/* What depends on the contact alone, computed once for any number of points. */
 typedef struct {
     double half_width, a;   /* of the patch, and the rounding, in the unit of the points */
     double per_half_width;  /* 1/half_width */
     double alpha;           /* a over half_width */
-    double per_alpha;       /* its reciprocal, 0 where the wedge is sharp to the last bit */
+    double per_alpha;       /* its reciprocal, 0 for the sharp wedge */
     double c0;              /* cos(phi0), phi0 = asin(alpha) */
     double phi0_over_alpha; /* 1 for the sharp wedge */
 } rw_potential;
@@ -32,19 +30,13 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
 void rw_potential_init(rw_potential *potential, double alpha);
 
 /* The same profile, of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the
- * points; a/c finite. Where a and c, or a point and c, are nearly equal it is their differences
- * that count, and these a quotient would lose. */
+ * points; a/c finite. It takes a and c, not their quotient: where two of a, c and a point are
+ * nearly equal, their difference counts, and a quotient would lose its digits. */
 void rw_potential_init_patch(rw_potential *potential, double a, double c);
 
-/* A patch so narrow that a length over its half-width would overflow carries no load that a
- * double could show. */
-static inline bool rw_patch_matters(double half_width, double length)
-{
-    return half_width > 1e-290 && length * 1e-280 <= half_width;
-}
-
-/* (x, y): finite, also over the half-width, y >= 0, and not the apex of the sharp wedge. Always
- * finite there. Error of each part below 8 epsilon max(|G|, 1/(1+|z|)). */
+/* y >= 0. x and y over the half-width are 0 or at least 1e-60 in magnitude, and not both 0 for
+ * the sharp wedge. The result is finite. The error of each part is below
+ * 8 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
 
 #endif

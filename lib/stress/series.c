@@ -1,22 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's route to the stresses: p = -sqrt(1-x^2) sum a_k U_k(x), whose potential is G = sum
- * a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) = sin((k+1) t): a sine
- * series, which is what is fitted and summed. */
+/* The paper's route to the stresses. The pressure p = -sqrt(1-x^2) sum a_k U_k(x) has the
+ * potential G = sum a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) is
+ * sin((k+1) t): what is fitted and summed is a sine series. */
 #include "rwedge.h"
 
-#include "base/always.h"
 #include "base/domain.h"
 #include "stress/elliptic.h"
 #include "base/least_squares.h"
-#include "base/scaled.h"
 #include "stress/stress.h"
 
 #include <stdlib.h>
 
 enum { MAX_TERMS = 1 << 24, MAX_ENTRIES = 1 << 27 };
-
-/* As a power of two, of the weighted coefficients: times f = 1e6 they are still finite. */
-enum { LARGEST_SUM = 1000 };
 
 struct rwedge_series {
     double residual;
@@ -32,18 +27,16 @@ static rwedge_series *allocate(int32_t terms)
     return series;
 }
 
-/* An upper bound of sum_(n >= N) |b_n|, N >= 1, from |m sin(m phi0) cot(phi0) - cos(m phi0)|,
- * which is - below m^2 + 1: up to M = c0/(2 alpha) terms fall like 1/m only, and 1/m <=
- * ln((n+1)/n)/2; - below m c0/alpha + 1: beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which
- * telescopes. */
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, m = 2n+1, from two bounds of
+ * |m sin(m phi0) cot(phi0) - cos(m phi0)|. It is below m^2 + 1: this serves up to M =
+ * c0/(2 alpha), with 1/m <= ln((n+1)/n)/2. It is below m c0/alpha + 1: this serves beyond, with
+ * 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
 static double analytic_tail(double alpha, double N)
 {
     if (alpha >= 1)
         return 0;
     if (alpha == 0)
         return HUGE_VAL;
-    if (alpha < 1e-300) /* whose reciprocal may overflow: M is 1/(2 alpha) */
-        return 2 / RW_PI * ((1 + 0.5 / (N * (N + 1))) * (-log(alpha) - log(2 * N)) + 1);
     const double slope = rw_cos_asin(alpha) / alpha, M = fmax(N, floor(slope / 2) + 1);
     return 2 / RW_PI * (1 + 0.5 / (N * (N + 1))) * log(M / N) +
            (slope + 1 / (2 * M + 1)) / (RW_PI * M);
@@ -77,42 +70,15 @@ static void fill_columns(int32_t samples, int32_t terms, const double x[], doubl
     }
 }
 
-/* Of the samples times `scale`. */
 static double root_mean_square_of_misfit(const rwedge_series *series, size_t samples,
-                                         const double x[], const double p[], double scale)
+                                         const double x[], const double p[])
 {
     double sum = 0;
     for (size_t i = 0; i < samples; i++) {
-        const double misfit = rwedge_series_pressure(series, x[i]) - scale * p[i];
+        const double misfit = rwedge_series_pressure(series, x[i]) - p[i];
         sum += misfit * misfit;
     }
     return sqrt(sum / (double)samples);
-}
-
-/* The power of two that is next to the largest sample: over it, no sum or square overflows or
- * underflows. */
-static int magnitude(size_t samples, const double p[])
-{
-    double largest = 0;
-    for (size_t i = 0; i < samples; i++)
-        largest = fmax(largest, fabs(p[i]));
-    return largest > 0 ? (int)fmax(-1000, fmin(1000, ilogb(largest))) : 0;
-}
-
-/* Coefficients and residual times 2^doublings; false where the sums of the series might overflow
- * then. */
-static bool enlarge(rwedge_series *made, int doublings)
-{
-    double sum = made->residual;
-    for (int32_t k = 0; k < made->terms; k++)
-        sum += (k + 1) * fabs(made->a[k]);
-    /* never: the samples are of the order 1, and the rank is checked */
-    if (NEVER(!isfinite(sum)) || (sum > 0 && ilogb(sum) + doublings > LARGEST_SUM))
-        return false;
-    for (int32_t k = 0; k < made->terms; k++)
-        made->a[k] *= rw_power_of_two(doublings);
-    made->residual *= rw_power_of_two(doublings);
-    return true;
 }
 
 /* Solves for made->a. work holds the matrix and the right-hand side. */
@@ -120,25 +86,23 @@ static int32_t fit(size_t samples, const double x[], const double p[], double *w
                    rwedge_series *made)
 {
     const size_t entries = samples * (size_t)made->terms;
-    const int doublings = magnitude(samples, p);
-    const double scale = rw_power_of_two(-doublings);
     double *v = work + entries;
     fill_columns((int32_t)samples, made->terms, x, work);
     for (size_t i = 0; i < samples; i++)
-        v[i] = scale * p[i];
+        v[i] = p[i];
     const int32_t status = rw_least_squares((int32_t)samples, made->terms, work, v);
     if (status != RWEDGE_OK)
         return status;
     for (int32_t k = 0; k < made->terms; k++)
         made->a[k] = v[k];
-    made->residual = root_mean_square_of_misfit(made, samples, x, p, scale);
-    return enlarge(made, doublings) ? RWEDGE_OK : RWEDGE_ENOCONV;
+    made->residual = root_mean_square_of_misfit(made, samples, x, p);
+    return RWEDGE_OK;
 }
 
 static bool are_samples(size_t samples, const double x[], const double p[])
 {
     for (size_t i = 0; i < samples; i++)
-        if (!rw_is_signed(x[i]) || !isfinite(p[i]) || fabs(x[i]) >= 1)
+        if (!rw_is_signed(x[i]) || !rw_is_signed(p[i]) || fabs(x[i]) >= 1)
             return false;
     return true;
 }
@@ -221,7 +185,6 @@ static rw_field field_at(const rwedge_series *series, double x, double y)
 {
     const double right = fabs(x), sign = x < 0 ? -1 : 1;
     double R_re, R_im, y_per_X_re, y_per_X_im;
-    rw_elliptic e;
     if (rw_is_remote(right, y)) { /* X = z */
         const rw_ray ray = rw_ray_to(right, y);
         R_re = ray.R_re;
@@ -229,9 +192,9 @@ static rw_field field_at(const rwedge_series *series, double x, double y)
         y_per_X_re = ray.sine * ray.cosine;
         y_per_X_im = -ray.sine * ray.sine;
     } else {
-        const bool apart = rw_elliptic_coordinates(right, y, right - 1, &e);
+        const rw_elliptic e = rw_elliptic_at(right, y, right - 1);
         const double shrink = rw_elliptic_shrink(&e);
-        const double scale = apart ? y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w) : 0;
+        const double scale = y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w);
         R_re = shrink * e.sin_v;
         R_im = -shrink * e.cos_v;
         y_per_X_re = scale * e.sin_v * e.sinh_w;

@@ -11,7 +11,7 @@
 #include "base/inline.h"
 #include "rwedge.h"
 
-/* The tractions of one contact: all of its patches share the centre 0. */
+/* The two patches of one contact, both centred at 0; the stick zone's where c > 0. */
 typedef struct {
     double f, c;
     rw_potential contact, stick;
@@ -19,9 +19,9 @@ typedef struct {
 
 static tractions make_tractions(double alpha, double f, double c)
 {
-    tractions t = {.f = f, .c = rw_patch_matters(c, alpha) ? c : 0};
+    tractions t = {.f = f, .c = c};
     rw_potential_init(&t.contact, alpha);
-    if (t.c > 0)
+    if (c > 0)
         rw_potential_init_patch(&t.stick, alpha, c);
     return t;
 }
@@ -31,7 +31,7 @@ RW_INLINE rw_field difference(rw_field a, rw_field b)
     return (rw_field){a.G_re - b.G_re, a.G_im - b.G_im, a.H_re - b.H_re, a.H_im - b.H_im};
 }
 
-/* stick: the field of the stick zone's patch. */
+/* normal: the field of the whole contact; stick: that of the stick zone's patch, or 0. */
 RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy,
                        double *txy)
 {
@@ -41,20 +41,6 @@ RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, d
     *txy = s.shear;
 }
 
-static bool stick_matters(const tractions *t, double x, double y)
-{
-    return rw_patch_matters(t->c, fmax(fabs(x), y));
-}
-
-static void stress_at(const tractions *t, double x, double y, double *sxx, double *syy, double *txy)
-{
-    const rw_field normal = rw_potential_at(&t->contact, x, y);
-    const rw_field none = {0, 0, 0, 0};
-    combine(t->f, normal, stick_matters(t, x, y) ? rw_potential_at(&t->stick, x, y) : none, sxx,
-            syy, txy);
-}
-
-/* All of these points matter to the stick zone's patch, or none. */
 static void stresses_at(const tractions *t, int count, const double x[], const double y[],
                         double sxx[], double syy[], double txy[])
 {
@@ -86,7 +72,8 @@ int32_t rwedge_stress(double alpha, double f, double c, double x, double y, doub
     if (!is_point(alpha, x, y))
         return RWEDGE_EDOMAIN;
     const tractions t = make_tractions(alpha, f, c);
-    stress_at(&t, x, y, sxx, syy, txy);
+    const rw_field normal = rw_potential_at(&t.contact, x, y), none = {0, 0, 0, 0};
+    combine(f, normal, c > 0 ? rw_potential_at(&t.stick, x, y) : none, sxx, syy, txy);
     return RWEDGE_OK;
 }
 
@@ -97,19 +84,12 @@ int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double
         return RWEDGE_EDOMAIN;
     if (n > 0 && (!x || !y || !sxx || !syy || !txy))
         return RWEDGE_ENULL;
-    double reach = 0;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n; i++)
         if (!is_point(alpha, x[i], y[i]))
             return RWEDGE_EDOMAIN;
-        reach = fmax(reach, fmax(fabs(x[i]), y[i]));
-    }
     const tractions t = make_tractions(alpha, f, c);
-    const bool alike = t.c == 0 || stick_matters(&t, reach, reach);
-    for (size_t i = 0; i < n; i += alike ? RW_BATCH : 1)
-        if (alike)
-            stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i,
-                        syy + i, txy + i);
-        else
-            stress_at(&t, x[i], y[i], &sxx[i], &syy[i], &txy[i]);
+    for (size_t i = 0; i < n; i += RW_BATCH)
+        stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i, syy + i,
+                    txy + i);
     return RWEDGE_OK;
 }

@@ -18,16 +18,16 @@ static double complex number(double re, double im)
     return re + im * I;
 }
 
-/* i a; a product with the constant I would go through the general multiplication. */
+/* i a, without the general product of complex numbers. */
 static double complex turned(double complex a)
 {
     return number(-cimag(a), creal(a));
 }
 
 /* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f -
- * i,  H = y G'. The potentials are analytic: d/dy is i d/dx but for the explicit y. Each
- * derivative carries the power of y that makes it a number of the order of J2, at the surface
- * and at the apex of the smallest tip. */
+ * i,  H = y G'. The potentials are analytic, so that d/dy is i d/dx but for the factor y itself.
+ * Each derivative is multiplied by the power of y that makes it of the order of J2, at the
+ * surface and at the apex of the smallest tip too. */
 rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
                              double y)
 {

@@ -4,6 +4,7 @@
 
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || skip "script(1) is not here to lend a terminal"
 command -v timeout >/dev/null || skip "timeout(1) is not here"
+export rwedge # for the shell on the terminal, whatever is in the path
 long="table elastic-limit --friction 0:0.8:0.0000001"
 
 # on_terminal COMMAND: runs it on a terminal; what that got is in the file "screen".
@@ -19,20 +20,20 @@ ends_by_erasing() {
 }
 
 # Long enough on any machine: it is stopped after a second or two.
-on_terminal "timeout -s TERM 2 '$rwedge' $long -o long.csv"
+on_terminal "timeout -s TERM 2 \"\$rwedge\" $long -o long.csv"
 same "shows progress" yes "$([ "$(shown)" -gt 2 ] && echo yes)"
 ends_by_erasing
-on_terminal "timeout -s TERM 1 '$rwedge' $long --quiet -o long.csv"
+on_terminal "timeout -s TERM 1 \"\$rwedge\" $long --quiet -o long.csv"
 same "--quiet shows none" 0 "$(shown)"
-on_terminal "timeout -s TERM 1 '$rwedge' $long 2>messages -o long.csv"
+on_terminal "timeout -s TERM 1 \"\$rwedge\" $long 2>messages -o long.csv"
 same "none in a file" 0 "$(grep -c 'of 80000010 rows' messages)"
-on_terminal "timeout -s TERM 2 '$rwedge' $long | tail -n 1"
+on_terminal "timeout -s TERM 2 \"\$rwedge\" $long | tail -n 1"
 same "shows progress when rows go into a pipe" yes "$([ "$(shown)" -gt 2 ] && echo yes)"
-on_terminal "timeout -s TERM 1 '$rwedge' $long"
+on_terminal "timeout -s TERM 1 \"\$rwedge\" $long"
 same "none among rows on the terminal" 0 "$(shown)"
 
 # Done within half a second: not a byte.
-on_terminal "'$rwedge' table contact-law -o short.csv"
+on_terminal "\"\$rwedge\" table contact-law -o short.csv"
 same "short work shows none" "" "$(cat screen)"
 
 finish

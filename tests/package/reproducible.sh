@@ -48,7 +48,8 @@ while read -r name; do
     grep -q "^#define $name(" tests/package/other_libm.h || { echo "FAILED: tests/package/other_libm.h does not have $name()"; exit 1; }
 done <"$work/inexact"
 mkdir "$work/other"
-CFLAGS="-include $source/tests/package/other_libm.h" cmake -S "$source" -B "$work/other-build" -DCMAKE_BUILD_TYPE=Release \
+cp tests/package/other_libm.h "$work" # flags are a list of words: no space in the path
+CFLAGS="-include $work/other_libm.h" cmake -S "$source" -B "$work/other-build" -DCMAKE_BUILD_TYPE=Release \
     -DXLSXWRITER_LIBRARY=m -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_BUILD_CLI=ON >"$work/log" 2>&1 &&
     cmake --build "$work/other-build" --parallel 2 --target rwedge_cli >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 generate "$work/other" "$work/other-build/cli/rwedge"

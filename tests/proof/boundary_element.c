@@ -176,7 +176,8 @@ static bool find_contact(boundary_element *s, boundary_loads to, double p[])
     return false;
 }
 
-/* The shear traction of the elements in contact, in their present motion; the rigid displacement. */
+/* The shear traction of the elements in contact, in their present motion. Returns the rigid
+ * displacement. */
 static double solve_tangential(const boundary_element *s, const double p[], const motion moves[],
                                boundary_loads to, double q[])
 {

@@ -15,9 +15,11 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
     clang=
 done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
+# by a name that needs no quotes in lists of flags and commands, whatever is in the path
+ln -sfn "$source" source
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
-flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -I$source/include -I$source/lib -I$source/cli"
-flags="$flags -I$source/tests/host -I$source/tests/random"
+flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"
+flags="$flags -Isource/tests/host -Isource/tests/random"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -25,40 +27,40 @@ libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 compile()
 {
     for file; do
-        name=$(echo "${file#"$source"/}" | tr / _)
+        name=$(echo "${file#source/}" | tr / _)
         echo "$clang $flags -c $file -o ${name%.c}.o" >>commands
         objects="$objects ${name%.c}.o"
     done
 }
 : >commands
 objects=
-compile "$source"/lib/*/*.c
+compile source/lib/*/*.c
 library=$objects
 objects=
-for file in "$source"/cli/*.c "$source"/cli/*/*.c; do
+for file in source/cli/*.c source/cli/*/*.c; do
     case $file in
     */main.c | */message.c | */sheet/* | */spreadsheet.c | */workbook/*) ;; # the messages are our own; spreadsheets are none of the inputs
     *) compile "$file" ;;
     esac
 done
-compile "$source/tests/random/messages.c" "$source/tests/random/file.c"
+compile "source/tests/random/messages.c" "source/tests/random/file.c"
 tool=$objects
 objects=
-compile "$source/tests/host/calls.c"
+compile "source/tests/host/calls.c"
 calls=$objects
 # seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
 seeds()
 {
     rm -rf "seeds/$1"
     mkdir -p "seeds/$1"
-    sed '/^#/d' "$source/tests/random/targets/$1.seeds" | while read -r name bytes; do
+    sed '/^#/d' "source/tests/random/targets/$1.seeds" | while read -r name bytes; do
         printf %b "$bytes" >"seeds/$1/$name"
     done
 }
 targets='formulas contact series number range csv batch'
 for target in $targets; do
     seeds "$target"
-    echo "$clang $flags -c $source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands
+    echo "$clang $flags -c source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands
 done
 xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands
 rm -f tool.a

@@ -102,13 +102,12 @@ classdef rwedge_series < handle
         %   Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
         %      Sec. 4 of the paper
         %     samples  number of samples, >= terms, samples * terms <= 2^27
-        %     x, p     where and what, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
-        %              equally spaced) fit best
+        %     x, p     where and what, |x| < 1; 0 or 1e-60 to 1e60 in magnitude. Samples near Chebyshev's
+        %              points (x = cos t, t equally spaced) fit best
         %     terms    >= 1
-        %   rwedge:noconv where the sums of the series could overflow (about 1e301). rwedge:rank where
-        %   the samples do not determine the coefficients to half the digits of a double (repeated or
-        %   clustered points, or fewer than terms); rwedge:domain, rwedge:range,
-        %   rwedge:memory.
+        %   rwedge:rank where the samples do not determine the coefficients to half the digits of a double
+        %   (repeated or clustered points, or fewer than terms); rwedge:domain, rwedge:range,
+        %   rwedge:memory, rwedge:noconv.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: series = rwedge_series.fit(x, p, terms)');
             end

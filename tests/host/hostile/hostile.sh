@@ -11,9 +11,7 @@ here=$source/tests/host/hostile
 
 sh "$source/bindings/private.sh" "$build"
 private=$build/private/prefix/lib
-flags="-std=c99 -I$source/include"
-# shellcheck disable=SC2086
-cc $flags "$here/host.c" -o "$work/host" -L"$private" -lrwedge -lgsl -lgslcblas -lm
+cc -std=c99 -I"$source/include" "$here/host.c" -o "$work/host" -L"$private" -lrwedge -lgsl -lgslcblas -lm
 cc -shared -fPIC "$here/foreign.c" -o "$work/foreign.so"
 
 # run LIBRARY-FOLDER PRELOADED - the host's output

@@ -10,7 +10,7 @@ here=$source/tests/package/abi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-cmake -S "$source" -B "$build/abi" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS="-ffile-prefix-map=$source=." \
+cmake -S "$source" -B "$build/abi" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS="\"-ffile-prefix-map=$source=.\"" \
     -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF >"$work/log" 2>&1 &&
     cmake --build "$build/abi" --target rwedge >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 library=$build/abi/lib/librwedge.so

@@ -6,15 +6,20 @@
  * errata as listed in lib/README.md, where every formula is written out; "new" marks what the
  * paper does not have.
  *
- * Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge
- * leaves the surface at the small angle theta, its apex is rounded over |x| < a with radius R =
- * a/theta, and the contact is |x| < b. The functions of a/b use natural units: lengths in b,
- * stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and pressures are
- * negative in compression; P, Q are positive forces per unit length; k is the yield stress in
- * pure shear. In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x =
- * -b.
+ * Geometry and units. Plane strain. x runs along the surface, y >= 0 into the half-plane. The
+ * flanks of the wedge leave the surface at the small angle theta. Its apex is rounded over |x| <
+ * a with the radius R = a/theta. The contact is |x| < b. The functions of a/b use natural units:
+ * lengths in b, stresses in theta/A, where A is the composite compliance, Eq. (2). Stresses and
+ * pressures are negative in compression. P and Q are positive forces per unit length. k is the
+ * yield stress in pure shear. In sliding q = f p: the half-plane is dragged towards +x, and the
+ * trailing edge is x = -b. For plane stress take nu = 0 in the functions of strength, and A =
+ * 2/E1 + 2/E2.
  *
- * Arguments that return everywhere, with their domain:
+ * Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
+ * lengths, loads, moduli, stresses, the compliance, friction, and ratios of lengths such as a/b
+ * and x/b. A result that would leave this range is an error.
+ *
+ * Arguments that return everywhere:
  *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
  *          Hertz' contact
  *   f      coefficient of friction, 0 <= f <= 1e6
@@ -22,16 +27,14 @@
  *   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
  *   x      place along the surface, in b, finite
  *   y      depth below it, in b, finite, >= 0
- * What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in
- * magnitude.
  *
  * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt().
- * Whatever iterates, allocates or has several results returns a status, RWEDGE_OK or a reason,
- * and leaves its outputs untouched on failure; RWEDGE_OK implies finite outputs. Nothing prints,
- * exits, aborts, allocates (but _create, _fit, _copy and _load), sets errno or keeps state
- * between calls.
+ * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
+ * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
+ * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
+ * _copy and _load allocate.
  *
- * Threads: every function may be called from any number of threads; a handle may be read by many
+ * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
 #ifndef RWEDGE_H
 #define RWEDGE_H
@@ -80,10 +83,10 @@ RWEDGE_API const char *rwedge_strerror(int32_t status);
 /* Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                   Eq. (2)
  *   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
  *   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
- * NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon. */
+ * NaN outside the domain, or where A leaves it. Relative error below 4 epsilon. */
 RWEDGE_API double rwedge_compliance(double E1, double nu1, double E2, double nu2);
 
-/* Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The
+/* Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
  * theory with friction is exact where it is 0 (elastically similar bodies).
  *                                                                 Dundurs (1969), see lib/README.md
  *   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
@@ -101,7 +104,7 @@ RWEDGE_API double rwedge_load(double alpha);
 /* The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
  * (a/b >= 1) included.                                                       Eq. (7), (11), inverse
  *   AP_over_theta_a  > 0, finite
- * NaN outside the domain. Relative error below 1e-14. */
+ * NaN outside the domain, or where a/b leaves it. Relative error below 1e-14. */
 RWEDGE_API double rwedge_a_over_b(double AP_over_theta_a);
 
 /* ---- Pressure -------------------------------------------------------------------------------- */
@@ -129,7 +132,7 @@ RWEDGE_API double rwedge_coefficient(double alpha, int32_t n);
 
 /* ---- Partial slip ---------------------------------------------------------------------------- */
 
-/* Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under
+/* Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under
  * constant P.                                                                              Eq. (25)
  *   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
  * NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio(). */
@@ -169,8 +172,8 @@ RWEDGE_API double rwedge_max_tension(double alpha);
 
 /* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
  * under a normal load (f = 0).                                                         Figs. 3 to 5
- * It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu
- * = 0.5 and f = 0 (or below 1e-100, which counts as 0): pi.
+ * It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose
+ * stresses are infinite; but pi for nu = 0.5 and f = 0.
  *   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
  * NaN outside the domain. Relative error below 1e-12. */
 RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
@@ -181,33 +184,33 @@ RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const d
 
 /* The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
  *   alpha  0, or at least 1e-14
- * For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the
- * contact is equally stressed. RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12
- * where the maximum is not flat. */
+ * The sharp wedge yields at its apex. For nu = 0.5 and alpha >= 1 the whole surface of the
+ * contact is equally stressed.
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat. */
 RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double *limit, double *x,
                                       double *y);
 
-/* Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4
- * are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated.
- *                                                                                       Fig. 4; new
+/* The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
+ * and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that
+ * each can be interpolated.                                                             Fig. 4; new
  *
- * Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in
- * f, and for small alpha: RWEDGE_EABSENT beyond.
+ * Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
+ * alpha have none: RWEDGE_EABSENT.
  *   alpha  0, or at least 1e-14
  * RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit,
                                            double *x, double *y);
 
-/* At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for
- * nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface.
+/* At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
+ * for nu = 0.5 and f = 0, where J2 is 0 on the surface.
  *   alpha  0, or at least 1e-14
  * RWEDGE_EDOMAIN, RWEDGE_ENULL.                                                      Fig. 4; new */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit,
                                         double *x);
 
-/* Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the
- * surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for
- * an interval of f: lib/README.md).                                                     Fig. 4; new
+/* Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
+ * at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
+ * the surface again for an interval of f: lib/README.md.)                               Fig. 4; new
  *   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
  * NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
  * like a square root. */
@@ -223,8 +226,8 @@ RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
  *   f      coefficient of friction, 0 <= f <= 1e6
  *   k      yield stress in pure shear, stress, finite, > 0
  *   P, Q   normal and tangential force per unit length
- * The functions that return a double give NaN outside the domain, and where the result is too
- * large for a double. */
+ * The functions that return a double give NaN outside the domain, and where the result or a/b
+ * leaves it. */
 
 /* Radius of the rounding, R = a/theta, length.                                            Sec. 2 */
 RWEDGE_API double rwedge_radius(double theta, double a);
@@ -244,31 +247,31 @@ RWEDGE_API double rwedge_half_width(double theta, double a, double A, double P);
 RWEDGE_API double rwedge_normal_load(double theta, double a, double A, double b);
 
 /* The load P at which a given contact first yields in full sliding, or under a normal load (f =
- * 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a
- * root.                                                                                Figs. 3 to 5
+ * 0), force/length. The contact grows with P, and the elastic limit depends on a/b: P is the root
+ * of an equation.                                                                      Figs. 3 to 5
  *   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
- * 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14
- * a wide: for f = 0 (or below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the
- * deviator stays bounded however large the load. Relative error below 1e-11, and 1e-15
- * dlnP/dlnk, which is large for f = 0 and nu near 0.5. */
+ * It is 0 for the sharp wedge. It is HUGE_VAL where the contact does not yield before it is 1e14
+ * a wide. For f = 0 and nu = 0.5 it never yields if k > (2/pi) theta/A: the deviator stays
+ * bounded however large the load. Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large
+ * for f = 0 and nu near 0.5. */
 RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, double nu,
                                     double k);
 
 /* ---- A contact with a load history ----------------------------------------------------------- */
 
-/* One contact and what it remembers of its loads (P, Q): exact for any history, lib/README.md
- * "Load histories". Lengths are not in b here: x, y are in the unit of a, stresses in that of
- * 1/A, 0 is the centre of the contact. A handle is created with rwedge_contact_create() or
- * _copy() and freed with rwedge_contact_destroy(). Only these and rwedge_contact_load() use the
- * heap. Different handles are independent; one handle may be read by many threads at a time, but
- * loaded by one, while no other reads.
+/* One contact and what it remembers of its loads (P, Q). It is exact for any history: see
+ * lib/README.md, "Load histories". Lengths are not in b here: x and y are in the unit of a,
+ * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and
+ * _copy() make a handle, rwedge_contact_destroy() frees it. Only these and rwedge_contact_load()
+ * use the heap. Different handles are independent. One handle may be read by many threads at a
+ * time. While one thread loads it, no other may use it.
  *
- * Accuracy. The half-width b has a relative error below 1e-14. A load that is remembered has the
- * rounding of the largest one, and so has the half-width that belongs to it, c among them; ten
- * times more where Q/f changed nearly as much as P. What the functions below promise holds for
- * these half-widths: next to the edges, tractions and stresses change as much as such
- * half-widths change them. And where two loads differ by less than 1 %, the errors of q, of the
- * stresses and of the slip are larger in proportion. */
+ * Accuracy. The half-width b has a relative error below 1e-14. A remembered load has the rounding
+ * of the largest one, ten times more where Q/f changed nearly as much as P. So has the half-width
+ * that belongs to it, such as c. What the functions below promise holds for these half-widths:
+ * next to the edges, tractions and stresses change as much as such half-widths change them. Where
+ * two loads differ by less than 1 %, the errors of q, of the stresses and of the slip are larger
+ * in proportion. */
 typedef struct rwedge_contact rwedge_contact;
 
 /* A contact without load, separated.
@@ -286,31 +289,28 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
  *                                                                                     Sec. 3.2; new
- *   P  0, or 1e-148 to 1e148 and at least 1e-8 of the last P; 0 separates the bodies (Q must
- *      then be 0 too), and all but the dissipated energy is forgotten
- *   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full
- *      sliding
- * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to
- * 1e148, the half-width b above 1e300, b, a/b or the peak pressure not a normal number, the peak
- * pressure times max(1, f) above 1e300 (of the sharp wedge: 452 theta/A max(1, f)), or the
- * energy overflows (below the smallest double it is 0), and where P is not 0 but below 1e-8 of
- * the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL;
- * RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It keeps at most two points of the
- * history per load, and of them only those that no later load has wiped out: a load cycle that
- * is repeated costs the memory of one. */
+ *   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
+ *      the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+ *   Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
+ *      P
+ * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
+ * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
+ * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
+ * RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
+ * two points of the history per load, and of them only those that no later load has wiped out. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
 /* Half-width b of the contact, length; 0 when separated; NaN for NULL.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
-/* Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is
- * exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when
- * separated; NaN for NULL.                                                         Eq. (25); new */
+/* Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
+ * |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+ *                                                                                  Eq. (25); new */
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
 
 /* How many points of its history the contact remembers; 0 when separated, and for NULL. The time
- * that its functions need per point of the half-plane grows like this. */
+ * of its functions grows in proportion, for each point of the half-plane. */
 RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
@@ -323,8 +323,7 @@ RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_
                                             const double x[], double p[], double q[]);
 
 /* Stresses at n points (x, y) of the half-plane, tension positive.        Eq. (28), (32), (33); new
- *   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor
- *                  nearer to it than 2.2e-308 b
+ *   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
  *   sxx, syy, txy  each receives n numbers
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history. */
@@ -332,11 +331,11 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
                                            const double x[], const double y[], double sxx[],
                                            double syy[], double txy[]);
 
-/* Slip at n points of the surface, length: the tangential displacement of the half-plane's
- * surface relative to the wedge's since the point last came into contact. It has the sign of q
- * while it grows, so that q d(slip) is the heat. 0 where a point has stuck ever since. In full
- * sliding the rigid displacement is not determined by the loads; the slip is then the least that
- * the loads need, with which the centre of the contact is on the verge of slip.
+/* Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
+ * relative to the wedge's, since the point last came into contact. It has the sign of q while it
+ * grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
+ * sliding the loads do not determine the rigid displacement. The slip is then the least that the
+ * loads need: the centre of the contact is on the verge of slip.
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
@@ -347,24 +346,23 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
 
 /* Energy dissipated by friction since the contact was created, per unit thickness (a force): the
  * time integral of the traction times the rate of slip over the contact, without the rigid
- * displacement in full sliding. Never falls. In a cycle under constant P it is the area of the
+ * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
  * NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
  * change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of
- * sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact
- * grows: see rwedge_yield_load().
+ * sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact
+ * grows with them: see rwedge_yield_load().
  *   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
  *   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
  *           apex of the sharp wedge
  *   x, y    where the maximum is, length; each may be NULL
- * It is the global maximum that is searched for, from each edge of slip that is remembered, at
- * every scale; a millisecond for a first load, and its time grows with the square of
+ * The search is for the global maximum, around each remembered edge of slip, at every scale. It
+ * takes a millisecond for a first load, and its time grows with the square of
  * rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
- * RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a finite number. Relative error below
- * 1e-12. */
+ * RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
 
@@ -471,8 +469,8 @@ RWEDGE_API int32_t rwedge_series_create(double alpha, int32_t terms, rwedge_seri
 /* Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
  *                                                                               Sec. 4 of the paper
  *   samples  number of samples, >= terms, samples * terms <= 2^27
- *   x, p     where and what, |x| < 1; 0 or 1e-60 to 1e60 in magnitude. Samples near Chebyshev's
- *            points (x = cos t, t equally spaced) fit best
+ *   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
+ *            equally spaced) fit best
  *   terms    >= 1
  * RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
  * (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
@@ -496,7 +494,7 @@ RWEDGE_API double rwedge_series_coefficient(const rwedge_series *series, int32_t
  * coefficients have no finite sum). NaN for NULL. */
 RWEDGE_API double rwedge_series_residual(const rwedge_series *series);
 
-/* The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                      Eq. (29) */
+/* The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL.                    Eq. (29) */
 RWEDGE_API double rwedge_series_pressure(const rwedge_series *series, double x);
 
 /* Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z -

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
 #
-#     ./tests/run.sh              the everyday run, three minutes or so
+#     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also: each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
@@ -10,8 +10,10 @@
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip is a failure, where this machine could have had what is missing; the CI runs --all --strict
 #
-# The last line says how many passed, failed and were skipped; each skip says why in its own output.
+# The last line says how many passed, failed and were skipped, and the one before how long it took; each skip says why in its own
+# output.
 set -eu
+began=$(date +%s)
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 . tests/support/install.sh
@@ -152,6 +154,7 @@ if [ $campaign = yes ]; then
     step "certificate of the tables" build/tests/proof/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
+    step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
     step "edges of all arguments" build/tests/host/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
@@ -174,5 +177,7 @@ if [ $strict = yes ] && grep -vE "$beyond_us" "$skips" >"$output"; then
     cat "$output"
     failed=$((failed + 1))
 fi
+took=$(($(date +%s) - began))
+echo "$((took / 60)) min $((took % 60)) s on $(processors) processors"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

@@ -21,15 +21,20 @@ Attribute VB_Name = "rwedge"
 ' errata as listed in lib/README.md, where every formula is written out; "new" marks what the
 ' paper does not have.
 '
-' Geometry and units. Plane strain; x along the surface, y >= 0 into the half-plane; the wedge
-' leaves the surface at the small angle theta, its apex is rounded over |x| < a with radius R =
-' a/theta, and the contact is |x| < b. The functions of a/b use natural units: lengths in b,
-' stresses in theta/A, A being the composite compliance, Eq. (2). Stresses and pressures are
-' negative in compression; P, Q are positive forces per unit length; k is the yield stress in
-' pure shear. In sliding q = f p: the half-plane is dragged towards +x, the trailing edge is x =
-' -b.
+' Geometry and units. Plane strain. x runs along the surface, y >= 0 into the half-plane. The
+' flanks of the wedge leave the surface at the small angle theta. Its apex is rounded over |x| <
+' a with the radius R = a/theta. The contact is |x| < b. The functions of a/b use natural units:
+' lengths in b, stresses in theta/A, where A is the composite compliance, Eq. (2). Stresses and
+' pressures are negative in compression. P and Q are positive forces per unit length. k is the
+' yield stress in pure shear. In sliding q = f p: the half-plane is dragged towards +x, and the
+' trailing edge is x = -b. For plane stress take nu = 0 in the functions of strength, and A =
+' 2/E1 + 2/E2.
 '
-' Arguments that return everywhere, with their domain:
+' Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
+' lengths, loads, moduli, stresses, the compliance, friction, and ratios of lengths such as a/b
+' and x/b. A result that would leave this range is an error.
+'
+' Arguments that return everywhere:
 '   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
 '          Hertz' contact
 '   f      coefficient of friction, 0 <= f <= 1e6
@@ -37,16 +42,14 @@ Attribute VB_Name = "rwedge"
 '   c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
 '   x      place along the surface, in b, finite
 '   y      depth below it, in b, finite, >= 0
-' What is said of accuracy holds for alpha, c, x and y that are 0 or between 1e-280 and 1e260 in
-' magnitude.
 '
 ' Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt().
-' Whatever iterates, allocates or has several results returns a status, RWEDGE_OK or a reason,
-' and leaves its outputs untouched on failure; RWEDGE_OK implies finite outputs. Nothing prints,
-' exits, aborts, allocates (but _create, _fit, _copy and _load), sets errno or keeps state
-' between calls.
+' A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
+' reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
+' function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
+' _copy and _load allocate.
 '
-' Threads: every function may be called from any number of threads; a handle may be read by many
+' Threads: every function may be called from any number of threads. A handle may be read by many
 ' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
 '
 ' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
@@ -339,7 +342,7 @@ End Function
 ' Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.                   Eq. (2)
 '   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
 '   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
-' NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
+' NaN outside the domain, or where A leaves it. Relative error below 4 epsilon.
 Public Function RWEDGE_COMPLIANCE(ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Variant
 Attribute RWEDGE_COMPLIANCE.VB_Description = "Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E."
     Dim status As Long
@@ -351,14 +354,14 @@ Attribute RWEDGE_COMPLIANCE.VB_Description = "Composite compliance A = 2(1-nu1^2
     End If
 End Function
 
-' Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The
+' Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
 ' theory with friction is exact where it is 0 (elastically similar bodies).
 '                                                                 Dundurs (1969), see lib/README.md
 '   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
 '   |beta| <= 1/2 for nu >= 0
 ' NaN outside the domain. Error below 4 epsilon, absolutely.
 Public Function RWEDGE_DUNDURS_BETA(ByVal E1 As Double, ByVal nu1 As Double, ByVal E2 As Double, ByVal nu2 As Double) As Variant
-Attribute RWEDGE_DUNDURS_BETA.VB_Description = "Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is exact where it is 0 (elastically similar bodies)."
+Attribute RWEDGE_DUNDURS_BETA.VB_Description = "Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the theory with friction is exact where it is 0 (elastically similar bodies)."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -387,7 +390,7 @@ End Function
 ' The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
 ' (a/b >= 1) included.                                                       Eq. (7), (11), inverse
 '   AP_over_theta_a  > 0, finite
-' NaN outside the domain. Relative error below 1e-14.
+' NaN outside the domain, or where a/b leaves it. Relative error below 1e-14.
 Public Function RWEDGE_A_OVER_B(ByVal AP_over_theta_a As Double) As Variant
 Attribute RWEDGE_A_OVER_B.VB_Description = "The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included."
     Dim status As Long
@@ -460,12 +463,12 @@ End Function
 
 ' ---- Partial slip ------------------------------------------------------------------------------
 
-' Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under
+' Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under
 ' constant P.                                                                              Eq. (25)
 '   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
 ' NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
 Public Function RWEDGE_STICK_WIDTH(ByVal alpha As Double, ByVal Q_over_fP As Double) As Variant
-Attribute RWEDGE_STICK_WIDTH.VB_Description = "Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P."
+Attribute RWEDGE_STICK_WIDTH.VB_Description = "Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under constant P."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -563,12 +566,12 @@ End Function
 
 ' Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
 ' under a normal load (f = 0).                                                         Figs. 3 to 5
-' It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu
-' = 0.5 and f = 0 (or below 1e-100, which counts as 0): pi.
+' It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose
+' stresses are infinite; but pi for nu = 0.5 and f = 0.
 '   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
 ' NaN outside the domain. Relative error below 1e-12.
 Public Function RWEDGE_ELASTIC_LIMIT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane."
+Attribute RWEDGE_ELASTIC_LIMIT.VB_Description = "Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0). It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose stresses are infinite"
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -599,9 +602,9 @@ End Function
 
 ' The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
 '   alpha  0, or at least 1e-14
-' For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the
-' contact is equally stressed. RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12
-' where the maximum is not flat.
+' The sharp wedge yields at its apex. For nu = 0.5 and alpha >= 1 the whole surface of the
+' contact is equally stressed.
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
 ' In a cell: the row limit, x, y.
 Public Function RWEDGE_YIELD_POINT(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
 Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yields: y = 0 is at the surface."
@@ -615,17 +618,17 @@ Attribute RWEDGE_YIELD_POINT.VB_Description = "The elastic limit and where it yi
     End If
 End Function
 
-' Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4
-' are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated.
-'                                                                                       Fig. 4; new
+' The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
+' and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that
+' each can be interpolated.                                                             Fig. 4; new
 '
-' Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in
-' f, and for small alpha: RWEDGE_EABSENT beyond.
+' Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
+' alpha have none: RWEDGE_EABSENT.
 '   alpha  0, or at least 1e-14
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL.
 ' In a cell: the row limit, x, y.
 Public Function RWEDGE_SUBSURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated."
+Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "The elastic limit has two branches, below the surface and at it. It is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that each can be interpolated."
     Dim limit As Double, x As Double, y As Double, status As Long
     status = find_library()
     If status = RWEDGE_OK Then status = c_subsurface_yield(alpha, f, nu, limit, x, y)
@@ -636,13 +639,13 @@ Attribute RWEDGE_SUBSURFACE_YIELD.VB_Description = "Its two branches apart: the 
     End If
 End Function
 
-' At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for
-' nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface.
+' At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
+' for nu = 0.5 and f = 0, where J2 is 0 on the surface.
 '   alpha  0, or at least 1e-14
 ' RWEDGE_EDOMAIN, RWEDGE_ENULL.                                                      Fig. 4; new
 ' In a cell: the row limit, x.
 Public Function RWEDGE_SURFACE_YIELD(ByVal alpha As Double, ByVal f As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface."
+Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0, where J2 is 0 on the surface."
     Dim limit As Double, x As Double, status As Long
     status = find_library()
     If status = RWEDGE_OK Then status = c_surface_yield(alpha, f, nu, limit, x)
@@ -653,14 +656,14 @@ Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of 
     End If
 End Function
 
-' Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the
-' surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for
-' an interval of f: lib/README.md).                                                     Fig. 4; new
+' Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
+' at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
+' the surface again for an interval of f: lib/README.md.)                               Fig. 4; new
 '   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
 ' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
 ' like a square root.
 Public Function RWEDGE_CRITICAL_FRICTION(ByVal alpha As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md)."
+Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below the surface again for an interval of f: lib/README.md.)"
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -680,8 +683,8 @@ End Function
 '   f      coefficient of friction, 0 <= f <= 1e6
 '   k      yield stress in pure shear, stress, finite, > 0
 '   P, Q   normal and tangential force per unit length
-' The functions that return a double give NaN outside the domain, and where the result is too
-' large for a double.
+' The functions that return a double give NaN outside the domain, and where the result or a/b
+' leaves it.
 
 ' Radius of the rounding, R = a/theta, length.                                            Sec. 2
 Public Function RWEDGE_RADIUS(ByVal theta As Double, ByVal a As Double) As Variant
@@ -739,17 +742,17 @@ Attribute RWEDGE_NORMAL_LOAD.VB_Description = "The load P whose contact has the 
 End Function
 
 ' The load P at which a given contact first yields in full sliding, or under a normal load (f =
-' 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a
-' root.                                                                                Figs. 3 to 5
+' 0), force/length. The contact grows with P, and the elastic limit depends on a/b: P is the root
+' of an equation.                                                                      Figs. 3 to 5
 '   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-' 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14
-' a wide: for f = 0 (or below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the
-' deviator stays bounded however large the load. Relative error below 1e-11, and 1e-15
-' dlnP/dlnk, which is large for f = 0 and nu near 0.5.
+' It is 0 for the sharp wedge. It is HUGE_VAL where the contact does not yield before it is 1e14
+' a wide. For f = 0 and nu = 0.5 it never yields if k > (2/pi) theta/A: the deviator stays
+' bounded however large the load. Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large
+' for f = 0 and nu near 0.5.
 Public Function RWEDGE_YIELD_LOAD( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal nu As Double, _
         ByVal k As Double) As Variant
-Attribute RWEDGE_YIELD_LOAD.VB_Description = "The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The contact grows with P, so that a/b in the elastic limit depends on it: a root."
+Attribute RWEDGE_YIELD_LOAD.VB_Description = "The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The contact grows with P, and the elastic limit depends on a/b: P is the root of an equation."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -778,14 +781,14 @@ Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contac
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is
-' exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when
-' separated; NaN for NULL.                                                         Eq. (25); new
+' Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
+' |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+'                                                                                  Eq. (25); new
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_STICK_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when separated; NaN for NULL."
+Attribute RWEDGE_CONTACT_STICK_HALF_WIDTH.VB_Description = "Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -824,8 +827,7 @@ Attribute RWEDGE_CONTACT_TRACTIONS.VB_Description = "Pressure p and shear tracti
 End Function
 
 ' Stresses at n points (x, y) of the half-plane, tension positive.        Eq. (28), (32), (33); new
-'   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor
-'                  nearer to it than 2.2e-308 b
+'   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
 '   sxx, syy, txy  each receives n numbers
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
 ' Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
@@ -852,11 +854,11 @@ Attribute RWEDGE_CONTACT_STRESSES.VB_Description = "Stresses at n points (x, y) 
     If contact <> 0 Then c_contact_destroy contact
 End Function
 
-' Slip at n points of the surface, length: the tangential displacement of the half-plane's
-' surface relative to the wedge's since the point last came into contact. It has the sign of q
-' while it grows, so that q d(slip) is the heat. 0 where a point has stuck ever since. In full
-' sliding the rigid displacement is not determined by the loads; the slip is then the least that
-' the loads need, with which the centre of the contact is on the verge of slip.
+' Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
+' relative to the wedge's, since the point last came into contact. It has the sign of q while it
+' grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
+' sliding the loads do not determine the rigid displacement. The slip is then the least that the
+' loads need: the centre of the contact is on the verge of slip.
 '                                                                             Eq. (17) to (21); new
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
@@ -867,7 +869,7 @@ End Function
 Public Function RWEDGE_CONTACT_SLIP( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant, ByVal x As Variant) As Variant
-Attribute RWEDGE_CONTACT_SLIP.VB_Description = "Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat."
+Attribute RWEDGE_CONTACT_SLIP.VB_Description = "Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially, relative to the wedge's, since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat."
     Dim x_list() As Double, slip() As Double, n As Long, contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then status = read_list(x, x_list, n)
@@ -885,7 +887,7 @@ End Function
 
 ' Energy dissipated by friction since the contact was created, per unit thickness (a force): the
 ' time integral of the traction times the rate of slip over the contact, without the rigid
-' displacement in full sliding. Never falls. In a cycle under constant P it is the area of the
+' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
 ' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
 ' change of Q/f where that slip reaches an older layer.
@@ -893,7 +895,7 @@ End Function
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_DISSIPATED_ENERGY.VB_Description = "Energy dissipated by friction since the contact was created, per unit thickness (a force): the time integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never falls."
+Attribute RWEDGE_CONTACT_DISSIPATED_ENERGY.VB_Description = "Energy dissipated by friction since the contact was created, per unit thickness (a force): the time integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. It never falls."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -905,23 +907,22 @@ Attribute RWEDGE_CONTACT_DISSIPATED_ENERGY.VB_Description = "Energy dissipated b
 End Function
 
 ' How far the present state is from first yield (von Mises, plane strain): k over the maximum of
-' sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact
-' grows: see rwedge_yield_load().
+' sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact
+' grows with them: see rwedge_yield_load().
 '   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 '   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
 '           apex of the sharp wedge
 '   x, y    where the maximum is, length; each may be NULL
-' It is the global maximum that is searched for, from each edge of slip that is remembered, at
-' every scale; a millisecond for a first load, and its time grows with the square of
+' The search is for the global maximum, around each remembered edge of slip, at every scale. It
+' takes a millisecond for a first load, and its time grows with the square of
 ' rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
-' RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a finite number. Relative error below
-' 1e-12.
+' RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row factor, x, y.
 Public Function RWEDGE_CONTACT_YIELD_FACTOR( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant, ByVal nu As Double, ByVal k As Double) As Variant
-Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load()."
+Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact grows with them: see rwedge_yield_load()."
     Dim factor As Double, x As Double, y As Double, contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then status = c_contact_yield_factor(contact, nu, k, factor, x, y)
@@ -968,11 +969,11 @@ Attribute RWEDGE_SERIES_RESIDUAL.VB_Description = "Error of the series as a pres
     If series <> 0 Then c_series_destroy series
 End Function
 
-' The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.                      Eq. (29)
+' The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL.                    Eq. (29)
 ' In a cell: the series is made of x_samples, p_samples, terms.
 Public Function RWEDGE_SERIES_PRESSURE( _
         ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, ByVal x As Double) As Variant
-Attribute RWEDGE_SERIES_PRESSURE.VB_Description = "The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL."
+Attribute RWEDGE_SERIES_PRESSURE.VB_Description = "The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL."
     Dim series As LongPtr, status As Long
     status = series_through(x_samples, p_samples, terms, series)
     If status = RWEDGE_OK Then

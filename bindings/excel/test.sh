@@ -89,10 +89,14 @@ on_windows()
 end_wine
 trap end_wine EXIT
 on_windows wineboot -i >log 2>&1 || fail "wine does not start: $(tail -n 1 log)"
-x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
+x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$top/bindings/interface" "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$here/test/errors.c" -o windows/bin/errors.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 "$here/test/declared_door.c" -o windows/bin/declared_door.exe -loleaut32
-sh "$top/tests/doors/calls.sh" >calls
+# of the functions that the module declares
+python3 -B "$top/tests/doors/calls.py" >all-calls
+sed -n 's/^Private Declare .* c_\([a-z_]*\) Lib.*/\1/p' rwedge.bas >offered
+awk -F : 'NR == FNR { offered[$1]; next } $1 in offered' offered all-calls >calls
+[ -s calls ] || fail "no calls"
 on_windows windows/bin/errors.exe
 on_windows windows/bin/door.exe <calls | tr -d '\r' >answers-windows
 on_windows windows/bin/declared_door.exe $dll rwedge.bas <calls | tr -d '\r' >answers-declared
@@ -103,8 +107,8 @@ cat times
 # The library of this machine, with its own libm and with that of the DLL.
 [ -f linux/libm.a ] || sh "$here/windows/libm.sh" sources linux
 prefix=$folder/private/prefix
-cc -std=c99 -O2 -I"$prefix/include" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
-cc -std=c99 -O2 -I"$prefix/include" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm
+cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
+cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm
 linux/door <calls >answers-linux
 linux/door-same <calls >answers-same
 cmp answers-same answers-windows || fail "Windows and Linux differ, with the same libm"

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 ! rwedge for Fortran: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+! Written by bindings/interface/generate.py from include/rwedge.h and template.f90: change those, not rwedge.f90.
 ! Compile this file with your program and link the library: gfortran rwedge.f90 program.f90 -lrwedge.
 !
 ! The comments that begin with !> are those of rwedge.h, which has the geometry, units and the domains of the arguments that
@@ -16,6 +17,7 @@
 ! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     private
@@ -23,25 +25,12 @@ module rwedge
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
         rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8
 
-    ! What is allowed, for messages.
-    character(*), parameter :: range_of_f = 'f 0 to 1e6', range_of_nu = 'nu 0 to 0.5', range_of_y = 'y finite and >= 0', &
-        of_one_size = 'arrays of one size', &
-        of_stress = 'alpha finite and >= 0, ' // range_of_f // ', c 0 to 1, x finite, ' // range_of_y // &
-        ', not the apex of the sharp wedge (alpha = 0)', &
-        of_yield = 'alpha 0 or at least 1e-14, finite, ' // range_of_f // ', ' // range_of_nu, &
-        of_tractions = 'x finite, not the apex x = 0 of the loaded sharp wedge', &
-        of_stresses = 'x finite, ' // range_of_y // ', not the apex of the loaded sharp wedge', &
-        of_series_stress = range_of_f // ', x finite, ' // range_of_y
-
     public :: rwedge_version, rwedge_error_text
-    public :: rwedge_compliance, rwedge_dundurs_beta
-    public :: rwedge_load, rwedge_a_over_b
-    public :: rwedge_pressure, rwedge_peak_pressure, rwedge_transition_pressure, rwedge_coefficient
-    public :: rwedge_stick_width, rwedge_shear_ratio, rwedge_shear
-    public :: rwedge_stress, rwedge_stresses
-    public :: rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_critical_friction
-    public :: rwedge_yield_point, rwedge_subsurface_yield, rwedge_surface_yield
-    public :: rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load
+    public :: rwedge_compliance, rwedge_dundurs_beta, rwedge_load, rwedge_a_over_b, rwedge_pressure, rwedge_peak_pressure, &
+        rwedge_transition_pressure, rwedge_coefficient, rwedge_stick_width, rwedge_shear_ratio, rwedge_shear, rwedge_stress, &
+        rwedge_stresses, rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_yield_point, &
+        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_radius, rwedge_rounding, &
+        rwedge_half_width, rwedge_normal_load, rwedge_yield_load
 
     ! One contact and what it remembers of its loads.
     type, public :: rwedge_contact
@@ -318,8 +307,7 @@ module rwedge
             integer(c_int32_t) :: status
         end function
 
-        function c_contact_stresses(contact, n, x, y, sxx, syy, txy) &
-            &bind(C, name="rwedge_contact_stresses") result(status)
+        function c_contact_stresses(contact, n, x, y, sxx, syy, txy) bind(C, name="rwedge_contact_stresses") result(status)
             import :: c_double, c_int32_t, c_ptr, c_size_t
             type(c_ptr), value :: contact
             integer(c_size_t), value :: n
@@ -485,319 +473,21 @@ contains
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
     end function
 
-    ! ---- Formulas ------------------------------------------------------------------------------------------------------
-
-    !> Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.   Eq. (2)
-    !>   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
-    !>   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
-    !> NaN outside the domain, or where A is not a normal number. Relative error below 4 epsilon.
-    elemental function rwedge_compliance(E1, nu1, E2, nu2) result(value)
-        real(c_double), intent(in) :: E1, nu1, E2, nu2
-        real(c_double) :: value
-        value = c_compliance(E1, nu1, E2, nu2)
+    ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
+    pure function first_outside(x, low, high, low_open, high_open, or_zero) result(element)
+        real(c_double), intent(in) :: x(:), low, high
+        logical, intent(in) :: low_open, high_open, or_zero
+        integer :: element
+        do element = 1, size(x)
+            if (ieee_is_nan(x(element))) return
+            if (or_zero .and. .not. abs(x(element)) > 0) cycle
+            if (x(element) < low .or. x(element) > high) return
+            if ((low_open .and. .not. x(element) > low) .or. (high_open .and. .not. x(element) < high)) return
+        end do
+        element = 0
     end function
 
-    !> Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The theory with friction is
-    !> exact where it is 0 (elastically similar bodies).                               Dundurs (1969), see lib/README.md
-    !>   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged; |beta| <= 1/2 for nu >= 0
-    !> NaN outside the domain. Error below 4 epsilon, absolutely.
-    elemental function rwedge_dundurs_beta(E1, nu1, E2, nu2) result(value)
-        real(c_double), intent(in) :: E1, nu1, E2, nu2
-        real(c_double) :: value
-        value = c_dundurs_beta(E1, nu1, E2, nu2)
-    end function
-
-    !> Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for Hertz.
-    !> Eq. (7), (11), (13), (15)
-    !> NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b().
-    elemental function rwedge_load(alpha) result(value)
-        real(c_double), intent(in) :: alpha
-        real(c_double) :: value
-        value = c_load(alpha)
-    end function
-
-    !> The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz (a/b >= 1) included.
-    !> Eq. (7), (11), inverse
-    !>   AP_over_theta_a  > 0, finite
-    !> NaN outside the domain. Relative error below 1e-14.
-    elemental function rwedge_a_over_b(AP_over_theta_a) result(value)
-        real(c_double), intent(in) :: AP_over_theta_a
-        real(c_double) :: value
-        value = c_a_over_b(AP_over_theta_a)
-    end function
-
-    !> Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.   Eq. (8), (12), (14)
-    !> NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is infinite.
-    !> Relative error below 1e-12, up to the zeros at x = +-1.
-    elemental function rwedge_pressure(alpha, x) result(value)
-        real(c_double), intent(in) :: alpha, x
-        real(c_double) :: value
-        value = c_pressure(alpha, x)
-    end function
-
-    !> Magnitude of the peak pressure, at x = 0, as A p0/theta.   Eq. (10), (16)
-    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
-    elemental function rwedge_peak_pressure(alpha) result(value)
-        real(c_double), intent(in) :: alpha
-        real(c_double) :: value
-        value = c_peak_pressure(alpha)
-    end function
-
-    !> Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for alpha >= 1, where x = a is
-    !> not inside the contact.   Eq. (9)
-    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
-    elemental function rwedge_transition_pressure(alpha) result(value)
-        real(c_double), intent(in) :: alpha
-        real(c_double) :: value
-        value = c_transition_pressure(alpha)
-    end function
-
-    !> Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).   Eq. (29), (31) with E1; new
-    !>   n  index of the coefficient, >= 0
-    !> NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n; where alpha is within 1e-9
-    !> (relatively) of a zero of b_n, below 1e-22 of the values around.
-    elemental function rwedge_coefficient(alpha, n) result(value)
-        real(c_double), intent(in) :: alpha
-        integer(c_int32_t), intent(in) :: n
-        real(c_double) :: value
-        value = c_coefficient(alpha, n)
-    end function
-
-    !> Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under constant P.   Eq. (25)
-    !>   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
-    !> NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
-    elemental function rwedge_stick_width(alpha, Q_over_fP) result(value)
-        real(c_double), intent(in) :: alpha, Q_over_fP
-        real(c_double) :: value
-        value = c_stick_width(alpha, Q_over_fP)
-    end function
-
-    !> Q/(fP) from the half-width of the stick zone.   Eq. (25)
-    !> NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1).
-    elemental function rwedge_shear_ratio(alpha, c) result(value)
-        real(c_double), intent(in) :: alpha, c
-        real(c_double) :: value
-        value = c_shear_ratio(alpha, c)
-    end function
-
-    !> Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure (q = f p where it slips);
-    !> 0 for |x| >= 1.   Eq. (23), (26), (27)
-    !> NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|).
-    elemental function rwedge_shear(alpha, c, x) result(value)
-        real(c_double), intent(in) :: alpha, c, x
-        real(c_double) :: value
-        value = c_shear(alpha, c, x)
-    end function
-
-    !> Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi for Hertz.   Eq. (38); new
-    !> NaN outside the domain. Relative error below 1e-14.
-    elemental function rwedge_max_tension(alpha) result(value)
-        real(c_double), intent(in) :: alpha
-        real(c_double) :: value
-        value = c_max_tension(alpha)
-    end function
-
-    !> Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or under a normal load (f = 0).
-    !> Figs. 3 to 5
-    !> It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu = 0.5 and f = 0 (or below
-    !> 1e-100, which counts as 0): pi.
-    !>   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
-    !> NaN outside the domain. Relative error below 1e-12.
-    elemental function rwedge_elastic_limit(alpha, f, nu) result(value)
-        real(c_double), intent(in) :: alpha, f, nu
-        real(c_double) :: value
-        value = c_elastic_limit(alpha, f, nu)
-    end function
-
-    !> Critical friction: the f at which yield jumps from below to the surface; 0 where it is at the surface for f = 0 already
-    !> (the smallest of such tips, a/b < 0.0026, yield below it again for an interval of f: lib/README.md).   Fig. 4; new
-    !>   alpha  at least 1e-14 (the sharp wedge yields at its apex: 0)
-    !> NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises like a square root.
-    elemental function rwedge_critical_friction(alpha, nu) result(value)
-        real(c_double), intent(in) :: alpha, nu
-        real(c_double) :: value
-        value = c_critical_friction(alpha, nu)
-    end function
-
-    !> Radius of the rounding, R = a/theta, length.   Sec. 2
-    elemental function rwedge_radius(theta, a) result(value)
-        real(c_double), intent(in) :: theta, a
-        real(c_double) :: value
-        value = c_radius(theta, a)
-    end function
-
-    !> Half-width of the rounding from its radius, a = R theta, length.   Sec. 2
-    !>   R  radius, length, finite, >= 0
-    elemental function rwedge_rounding(theta, R) result(value)
-        real(c_double), intent(in) :: theta, R
-        real(c_double) :: value
-        value = c_rounding(theta, R)
-    end function
-
-    !> Half-width b of the contact under the load P, length.   Eq. (7), (11), (15), inverse
-    !>   P  finite, >= 0; 0 gives 0
-    !> Relative error below 1e-14. Inverse: rwedge_normal_load().
-    elemental function rwedge_half_width(theta, a, compliance, P) result(value)
-        real(c_double), intent(in) :: theta, a, compliance, P
-        real(c_double) :: value
-        value = c_half_width(theta, a, compliance, P)
-    end function
-
-    !> The load P whose contact has the half-width b, force/length.   Eq. (7), (11), (15)
-    !>   b  length, finite, >= 0; 0 gives 0
-    !> Relative error below 1e-14. Inverse: rwedge_half_width().
-    elemental function rwedge_normal_load(theta, a, compliance, b) result(value)
-        real(c_double), intent(in) :: theta, a, compliance, b
-        real(c_double) :: value
-        value = c_normal_load(theta, a, compliance, b)
-    end function
-
-    !> The load P at which a given contact first yields in full sliding, or under a normal load (f = 0), force/length. The
-    !> contact grows with P, so that a/b in the elastic limit depends on it: a root.   Figs. 3 to 5
-    !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-    !> 0 for the sharp wedge, and HUGE_VAL where no load yields that makes the contact less than 1e14 a wide: for f = 0 (or
-    !> below 1e-100) and nu = 0.5 that is k > (2/pi) theta/A, where the deviator stays bounded however large the load.
-    !> Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large for f = 0 and nu near 0.5.
-    elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
-        real(c_double), intent(in) :: theta, a, compliance, f, nu, k
-        real(c_double) :: value
-        value = c_yield_load(theta, a, compliance, f, nu, k)
-    end function
-    ! ---- Stresses and strength -----------------------------------------------------------------------------------------
-
-    !> Stresses at the point (x, y), in theta/A, tension positive; closed form.   Eq. (28), (32), (33) with E4, E8; new
-    !>   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
-    !>   sxx, syy, txy  each receives one number
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
-    !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy.
-    impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
-        real(c_double), intent(in) :: alpha, f, c, x, y
-        real(c_double), intent(inout) :: sxx, syy, txy
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', &
-            [alpha, f, c, x, y], of_stress, stat, errmsg)
-    end subroutine
-
-    !> The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every point is in the domain.
-    subroutine rwedge_stresses(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
-        real(c_double), intent(in) :: alpha, f, c, x(:), y(:)
-        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: s(3)
-        integer(c_int32_t) :: status
-        integer :: i
-        status = rwedge_erange
-        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
-            status = c_stresses(alpha, f, c, size(x, kind=c_size_t), x, y, sxx, syy, txy)
-        if (status == rwedge_edomain) then
-            do i = 1, size(x)
-                if (c_stress(alpha, f, c, x(i), y(i), s(1), s(2), s(3)) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_stresses(alpha, f, c, x, y)', [alpha, f, c, x(i), y(i)], of_stress, stat, &
-                    errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_stresses(...)', [real(c_double) ::], of_stress // ', ' // of_one_size, stat, errmsg)
-    end subroutine
-
-    !> The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain.
-    subroutine rwedge_elastic_limits(alpha, f, nu, limit, stat, errmsg)
-        real(c_double), intent(in) :: alpha(:), f(:), nu
-        real(c_double), intent(inout) :: limit(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: one(1)
-        integer(c_int32_t) :: status
-        integer :: i
-        status = rwedge_erange
-        if (all([size(f), size(limit)] == size(alpha))) &
-            status = c_elastic_limits(size(alpha, kind=c_size_t), alpha, f, nu, limit)
-        if (status == rwedge_edomain) then
-            do i = 1, size(alpha)
-                if (c_elastic_limits(1_c_size_t, alpha(i:i), f(i:i), nu, one) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_elastic_limits(alpha, f, nu)', [alpha(i), f(i), nu], of_yield, stat, errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_elastic_limits(...)', [real(c_double) ::], of_yield // ', ' // of_one_size, stat, errmsg)
-    end subroutine
-
-    !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
-    !>   alpha  0, or at least 1e-14
-    !> For the sharp wedge that is the apex. For nu = 0.5 and alpha >= 1 the whole surface of the contact is equally stressed.
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
-    impure elemental subroutine rwedge_yield_point(alpha, f, nu, limit, x, y, stat, errmsg)
-        real(c_double), intent(in) :: alpha, f, nu
-        real(c_double), intent(inout) :: limit, x, y
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
-            of_yield, stat, errmsg)
-    end subroutine
-
-    !> Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4 are where they cross. Each
-    !> is smooth in alpha, f and nu, so that each can be interpolated.   Fig. 4; new
-    !> 
-    !> Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in f, and for small alpha:
-    !> RWEDGE_EABSENT beyond.
-    !>   alpha  0, or at least 1e-14
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
-    impure elemental subroutine rwedge_subsurface_yield(alpha, f, nu, limit, x, y, stat, errmsg)
-        real(c_double), intent(in) :: alpha, f, nu
-        real(c_double), intent(inout) :: limit, x, y
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', &
-            [alpha, f, nu], of_yield, stat, errmsg)
-    end subroutine
-
-    !> At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT for nu = 0.5 and f = 0 (or below
-    !> 1e-100, which counts as 0), where J2 is 0 on the surface.
-    !>   alpha  0, or at least 1e-14
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
-    !> Fig. 4; new
-    impure elemental subroutine rwedge_surface_yield(alpha, f, nu, limit, x, stat, errmsg)
-        real(c_double), intent(in) :: alpha, f, nu
-        real(c_double), intent(inout) :: limit, x
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
-            of_yield, stat, errmsg)
-    end subroutine
-
-    ! ---- A contact with a load history ---------------------------------------------------------------------------------
-
-    !> A contact without load, separated.
-    !>   contact  receives the handle
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM.
-    subroutine contact_create(this, theta, a, compliance, f, stat, errmsg)
-        class(rwedge_contact), intent(inout) :: this
-        real(c_double), intent(in) :: theta, a, compliance, f
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: created
-        integer(c_int32_t) :: status
-        status = c_contact_create(theta, a, compliance, f, created)
-        if (status == rwedge_ok) call own_contact(this, created)
-        call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], &
-            'theta > 0 and < pi/2, a finite and >= 0, compliance finite and > 0, ' // range_of_f, stat, errmsg)
-    end subroutine
-
-    !> An independent copy, history and all: to try a load and go back.
-    !> RWEDGE_ENULL, RWEDGE_ENOMEM.
-    subroutine contact_copy(this, from, stat, errmsg)
-        class(rwedge_contact), intent(inout) :: this
-        type(rwedge_contact), intent(in) :: from
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: created
-        integer(c_int32_t) :: status
-        status = c_contact_copy(from%handle, created)
-        if (status == rwedge_ok) call own_contact(this, created)
-        call conclude(status, 'rwedge_contact%copy(from)', [real(c_double) ::], '', stat, errmsg)
-    end subroutine
+    ! ---- The life of objects -------------------------------------------------------------------------------------------
 
     ! What the contact held before is freed last: it may have been copied from itself.
     subroutine own_contact(this, handle)
@@ -827,220 +517,6 @@ contains
     impure elemental subroutine finalize_contact(this)
         type(rwedge_contact), intent(inout) :: this
         call this%destroy()
-    end subroutine
-
-    !> The next point of the history, reached in a straight line of the (P, Q) plane from the last one.   Sec. 3.2; new
-    !>   P  0, or 1e-148 to 1e148 and at least 1e-8 of the last P; 0 separates the bodies (Q must then be 0 too), and all but
-    !>   the
-    !>      dissipated energy is forgotten
-    !>   Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full sliding
-    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN; RWEDGE_ERANGE where P is outside 1e-148 to 1e148, the half-width b above
-    !> 1e300, b, a/b or the peak pressure not a normal number, the peak pressure times max(1, f) above 1e300 (of the sharp
-    !> wedge: 452 theta/A max(1, f)), or the energy overflows (below the smallest double it is 0), and where P is not 0 but
-    !> below 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads; RWEDGE_ENULL; RWEDGE_ENOMEM.
-    !> Unless RWEDGE_OK, the contact is as before.
-    !> It keeps at most two points of the history per load, and of them only those that no later load has wiped out: a load
-    !> cycle that is repeated costs the memory of one.
-    subroutine contact_load(this, P, Q, stat, errmsg)
-        class(rwedge_contact), intent(inout) :: this
-        real(c_double), intent(in) :: P, Q
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
-            'P 0, or 1e-148 to 1e148 and at least 1e-8 of the last P, |Q| <= f P', stat, errmsg)
-    end subroutine
-
-    !> Half-width b of the contact, length; 0 when separated; NaN for NULL.   Eq. (7), (11), (15), inverse
-    pure function contact_half_width(this) result(value)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double) :: value
-        value = c_contact_half_width(this%handle)
-    end function
-
-    !> Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is exhausted, |q| = f |p|. It is b
-    !> where there is no such zone, 0 in full sliding and when separated; NaN for NULL.   Eq. (25); new
-    pure function contact_stick_half_width(this) result(value)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double) :: value
-        value = c_contact_stick_half_width(this%handle)
-    end function
-
-    !> How many points of its history the contact remembers; 0 when separated, and for NULL. The time that its functions need
-    !> per point of the half-plane grows like this.
-    pure function contact_memory(this) result(value)
-        class(rwedge_contact), intent(in) :: this
-        integer(c_size_t) :: value
-        value = c_contact_memory(this%handle)
-    end function
-
-    !> Pressure p and shear traction q at n points of the surface, stress: compression negative; q = f p where it slips under
-    !> Q > 0. Both are 0 for |x| >= b.   Eq. (8), (12), (14), (22) to (27)
-    !>   x     length, finite; not the apex 0 of a loaded sharp wedge
-    !>   p, q  each receives n numbers
-    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
-    !> Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
-    subroutine contact_tractions(this, x, p, q, stat, errmsg)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: x(:)
-        real(c_double), intent(inout) :: p(:), q(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: s(2)
-        integer(c_int32_t) :: status
-        integer :: i
-        status = rwedge_erange
-        if (all([size(p), size(q)] == size(x))) &
-            status = c_contact_tractions(this%handle, size(x, kind=c_size_t), x, p, q)
-        if (status == rwedge_edomain) then
-            do i = 1, size(x)
-                if (c_contact_tractions(this%handle, 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_contact%tractions(x)', [x(i)], of_tractions, stat, errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], of_one_size, stat, errmsg)
-    end subroutine
-
-    !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
-    !>   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b
-    !>   sxx, syy, txy  each receives n numbers
-    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
-    !> Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
-    subroutine contact_stresses(this, x, y, sxx, syy, txy, stat, errmsg)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: x(:), y(:)
-        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: s(3)
-        integer(c_int32_t) :: status
-        integer :: i
-        status = rwedge_erange
-        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
-            status = c_contact_stresses(this%handle, size(x, kind=c_size_t), x, y, sxx, syy, txy)
-        if (status == rwedge_edomain) then
-            do i = 1, size(x)
-                if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], of_stresses, stat, errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], of_one_size, stat, errmsg)
-    end subroutine
-
-    !> Slip at n points of the surface, length: the tangential displacement of the half-plane's surface relative to the wedge's
-    !> since the point last came into contact. It has the sign of q while it grows, so that q d(slip) is the heat. 0 where a
-    !> point has stuck ever since. In full sliding the rigid displacement is not determined by the loads; the slip is then the
-    !> least that the loads need, with which the centre of the contact is on the verge of slip.   Eq. (17) to (21); new
-    !>   x     length, |x| <= b: points outside have no partner
-    !>   slip  receives n numbers
-    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
-    !> Error below 1e-12 f theta b, for loads that differ by 1 % or more.
-    subroutine contact_slip(this, x, slip, stat, errmsg)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: x(:)
-        real(c_double), intent(inout) :: slip(:)
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: one(1)
-        integer(c_int32_t) :: status
-        integer :: i
-        status = rwedge_erange
-        if (size(slip) == size(x)) status = c_contact_slip(this%handle, size(x, kind=c_size_t), x, slip)
-        if (status == rwedge_edomain) then
-            do i = 1, size(x)
-                if (c_contact_slip(this%handle, 1_c_size_t, x(i:i), one) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_contact%slip(x)', [x(i)], '|x| <= b, the contact', stat, errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], of_one_size, stat, errmsg)
-    end subroutine
-
-    !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the time
-    !> integral of the traction times the rate of slip over the contact, without the rigid displacement in full sliding. Never
-    !> falls. In a cycle under constant P it is the area of the loop of Q over the rigid displacement.   new
-    !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the change of Q/f where that
-    !> slip reaches an older layer.
-    pure function contact_dissipated_energy(this) result(value)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double) :: value
-        value = c_contact_dissipated_energy(this%handle)
-    end function
-
-    !> How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
-    !> half-plane. Loads scaled by it would not yield it exactly, as the contact grows: see rwedge_yield_load().
-    !>   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-    !>   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the apex of the sharp wedge
-    !>   x, y    where the maximum is, length; each may be NULL
-    !> It is the global maximum that is searched for, from each edge of slip that is remembered, at every scale; a millisecond
-    !> for a first load, and its time grows with the square of rwedge_contact_memory().
-    !> RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor is not a
-    !> finite number. Relative error below 1e-12.
-    subroutine contact_yield_factor(this, nu, k, factor, x, y, stat, errmsg)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: nu, k
-        real(c_double), intent(inout) :: factor
-        real(c_double), intent(inout), optional :: x, y
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        real(c_double) :: place(2)
-        integer(c_int32_t) :: status
-        status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
-        if (status == rwedge_ok .and. present(x)) x = place(1)
-        if (status == rwedge_ok .and. present(y)) y = place(2)
-        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], &
-            range_of_nu // ', k finite and > 0, so that the factor is finite', stat, errmsg)
-    end subroutine
-
-    ! ---- The paper's series --------------------------------------------------------------------------------------------
-
-    !> The rounded wedge's own series, cut after the first terms coefficients.   Eq. (29), (31) with E1; new
-    !>   terms  1 <= terms <= 2^24
-    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with rwedge_series_destroy().
-    subroutine series_create(this, alpha, terms, stat, errmsg)
-        class(rwedge_series), intent(inout) :: this
-        real(c_double), intent(in) :: alpha
-        integer(c_int32_t), intent(in) :: terms
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: created
-        integer(c_int32_t) :: status
-        status = c_series_create(alpha, terms, created)
-        if (status == rwedge_ok) call own_series(this, created)
-        call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], &
-            'alpha finite and >= 0, terms 1 to 2^24', stat, errmsg)
-    end subroutine
-
-    !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.   Sec. 4 of the paper
-    !>   samples  number of samples, >= terms, samples * terms <= 2^27
-    !>   x, p     where and what, |x| < 1; 0 or 1e-60 to 1e60 in magnitude. Samples near Chebyshev's points (x = cos t, t equally
-    !>            spaced) fit best
-    !> RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double (repeated or clustered
-    !> points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV.
-    subroutine series_fit(this, x, p, terms, stat, errmsg)
-        class(rwedge_series), intent(inout) :: this
-        real(c_double), intent(in) :: x(:), p(:)
-        integer(c_int32_t), intent(in) :: terms
-        integer, intent(out), optional :: stat
-        character(*), intent(inout), optional :: errmsg
-        type(c_ptr) :: created
-        integer(c_int32_t) :: status, one_status
-        integer :: i
-        status = rwedge_erange
-        if (size(p) == size(x)) status = c_series_fit(size(x, kind=c_size_t), x, p, terms, created)
-        if (status == rwedge_ok) call own_series(this, created)
-        if (status == rwedge_edomain) then
-            do i = 1, size(x)
-                one_status = c_series_fit(1_c_size_t, x(i:i), p(i:i), 1_c_int32_t, created)
-                if (one_status == rwedge_ok) call c_series_destroy(created)
-                if (one_status /= rwedge_edomain) cycle
-                call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], '|x| < 1, p finite', stat, errmsg, i)
-                return
-            end do
-        end if
-        call conclude(status, 'rwedge_series%fit(size(x), size(p), terms)', real([size(x), size(p), int(terms)], c_double), &
-            'x and p of one size, terms 1 to 2^24, size(x) * terms <= 2^27', stat, errmsg)
     end subroutine
 
     subroutine own_series(this, handle)
@@ -1084,6 +560,584 @@ contains
         call this%destroy()
     end subroutine
 
+    ! ---- Materials ----------------------------------------------------------------------------------------------------
+
+    !> Composite compliance A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2, in 1/unit of E.   Eq. (2)
+    !>   E1, E2    Young's moduli, > 0; HUGE_VAL is a rigid body (one of the two at most)
+    !>   nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
+    !> NaN outside the domain, or where A leaves it. Relative error below 4 epsilon.
+    elemental function rwedge_compliance(E1, nu1, E2, nu2) result(value)
+        real(c_double), intent(in) :: E1, nu1, E2, nu2
+        real(c_double) :: value
+        value = c_compliance(E1, nu1, E2, nu2)
+    end function
+
+    !> Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
+    !> theory with friction is exact where it is 0 (elastically similar bodies).
+    !>    Dundurs (1969), see lib/README.md
+    !>   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
+    !>   |beta| <= 1/2 for nu >= 0
+    !> NaN outside the domain. Error below 4 epsilon, absolutely.
+    elemental function rwedge_dundurs_beta(E1, nu1, E2, nu2) result(value)
+        real(c_double), intent(in) :: E1, nu1, E2, nu2
+        real(c_double) :: value
+        value = c_dundurs_beta(E1, nu1, E2, nu2)
+    end function
+
+    ! ---- Contact law --------------------------------------------------------------------------------------------------
+
+    !> Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for
+    !> Hertz.   Eq. (7), (11), (13), (15)
+    !> NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b().
+    elemental function rwedge_load(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_load(alpha)
+    end function
+
+    !> The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
+    !> (a/b >= 1) included.   Eq. (7), (11), inverse
+    !>   AP_over_theta_a  > 0, finite
+    !> NaN outside the domain, or where a/b leaves it. Relative error below 1e-14.
+    elemental function rwedge_a_over_b(AP_over_theta_a) result(value)
+        real(c_double), intent(in) :: AP_over_theta_a
+        real(c_double) :: value
+        value = c_a_over_b(AP_over_theta_a)
+    end function
+
+    ! ---- Pressure -----------------------------------------------------------------------------------------------------
+
+    !> Contact pressure A p/theta at x, compression negative; 0 for |x| >= 1.   Eq. (8), (12), (14)
+    !> NaN outside the domain, and at the apex of the sharp wedge (alpha = 0, x = 0), where it is
+    !> infinite. Relative error below 1e-12, up to the zeros at x = +-1.
+    elemental function rwedge_pressure(alpha, x) result(value)
+        real(c_double), intent(in) :: alpha, x
+        real(c_double) :: value
+        value = c_pressure(alpha, x)
+    end function
+
+    !> Magnitude of the peak pressure, at x = 0, as A p0/theta.   Eq. (10), (16)
+    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+    elemental function rwedge_peak_pressure(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_peak_pressure(alpha)
+    end function
+
+    !> Magnitude of the pressure where the rounding meets the flank, x = +-a, as A p/theta; 0 for
+    !> alpha >= 1, where x = a is not inside the contact.   Eq. (9)
+    !> NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
+    elemental function rwedge_transition_pressure(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_transition_pressure(alpha)
+    end function
+
+    !> Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).
+    !>    Eq. (29), (31) with E1; new
+    !>   n  index of the coefficient, >= 0
+    !> NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n;
+    !> where alpha is within 1e-9 (relatively) of a zero of b_n, below 1e-22 of the values around.
+    elemental function rwedge_coefficient(alpha, n) result(value)
+        real(c_double), intent(in) :: alpha
+        integer(c_int32_t), intent(in) :: n
+        real(c_double) :: value
+        value = c_coefficient(alpha, n)
+    end function
+
+    ! ---- Partial slip -------------------------------------------------------------------------------------------------
+
+    !> Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under
+    !> constant P.   Eq. (25)
+    !>   Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
+    !> NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
+    elemental function rwedge_stick_width(alpha, Q_over_fP) result(value)
+        real(c_double), intent(in) :: alpha, Q_over_fP
+        real(c_double) :: value
+        value = c_stick_width(alpha, Q_over_fP)
+    end function
+
+    !> Q/(fP) from the half-width of the stick zone.   Eq. (25)
+    !> NaN outside the domain. Relative error below 1e-14, also where it goes to 0 (c near 1).
+    elemental function rwedge_shear_ratio(alpha, c) result(value)
+        real(c_double), intent(in) :: alpha, c
+        real(c_double) :: value
+        value = c_shear_ratio(alpha, c)
+    end function
+
+    !> Shear traction A q/(f theta) at x, with a stick zone |x| < c; it has the sign of the pressure
+    !> (q = f p where it slips); 0 for |x| >= 1.   Eq. (23), (26), (27)
+    !> NaN outside the domain, and for alpha = c = x = 0. Error below 1e-14 (1 + |A p/theta|).
+    elemental function rwedge_shear(alpha, c, x) result(value)
+        real(c_double), intent(in) :: alpha, c, x
+        real(c_double) :: value
+        value = c_shear(alpha, c, x)
+    end function
+
+    ! ---- Interior stresses --------------------------------------------------------------------------------------------
+
+    !> Stresses at the point (x, y), in theta/A, tension positive; closed form.
+    !>    Eq. (28), (32), (33) with E4, E8; new
+    !>   x, y           in b, finite, y >= 0; not the apex (0, 0) of the sharp wedge
+    !>   sxx, syy, txy  each receives one number
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    !> Error below 1e-13 of the larger of the tensor's norm and max(1, f)/(1+|z|), z = x + iy.
+    impure elemental subroutine rwedge_stress(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, c, x, y
+        real(c_double), intent(inout) :: sxx, syy, txy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', [alpha, f, c, x, y], &
+            'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the sharp ' // &
+            'wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge', stat, errmsg)
+    end subroutine
+
+    !> The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every
+    !> point is in the domain.
+    subroutine rwedge_stresses(alpha, f, c, x, y, sxx, syy, txy, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, c, x(:), y(:)
+        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(3)
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
+            status = c_stresses(alpha, f, c, size(x, kind=c_size_t), x, y, sxx, syy, txy)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_stresses(alpha, f, c, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_stresses(alpha, f, c, x, y)', [alpha, f, c, x(i), y(i)], &
+                    'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the' // &
+                    ' sharp wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_stresses(...)', [real(c_double) ::], &
+            'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the sharp ' // &
+            'wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge; arrays of one size', stat, errmsg)
+    end subroutine
+
+    ! ---- Strength -----------------------------------------------------------------------------------------------------
+
+    !> Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi
+    !> for Hertz.   Eq. (38); new
+    !> NaN outside the domain. Relative error below 1e-14.
+    elemental function rwedge_max_tension(alpha) result(value)
+        real(c_double), intent(in) :: alpha
+        real(c_double) :: value
+        value = c_max_tension(alpha)
+    end function
+
+    !> Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
+    !> under a normal load (f = 0).   Figs. 3 to 5
+    !> It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose
+    !> stresses are infinite; but pi for nu = 0.5 and f = 0.
+    !>   alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
+    !> NaN outside the domain. Relative error below 1e-12.
+    elemental function rwedge_elastic_limit(alpha, f, nu) result(value)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double) :: value
+        value = c_elastic_limit(alpha, f, nu)
+    end function
+
+    !> The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain.
+    subroutine rwedge_elastic_limits(alpha, f, nu, limit, stat, errmsg)
+        real(c_double), intent(in) :: alpha(:), f(:), nu
+        real(c_double), intent(inout) :: limit(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(1)
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(f), size(limit)] == size(alpha))) &
+            status = c_elastic_limits(size(alpha, kind=c_size_t), alpha, f, nu, limit)
+        if (status == rwedge_edomain) then
+            do i = 1, size(alpha)
+                if (c_elastic_limits(1_c_size_t, alpha(i:i), f(i:i), nu, s(1:1)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_elastic_limits(alpha, f, nu)', [alpha(i), f(i), nu], &
+                    'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_elastic_limits(...)', [real(c_double) ::], &
+            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
+    !>   alpha  0, or at least 1e-14
+    !> The sharp wedge yields at its apex. For nu = 0.5 and alpha >= 1 the whole surface of the
+    !> contact is equally stressed.
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat.
+    impure elemental subroutine rwedge_yield_point(alpha, f, nu, limit, x, y, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
+            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+    end subroutine
+
+    !> The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
+    !> and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that
+    !> each can be interpolated.   Fig. 4; new
+    !>
+    !> Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
+    !> alpha have none: RWEDGE_EABSENT.
+    !>   alpha  0, or at least 1e-14
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    impure elemental subroutine rwedge_subsurface_yield(alpha, f, nu, limit, x, y, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', [alpha, f, nu], &
+            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+    end subroutine
+
+    !> At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
+    !> for nu = 0.5 and f = 0, where J2 is 0 on the surface.
+    !>   alpha  0, or at least 1e-14
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.   Fig. 4; new
+    impure elemental subroutine rwedge_surface_yield(alpha, f, nu, limit, x, stat, errmsg)
+        real(c_double), intent(in) :: alpha, f, nu
+        real(c_double), intent(inout) :: limit, x
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
+            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+    end subroutine
+
+    !> Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
+    !> at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
+    !> the surface again for an interval of f: lib/README.md.)   Fig. 4; new
+    !>   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
+    !> NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
+    !> like a square root.
+    elemental function rwedge_critical_friction(alpha, nu) result(value)
+        real(c_double), intent(in) :: alpha, nu
+        real(c_double) :: value
+        value = c_critical_friction(alpha, nu)
+    end function
+
+    ! ---- Dimensional quantities ---------------------------------------------------------------------------------------
+
+    !> Radius of the rounding, R = a/theta, length.   Sec. 2
+    elemental function rwedge_radius(theta, a) result(value)
+        real(c_double), intent(in) :: theta, a
+        real(c_double) :: value
+        value = c_radius(theta, a)
+    end function
+
+    !> Half-width of the rounding from its radius, a = R theta, length.   Sec. 2
+    !>   R  radius, length, finite, >= 0
+    elemental function rwedge_rounding(theta, R) result(value)
+        real(c_double), intent(in) :: theta, R
+        real(c_double) :: value
+        value = c_rounding(theta, R)
+    end function
+
+    !> Half-width b of the contact under the load P, length.   Eq. (7), (11), (15), inverse
+    !>   P  finite, >= 0; 0 gives 0
+    !> Relative error below 1e-14. Inverse: rwedge_normal_load().
+    elemental function rwedge_half_width(theta, a, compliance, P) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, P
+        real(c_double) :: value
+        value = c_half_width(theta, a, compliance, P)
+    end function
+
+    !> The load P whose contact has the half-width b, force/length.   Eq. (7), (11), (15)
+    !>   b  length, finite, >= 0; 0 gives 0
+    !> Relative error below 1e-14. Inverse: rwedge_half_width().
+    elemental function rwedge_normal_load(theta, a, compliance, b) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, b
+        real(c_double) :: value
+        value = c_normal_load(theta, a, compliance, b)
+    end function
+
+    !> The load P at which a given contact first yields in full sliding, or under a normal load (f =
+    !> 0), force/length. The contact grows with P, and the elastic limit depends on a/b: P is the root
+    !> of an equation.   Figs. 3 to 5
+    !>   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+    !> It is 0 for the sharp wedge. It is HUGE_VAL where the contact does not yield before it is 1e14
+    !> a wide. For f = 0 and nu = 0.5 it never yields if k > (2/pi) theta/A: the deviator stays
+    !> bounded however large the load. Relative error below 1e-11, and 1e-15 dlnP/dlnk, which is large
+    !> for f = 0 and nu near 0.5.
+    elemental function rwedge_yield_load(theta, a, compliance, f, nu, k) result(value)
+        real(c_double), intent(in) :: theta, a, compliance, f, nu, k
+        real(c_double) :: value
+        value = c_yield_load(theta, a, compliance, f, nu, k)
+    end function
+
+    ! ---- A contact with a load history --------------------------------------------------------------------------------
+
+    !> A contact without load, separated.
+    !>   contact  receives the handle
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM.
+    subroutine contact_create(this, theta, a, compliance, f, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: theta, a, compliance, f
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_contact_create(theta, a, compliance, f, created)
+        if (status == rwedge_ok) call own_contact(this, created)
+        call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], &
+            '0 < theta < pi/2; a finite, >= 0; compliance finite, > 0; 0 <= f <= 1e6', stat, errmsg)
+    end subroutine
+
+    !> An independent copy, history and all: to try a load and go back.
+    !> RWEDGE_ENULL, RWEDGE_ENOMEM.
+    subroutine contact_copy(this, from, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        type(rwedge_contact), intent(in) :: from
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_contact_copy(from%handle, created)
+        if (status == rwedge_ok) call own_contact(this, created)
+        call conclude(status, 'rwedge_contact%copy()', [real(c_double) ::], '', stat, errmsg)
+    end subroutine
+
+    !> The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
+    !>    Sec. 3.2; new
+    !>   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
+    !>      the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+    !>   Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
+    !>      P
+    !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
+    !> peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
+    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
+    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
+    !> two points of the history per load, and of them only those that no later load has wiped out.
+    subroutine contact_load(this, P, Q, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: P, Q
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
+            'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; |Q| <= f P', stat, errmsg)
+    end subroutine
+
+    !> Half-width b of the contact, length; 0 when separated; NaN for NULL.
+    !>    Eq. (7), (11), (15), inverse
+    pure function contact_half_width(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_half_width(this%handle)
+    end function
+
+    !> Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
+    !> |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+    !>    Eq. (25); new
+    pure function contact_stick_half_width(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_stick_half_width(this%handle)
+    end function
+
+    !> How many points of its history the contact remembers; 0 when separated, and for NULL. The time
+    !> of its functions grows in proportion, for each point of the half-plane.
+    pure function contact_memory(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        integer(c_size_t) :: value
+        value = c_contact_memory(this%handle)
+    end function
+
+    !> Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
+    !> f p where it slips under Q > 0. Both are 0 for |x| >= b.   Eq. (8), (12), (14), (22) to (27)
+    !>   x     length, finite; not the apex 0 of a loaded sharp wedge
+    !>   p, q  each receives n numbers
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error of p as rwedge_pressure(), of q below 1e-13 f (theta/A + |p|).
+    subroutine contact_tractions(this, x, p, q, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:)
+        real(c_double), intent(inout) :: p(:), q(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(2)
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(p), size(q)] == size(x))) &
+            status = c_contact_tractions(this%handle, size(x, kind=c_size_t), x, p, q)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_tractions(this%handle, 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%tractions(x)', [x(i)], &
+                    'x finite, not the apex 0 of a loaded sharp wedge', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], &
+            'x finite, not the apex 0 of a loaded sharp wedge; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
+    !>   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
+    !>   sxx, syy, txy  each receives n numbers
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
+    subroutine contact_stresses(this, x, y, sxx, syy, txy, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:), y(:)
+        real(c_double), intent(inout) :: sxx(:), syy(:), txy(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(3)
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
+            status = c_contact_stresses(this%handle, size(x, kind=c_size_t), x, y, sxx, syy, txy)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], &
+                    'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the ' // &
+                    'apex (0, 0) of a loaded sharp wedge', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], &
+            'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the apex (0, 0)' // &
+            ' of a loaded sharp wedge; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
+    !> relative to the wedge's, since the point last came into contact. It has the sign of q while it
+    !> grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
+    !> sliding the loads do not determine the rigid displacement. The slip is then the least that the
+    !> loads need: the centre of the contact is on the verge of slip.
+    !>    Eq. (17) to (21); new
+    !>   x     length, |x| <= b: points outside have no partner
+    !>   slip  receives n numbers
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
+    !> Error below 1e-12 f theta b, for loads that differ by 1 % or more.
+    subroutine contact_slip(this, x, slip, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:)
+        real(c_double), intent(inout) :: slip(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: s(1)
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (size(slip) == size(x)) &
+            status = c_contact_slip(this%handle, size(x, kind=c_size_t), x, slip)
+        if (status == rwedge_edomain) then
+            do i = 1, size(x)
+                if (c_contact_slip(this%handle, 1_c_size_t, x(i:i), s(1:1)) == rwedge_ok) cycle
+                call conclude(status, 'rwedge_contact%slip(x)', [x(i)], '|x| <= b', stat, errmsg, i)
+                return
+            end do
+        end if
+        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], '|x| <= b; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the
+    !> time integral of the traction times the rate of slip over the contact, without the rigid
+    !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
+    !> loop of Q over the rigid displacement.   new
+    !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
+    !> change of Q/f where that slip reaches an older layer.
+    pure function contact_dissipated_energy(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_dissipated_energy(this%handle)
+    end function
+
+    !> How far the present state is from first yield (von Mises, plane strain): k over the maximum of
+    !> sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact
+    !> grows with them: see rwedge_yield_load().
+    !>   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+    !>   factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
+    !>           apex of the sharp wedge
+    !>   x, y    where the maximum is, length; each may be NULL
+    !> The search is for the global maximum, around each remembered edge of slip, at every scale. It
+    !> takes a millisecond for a first load, and its time grows with the square of
+    !> rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
+    !> RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12.
+    subroutine contact_yield_factor(this, nu, k, factor, x, y, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: nu, k
+        real(c_double), intent(inout) :: factor
+        real(c_double), intent(inout), optional :: x, y
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: place(2)
+        integer(c_int32_t) :: status
+        status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
+        if (status == rwedge_ok .and. present(x)) x = place(1)
+        if (status == rwedge_ok .and. present(y)) y = place(2)
+        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k finite, > 0', stat, errmsg)
+    end subroutine
+
+    ! ---- The paper's series -------------------------------------------------------------------------------------------
+
+    !> The rounded wedge's own series, cut after the first terms coefficients.
+    !>    Eq. (29), (31) with E1; new
+    !>   terms  1 <= terms <= 2^24
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Free with rwedge_series_destroy().
+    subroutine series_create(this, alpha, terms, stat, errmsg)
+        class(rwedge_series), intent(inout) :: this
+        real(c_double), intent(in) :: alpha
+        integer(c_int32_t), intent(in) :: terms
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        status = c_series_create(alpha, terms, created)
+        if (status == rwedge_ok) call own_series(this, created)
+        call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], &
+            'alpha finite, >= 0; 1 <= terms <= 2^24', stat, errmsg)
+    end subroutine
+
+    !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
+    !>    Sec. 4 of the paper
+    !>   samples  number of samples, >= terms, samples * terms <= 2^27
+    !>   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
+    !>            equally spaced) fit best
+    !>   terms    >= 1
+    !> RWEDGE_ERANK where the samples do not determine the coefficients to half the digits of a double
+    !> (repeated or clustered points, or fewer than terms); RWEDGE_EDOMAIN, RWEDGE_ERANGE,
+    !> RWEDGE_ENULL, RWEDGE_ENOMEM, RWEDGE_ENOCONV.
+    subroutine series_fit(this, x, p, terms, stat, errmsg)
+        class(rwedge_series), intent(inout) :: this
+        real(c_double), intent(in) :: x(:), p(:)
+        integer(c_int32_t), intent(in) :: terms
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (size(p) == size(x)) &
+            status = c_series_fit(size(x, kind=c_size_t), x, p, terms, created)
+        if (status == rwedge_ok) call own_series(this, created)
+        i = first_outside(x, -1.0_c_double, 1.0_c_double, .true., .true., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
+                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(p, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
+                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
+            '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27; arrays of ' // &
+            'one size', stat, errmsg)
+    end subroutine
+
     !> How many coefficients it holds; 0 for NULL.
     pure function series_terms(this) result(value)
         class(rwedge_series), intent(in) :: this
@@ -1091,7 +1145,8 @@ contains
         value = c_series_terms(this%handle)
     end function
 
-    !> a_k; 0 for k >= terms; NaN for k < 0 or NULL.
+    !> a_k; 0 for k >= terms; NaN outside the domain or NULL.
+    !>   k  index of the coefficient, >= 0
     elemental function series_coefficient(this, k) result(value)
         class(rwedge_series), intent(in) :: this
         integer(c_int32_t), intent(in) :: k
@@ -1099,16 +1154,17 @@ contains
         value = c_series_coefficient(this%handle, k)
     end function
 
-    !> Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus sample. From
-    !> rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >= terms, valid for the pressure and for |G|
-    !> anywhere (HUGE_VAL for the sharp wedge, whose coefficients have no finite sum). NaN for NULL.
+    !> Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus
+    !> sample. From rwedge_series_create(): an upper bound of what is cut off, sum |a_k| for k >=
+    !> terms, valid for the pressure and for |G| anywhere (HUGE_VAL for the sharp wedge, whose
+    !> coefficients have no finite sum). NaN for NULL.
     pure function series_residual(this) result(value)
         class(rwedge_series), intent(in) :: this
         real(c_double) :: value
         value = c_series_residual(this%handle)
     end function
 
-    !> The pressure at x; 0 for |x| >= 1; NaN for x not finite or NULL.   Eq. (29)
+    !> The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL.   Eq. (29)
     elemental function series_pressure(this, x) result(value)
         class(rwedge_series), intent(in) :: this
         real(c_double), intent(in) :: x
@@ -1116,8 +1172,9 @@ contains
         value = c_series_pressure(this%handle, x)
     end function
 
-    !> Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z - sqrt(z^2-1).  Eq. (30), (34), E2,
-    !> E3 RWEDGE_EDOMAIN, RWEDGE_ENULL.
+    !> Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z -
+    !> sqrt(z^2-1).   Eq. (30), (34), E2, E3
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL.
     impure elemental subroutine series_potential(this, f, x, y, re, im, stat, errmsg)
         class(rwedge_series), intent(in) :: this
         real(c_double), intent(in) :: f, x, y
@@ -1125,11 +1182,12 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
-            of_series_stress, stat, errmsg)
+            '0 <= f <= 1e6; x finite; y finite, >= 0', stat, errmsg)
     end subroutine
 
     !> Stresses for q = f p.   Eq. (32), (33)
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges: slowly.
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. The derivative converges like the series of R^k at the edges:
+    !> slowly.
     impure elemental subroutine series_stress(this, f, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_series), intent(in) :: this
         real(c_double), intent(in) :: f, x, y
@@ -1137,6 +1195,6 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
-            of_series_stress, stat, errmsg)
+            '0 <= f <= 1e6; x finite; y finite, >= 0', stat, errmsg)
     end subroutine
 end module

@@ -4,7 +4,9 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$here/../..
-command -v gfortran >/dev/null 2>&1 || { echo "SKIPPED: gfortran is not installed"; exit 77; }
+for tool in gfortran python3; do
+    command -v $tool >/dev/null 2>&1 || { echo "SKIPPED: $tool is not installed"; exit 77; }
+done
 sh "$top/bindings/private.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
 mkdir -p "$1/fortran"
@@ -27,13 +29,9 @@ fortran()
 }
 objects=''
 
-sh "$here/check_interfaces.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90"
-sh "$here/document.sh" "$prefix/include/rwedge.h" "$here/rwedge.f90" >documented.f90
-diff "$here/rwedge.f90" documented.f90 || fail "the comments are not the header's: see document.sh"
-
 fortran door -O2
-cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
-sh "$top/tests/doors/calls.sh" >calls.csv
+cc -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+python3 -B "$top/tests/doors/calls.py" >calls.csv
 ./door_in_c <calls.csv >expected.csv
 ./door <calls.csv >answers.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"

@@ -32,12 +32,12 @@ typedef struct {
     char or_zero;             /* 0 is inside, though below low */
     char finite;              /* infinity is outside */
     char whole;               /* an int32_t */
-    signed char size;         /* which of the sizes an array has; -1 for a number */
+    signed char sizes[2];     /* of an array, as of a result */
 } entry_argument;
 
 typedef struct {
     const char *name;
-    signed char sizes[2]; /* an array of this size, of the product of both; -1 for none */
+    signed char sizes[2]; /* of an array, or of two dimensions: which of the sizes; -1 for none */
 } entry_result;
 
 typedef struct {
@@ -70,90 +70,90 @@ typedef struct {
 
 ENTRY(compliance, r[0][0] = rwedge_compliance(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument compliance_arguments[] = {
-    {"E1", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, -1},
-    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, -1},
-    {"E2", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, -1},
-    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, -1}};
+    {"E1", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, {-1, -1}},
+    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, {-1, -1}},
+    {"E2", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, {-1, -1}},
+    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result compliance_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(dundurs_beta, r[0][0] = rwedge_dundurs_beta(v[0][0], v[1][0], v[2][0], v[3][0]); return
       RWEDGE_OK)
 static const entry_argument dundurs_beta_arguments[] = {
-    {"E1", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, -1},
-    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, -1},
-    {"E2", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, -1},
-    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, -1}};
+    {"E1", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, {-1, -1}},
+    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, {-1, -1}},
+    {"E2", "> 0", 0.0, INFINITY, 1, 0, 0, 0, 0, {-1, -1}},
+    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 1, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result dundurs_beta_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(load, r[0][0] = rwedge_load(v[0][0]); return RWEDGE_OK)
 static const entry_argument load_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result load_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(a_over_b, r[0][0] = rwedge_a_over_b(v[0][0]); return RWEDGE_OK)
 static const entry_argument a_over_b_arguments[] = {
-    {"AP_over_theta_a", "> 0, finite", 0.0, INFINITY, 1, 0, 0, 1, 0, -1}};
+    {"AP_over_theta_a", "> 0, finite", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result a_over_b_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(pressure, r[0][0] = rwedge_pressure(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument pressure_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result pressure_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(peak_pressure, r[0][0] = rwedge_peak_pressure(v[0][0]); return RWEDGE_OK)
 static const entry_argument peak_pressure_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result peak_pressure_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(transition_pressure, r[0][0] = rwedge_transition_pressure(v[0][0]); return RWEDGE_OK)
 static const entry_argument transition_pressure_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result transition_pressure_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(coefficient, r[0][0] = rwedge_coefficient(v[0][0], (int32_t)v[1][0]); return RWEDGE_OK)
 static const entry_argument coefficient_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"n", "whole, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 1, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"n", "whole, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 1, {-1, -1}}};
 static const entry_result coefficient_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(stick_width, r[0][0] = rwedge_stick_width(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument stick_width_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"Q_over_fP", "0 <= Q/(fP) <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q_over_fP", "0 <= Q/(fP) <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result stick_width_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(shear_ratio, r[0][0] = rwedge_shear_ratio(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument shear_ratio_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result shear_ratio_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(shear, r[0][0] = rwedge_shear(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument shear_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, -1},
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result shear_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(stress, return rwedge_stress(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0], r[0], r[1], r[2]))
 static const entry_argument stress_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, -1},
-    {"x", "finite, not the apex (0, 0) of the sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"y", "finite, y >= 0, not the apex (0, 0) of the sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite, not the apex (0, 0) of the sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"y", "finite, y >= 0, not the apex (0, 0) of the sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result stress_results[] = {
     {"sxx", {-1, -1}},
     {"syy", {-1, -1}},
@@ -162,11 +162,11 @@ static const entry_result stress_results[] = {
 ENTRY(stresses, return rwedge_stresses(v[0][0], v[1][0], v[2][0], n[0], v[3], v[4], r[0], r[1],
       r[2]))
 static const entry_argument stresses_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, -1},
-    {"x", "finite, not the apex (0, 0) of the sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"y", "finite, y >= 0, not the apex (0, 0) of the sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, 0}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"c", "0 <= c <= 1", 0.0, 1.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite, not the apex (0, 0) of the sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"y", "finite, y >= 0, not the apex (0, 0) of the sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
 static const entry_result stresses_results[] = {
     {"sxx", {0, -1}},
     {"syy", {0, -1}},
@@ -176,23 +176,23 @@ static const entry_size stresses_sizes[] = {
 
 ENTRY(max_tension, r[0][0] = rwedge_max_tension(v[0][0]); return RWEDGE_OK)
 static const entry_argument max_tension_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result max_tension_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(elastic_limit, r[0][0] = rwedge_elastic_limit(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument elastic_limit_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result elastic_limit_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(elastic_limits, return rwedge_elastic_limits(n[0], v[0], v[1], v[2][0], r[0]))
 static const entry_argument elastic_limits_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, 0},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, 0},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {0, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {0, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result elastic_limits_results[] = {
     {"limit", {0, -1}}};
 static const entry_size elastic_limits_sizes[] = {
@@ -200,9 +200,9 @@ static const entry_size elastic_limits_sizes[] = {
 
 ENTRY(yield_point, return rwedge_yield_point(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument yield_point_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result yield_point_results[] = {
     {"limit", {-1, -1}},
     {"x", {-1, -1}},
@@ -210,9 +210,9 @@ static const entry_result yield_point_results[] = {
 
 ENTRY(subsurface_yield, return rwedge_subsurface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument subsurface_yield_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result subsurface_yield_results[] = {
     {"limit", {-1, -1}},
     {"x", {-1, -1}},
@@ -220,80 +220,80 @@ static const entry_result subsurface_yield_results[] = {
 
 ENTRY(surface_yield, return rwedge_surface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument surface_yield_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result surface_yield_results[] = {
     {"limit", {-1, -1}},
     {"x", {-1, -1}}};
 
 ENTRY(critical_friction, r[0][0] = rwedge_critical_friction(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument critical_friction_arguments[] = {
-    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1}};
+    {"alpha", "0, or at least 1e-14", 1e-14, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result critical_friction_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(radius, r[0][0] = rwedge_radius(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument radius_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result radius_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(rounding, r[0][0] = rwedge_rounding(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument rounding_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"R", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"R", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result rounding_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(half_width, r[0][0] = rwedge_half_width(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument half_width_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1},
-    {"P", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"P", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result half_width_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(normal_load, r[0][0] = rwedge_normal_load(v[0][0], v[1][0], v[2][0], v[3][0]); return
       RWEDGE_OK)
 static const entry_argument normal_load_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1},
-    {"b", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"b", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result normal_load_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(yield_load, r[0][0] = rwedge_yield_load(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0], v[5][0]);
       return RWEDGE_OK)
 static const entry_argument yield_load_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1},
-    {"k", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result yield_load_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(contact_create, return rwedge_contact_create(v[0][0], v[1][0], v[2][0], v[3][0],
       (rwedge_contact **)made))
 static const entry_argument contact_create_arguments[] = {
-    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, -1},
-    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1},
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1}};
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}}};
 
 ENTRY(contact_copy, return rwedge_contact_copy((const rwedge_contact *)object, (rwedge_contact
       **)made))
 
 ENTRY(contact_load, return rwedge_contact_load((rwedge_contact *)object, v[0][0], v[1][0]))
 static const entry_argument contact_load_arguments[] = {
-    {"P", "0, or 1e-148 to 1e148 and at least 1e-8 of the last P", 1e-148, 1e+148, 0, 0, 1, 1, 0, -1},
-    {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}},
+    {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 
 ENTRY(contact_half_width, r[0][0] = rwedge_contact_half_width((const rwedge_contact *)object);
       return RWEDGE_OK)
@@ -313,7 +313,7 @@ static const entry_result contact_memory_results[] = {
 ENTRY(contact_tractions, return rwedge_contact_tractions((const rwedge_contact *)object, n[0], v[0],
       r[0], r[1]))
 static const entry_argument contact_tractions_arguments[] = {
-    {"x", "finite, not the apex 0 of a loaded sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0}};
+    {"x", "finite, not the apex 0 of a loaded sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
 static const entry_result contact_tractions_results[] = {
     {"p", {0, -1}},
     {"q", {0, -1}}};
@@ -323,8 +323,8 @@ static const entry_size contact_tractions_sizes[] = {
 ENTRY(contact_stresses, return rwedge_contact_stresses((const rwedge_contact *)object, n[0], v[0],
       v[1], r[0], r[1], r[2]))
 static const entry_argument contact_stresses_arguments[] = {
-    {"x", "finite, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"y", "finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge, nor nearer to it than 2.2e-308 b", 0.0, INFINITY, 0, 0, 0, 1, 0, 0}};
+    {"x", "finite, not the apex (0, 0) of a loaded sharp wedge", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"y", "finite, y >= 0, not the apex (0, 0) of a loaded sharp wedge", 0.0, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
 static const entry_result contact_stresses_results[] = {
     {"sxx", {0, -1}},
     {"syy", {0, -1}},
@@ -334,7 +334,7 @@ static const entry_size contact_stresses_sizes[] = {
 
 ENTRY(contact_slip, return rwedge_contact_slip((const rwedge_contact *)object, n[0], v[0], r[0]))
 static const entry_argument contact_slip_arguments[] = {
-    {"x", "|x| <= b", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0}};
+    {"x", "|x| <= b", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
 static const entry_result contact_slip_results[] = {
     {"slip", {0, -1}}};
 static const entry_size contact_slip_sizes[] = {
@@ -348,8 +348,8 @@ static const entry_result contact_dissipated_energy_results[] = {
 ENTRY(contact_yield_factor, return rwedge_contact_yield_factor((const rwedge_contact *)object,
       v[0][0], v[1][0], r[0], r[1], r[2]))
 static const entry_argument contact_yield_factor_arguments[] = {
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, -1},
-    {"k", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, -1}};
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result contact_yield_factor_results[] = {
     {"factor", {-1, -1}},
     {"x", {-1, -1}},
@@ -357,15 +357,15 @@ static const entry_result contact_yield_factor_results[] = {
 
 ENTRY(series_create, return rwedge_series_create(v[0][0], (int32_t)v[1][0], (rwedge_series **)made))
 static const entry_argument series_create_arguments[] = {
-    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"terms", "whole, 1 <= terms <= 2^24", 1.0, 16777216.0, 0, 0, 0, 1, 1, -1}};
+    {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"terms", "whole, 1 <= terms <= 2^24", 1.0, 16777216.0, 0, 0, 0, 1, 1, {-1, -1}}};
 
 ENTRY(series_fit, return rwedge_series_fit(n[0], v[0], v[1], (int32_t)v[2][0], (rwedge_series
       **)made))
 static const entry_argument series_fit_arguments[] = {
-    {"x", "|x| < 1, finite", -1.0, 1.0, 1, 1, 0, 1, 0, 0},
-    {"p", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, 0},
-    {"terms", "whole, >= 1", 1.0, INFINITY, 0, 0, 0, 1, 1, -1}};
+    {"x", "|x| < 1, finite", -1.0, 1.0, 1, 1, 0, 1, 0, {0, -1}},
+    {"p", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"terms", "whole, >= 1", 1.0, INFINITY, 0, 0, 0, 1, 1, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
     {"samples", NULL, ">= terms, samples * terms <= 2^27"}};
 
@@ -377,7 +377,7 @@ static const entry_result series_terms_results[] = {
 ENTRY(series_coefficient, r[0][0] = rwedge_series_coefficient((const rwedge_series *)object,
       (int32_t)v[0][0]); return RWEDGE_OK)
 static const entry_argument series_coefficient_arguments[] = {
-    {"k", "whole, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 1, -1}};
+    {"k", "whole, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 1, {-1, -1}}};
 static const entry_result series_coefficient_results[] = {
     {"value", {-1, -1}}};
 
@@ -389,16 +389,16 @@ static const entry_result series_residual_results[] = {
 ENTRY(series_pressure, r[0][0] = rwedge_series_pressure((const rwedge_series *)object, v[0][0]);
       return RWEDGE_OK)
 static const entry_argument series_pressure_arguments[] = {
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result series_pressure_results[] = {
     {"value", {-1, -1}}};
 
 ENTRY(series_potential, return rwedge_series_potential((const rwedge_series *)object, v[0][0],
       v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument series_potential_arguments[] = {
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"y", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"y", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result series_potential_results[] = {
     {"re", {-1, -1}},
     {"im", {-1, -1}}};
@@ -406,9 +406,9 @@ static const entry_result series_potential_results[] = {
 ENTRY(series_stress, return rwedge_series_stress((const rwedge_series *)object, v[0][0], v[1][0],
       v[2][0], r[0], r[1], r[2]))
 static const entry_argument series_stress_arguments[] = {
-    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, -1},
-    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, -1},
-    {"y", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, -1}};
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"y", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 static const entry_result series_stress_results[] = {
     {"sxx", {-1, -1}},
     {"syy", {-1, -1}},

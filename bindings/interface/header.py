@@ -31,7 +31,7 @@ ROLES = (
 )
 RETURNS = ("double", "int32_t", "size_t", "const char *", "void")
 SECTION = re.compile(r"/\* ---- (.*?) -+ \*/")
-EQUATION = re.compile(r"\s{2,}((?:Eqs?\.|Sec\.|Figs?\.|Dundurs|new\b).*)$")
+EQUATION = re.compile(r"\s{2,}((?:Eqs?\.|Sec\.|Figs?\.|new\b|[A-Za-z][A-Za-z ,]*? \(\d{4}\)).*)$")
 ARGUMENT = re.compile(r"  (\w+(?:, \w+)*)  +(\S.*)")
 FURTHER = re.compile(r" {4,}(\S.*)")
 LIKE = re.compile(r"  arguments as for rwedge_(\w+)\(\); (.*)")
@@ -39,8 +39,10 @@ SENTENCE = re.compile(r"(?<=\.)(?<!Fig\.)\s+")
 NUMBER = r"-?[\d.]+(?:e-?\d+)?|pi/2|2\^\d+|\S+"
 WITHIN = re.compile(rf"({NUMBER}) (<=?) (.+?) (<=?) ({NUMBER})")
 BEYOND = re.compile(rf"(\|?\w*\|?) ?([<>]=?) ({NUMBER})(?: .*)?")
-TO = re.compile(rf"(0, or )?({NUMBER}) to ({NUMBER})(?: .*)?")
-AT_LEAST = re.compile(rf"(0, or )?at least ({NUMBER})(?: .*)?")
+TO = re.compile(rf"(0,? or )?({NUMBER}) to ({NUMBER})(?: .*)?")
+AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})(?: .*)?")
+AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
+ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
 
 class Refused(Exception):
@@ -158,11 +160,12 @@ def clauses(text: str) -> list[str]:
 
 
 def bound(domain: Domain, sign: str, value: float | None) -> None:
+    """Narrows the domain."""
     if value is None:
         return
-    if sign[0] == ">":
+    if sign[0] == ">" and value >= domain.low:
         domain.low, domain.low_open = value, sign == ">"
-    else:
+    if sign[0] == "<" and value <= domain.high:
         domain.high, domain.high_open = value, sign == "<"
 
 
@@ -178,12 +181,16 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
             bound(domain, match[2].replace("<", ">"), number(match[1]))
             bound(domain, match[4], number(match[5]))
         elif match := TO.fullmatch(clause):
-            domain.or_zero |= bool(match[1])
-            bound(domain, ">=", number(match[2]))
+            magnitude = clause.endswith("in magnitude")
+            domain.or_zero |= bool(match[1]) and not magnitude
+            bound(domain, ">=", -number(match[3]) if magnitude else number(match[2]))
             bound(domain, "<=", number(match[3]))
         elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
             bound(domain, ">=", number(match[2]))
+        elif match := AT_MOST.fullmatch(clause):
+            bound(domain, "<=", number(match[1]))
+            bound(domain, ">=", -number(match[1]))
         elif match := BEYOND.fullmatch(clause):
             if match[1].strip("|") in others:
                 continue
@@ -206,6 +213,7 @@ class Reader:
         self.section = ""
         self.shared: dict[bool, dict[str, tuple[str, set[str]]]] = {False: {}, True: {}}
         self.dimensional, self.until = False, ""
+        self.here: dict[str, tuple[str, set[str]]] = {}  # listed for this section
         self.alone: list[list[str]] = []  # comments that stand alone
         self.comment: list[str] = []
 
@@ -233,8 +241,7 @@ class Reader:
             elif line == "enum {":
                 i = self.take_statuses(i + 1)
             elif not line:
-                self.alone += [self.comment] if self.comment else []
-                self.comment = []
+                self.leave_alone()
             elif re.match(r"# *define +\w+\(", line):
                 self.refuse(first, f"a macro with arguments: {line}")
             elif not re.match(r"#|extern \"C\" \{$|\}$|typedef struct (rwedge_\w+) \1;$", line):
@@ -245,9 +252,17 @@ class Reader:
         return self.interface
 
     def begin_section(self, title: str) -> None:
-        self.section, self.alone, self.comment = title, [], []
+        self.section, self.alone, self.comment, self.here = title, [], [], {}
         if self.until and self.until in title.lower():
             self.dimensional = False
+
+    def leave_alone(self) -> None:
+        """A comment that no declaration follows: what it lists holds for the section."""
+        if self.comment:
+            self.alone.append(self.comment)
+            if self.section and "eturn" not in " ".join(self.comment):
+                self.here.update(self.listed(self.comment)[0])
+        self.comment = []
 
     def take_comment(self, lines: list[str], first: int) -> None:
         self.comment = self.comment + lines
@@ -298,10 +313,12 @@ class Reader:
             self.refuse(line, f"rwedge_{name}() has no parameters, which is not (void)")
         parameters = [self.parameter(p, line) for p in listed.split(", ") if p != "void"]
         function = Function(name, returns, "", parameters, self.section, self.dimensional, line, self.comment, self.alone)
+        if returns.startswith("const") and function.of("created", "changed", "out array"):
+            self.refuse(line, f"rwedge_{name}() returns a text: it may only read")
         function.result = ("nothing" if returns == "void" else "text" if returns.startswith("const") else
                            "status" if returns == "int32_t" and function.of("out", "out array", "created", "changed")
                            else "value")
-        if function.of("out", "out array", "created") and function.result != "status":
+        if function.of("out", "out array", "created") and function.result not in ("status", "text"):
             self.refuse(line, f"rwedge_{name}() has outputs: it must return a status, int32_t")
         if function.family and not name.startswith(function.family + "_"):
             self.refuse(line, f"rwedge_{name}() is a function of a {function.family}: its name must say so")
@@ -319,7 +336,7 @@ class Reader:
 
     def describe(self, function: Function) -> None:
         own, rest = self.listed(function.comment)
-        before = self.interface.functions[-1] if rest[0].startswith("The same") else None
+        before = self.interface.functions[-1] if rest[0].startswith("The same") and self.interface.functions else None
         like = next((m for m in map(LIKE.match, rest) if m), None)
         if like:
             start = rest.index(like.string)
@@ -332,7 +349,7 @@ class Reader:
         function.equation = " ".join(equations) or (before.equation if before else "")
         function.errors = list(dict.fromkeys(re.findall(r"RWEDGE_E[A-Z]+", " ".join(function.comment))))
         if before:
-            function.array_of = before.name
+            function.array_of = "" if before.of("in array") else before.name
             function.errors += [e for e in before.errors if e not in function.errors]
         function.accuracy = [s for s in SENTENCE.split(" ".join(function.text.split())) if re.search(r"[Ee]rror (below|of)\b", s)]
         if before and not function.accuracy:
@@ -340,7 +357,7 @@ class Reader:
         for p in function.parameters:
             self.describe_parameter(function, p, own, before or (before_like if like else None))
         for name in own:
-            if name not in {p.name for p in function.parameters}:
+            if name != "others" and name not in {p.name for p in function.parameters}:
                 self.refuse(function.line, f"the comment of rwedge_{function.name}() describes {name}, which it does not have")
 
     def describe_parameter(self, function: Function, p: Parameter, own: dict, before: Function | None) -> None:
@@ -352,33 +369,48 @@ class Reader:
         if p.role in ("out", "out array"):
             p.optional = "may be NULL" in own.get(p.name, ("", set()))[0]
             return
-        text, together = own.get(p.name) or (None, set())
-        earlier = next((q.domain for q in before.parameters if q.name == p.name), None) if before else None
-        if text is None and earlier:
-            p.domain = earlier
-            return
-        if text is None:
-            text, together = self.shared[function.dimensional].get(p.name, (None, set()))
-        if p.role == "size":
-            match = re.search(r"rwedge_(\w+)\(\)", text or "")
+        said = own.get(p.name) or own.get("others")
+        if said and (match := ELSEWHERE.match(said[0])):
+            p.domain = self.domain_elsewhere(function, p, match[1])
+        elif p.role == "size":
+            match = re.search(r"rwedge_(\w+)\(\)", said[0]) if said else None
             p.given_by = match[1] if match else ""
-            p.domain = domain_of(text, p.name, together) if text else None
-        elif text is None:
-            self.refuse(function.line, f"rwedge_{function.name}(): the domain of {p.name} is said neither here nor in the list of "
-                                       "arguments that return")
+            p.domain = domain_of(said[0], p.name, said[1]) if said else None
         else:
-            p.domain = domain_of(text, p.name, together)
-            if not p.domain.conditions:
-                self.refuse(function.line, f"rwedge_{function.name}(): no condition in the domain of {p.name}: {text}")
+            p.domain = self.nearest_domain(function, p, said, before)
+
+    def nearest_domain(self, function: Function, p: Parameter, said: tuple | None, before: Function | None) -> Domain | None:
+        """Of the function's own comment, of the function that it is like, of the section, or of the list for all: the first
+        that has a condition."""
+        domains = [domain_of(said[0], p.name, said[1])] if said else []
+        domains += [q.domain for q in (before.parameters if before else []) if q.name == p.name and q.domain]
+        for listed in (self.here, self.shared[function.dimensional]):
+            if p.name in listed:
+                domains.append(domain_of(listed[p.name][0], p.name, listed[p.name][1]))
+        found = next((d for d in domains if d.conditions), None)
+        if not found:
+            self.refuse(function.line, f"rwedge_{function.name}(): the domain of {p.name} is missing: a line with a condition, "
+                                       '"as in rwedge_...()", or a list for several functions')
+        return found
+
+    def domain_elsewhere(self, function: Function, p: Parameter, name: str | None) -> Domain | None:
+        """Of the same argument in the function that is named, or in the one above that has it."""
+        for f in reversed(self.interface.functions):
+            for q in f.parameters:
+                if q.name == p.name and q.role in ("in", "in array", "size") and name in (None, f.name):
+                    return q.domain
+        self.refuse(function.line, f"rwedge_{function.name}(): there is no argument {p.name} to be as in another function")
 
     def size_of(self, function: Function, p: Parameter, text: str) -> tuple[str, ...]:
-        """What the line of an output array says it receives, or else the size in front of the array."""
+        """The product that the array's line names, or "receives n numbers", or else the size in front of the array."""
         sizes = [q.name for q in function.of("size")]
+        product = re.search(r"(\w+(?: \* \w+)+) \w", text)
+        if product and set(product[1].split(" * ")) <= set(sizes):
+            return tuple(product[1].split(" * "))
         if match := re.search(r"receives? (\w+(?: \* \w+)*) numbers", text):
-            said = tuple(match[1].split(" * "))
-            if not set(said) <= set(sizes):
-                self.refuse(function.line, f"rwedge_{function.name}(): {p.name} receives {match[1]} numbers, which are not sizes")
-            return said
+            if match[1] not in sizes:
+                self.refuse(function.line, f"rwedge_{function.name}(): {p.name} receives {match[1]} numbers, which is no size")
+            return (match[1],)
         before = [q.name for q in function.parameters[:function.parameters.index(p)] if q.role == "size"]
         if not before:
             self.refuse(function.line, f"rwedge_{function.name}(): no size stands before the array {p.name}")

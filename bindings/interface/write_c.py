@@ -43,12 +43,12 @@ typedef struct {{
     char or_zero;             /* 0 is inside, though below low */
     char finite;              /* infinity is outside */
     char whole;               /* an int32_t */
-    signed char size;         /* which of the sizes an array has; -1 for a number */
+    signed char sizes[2];     /* of an array, as of a result */
 }} entry_argument;
 
 typedef struct {{
     const char *name;
-    signed char sizes[2]; /* an array of this size, of the product of both; -1 for none */
+    signed char sizes[2]; /* of an array, or of two dimensions: which of the sizes; -1 for none */
 }} entry_result;
 
 typedef struct {{
@@ -91,9 +91,9 @@ def argument(f: Function, p: Parameter) -> str:
     d, sizes = p.domain, [q.name for q in f.of("size")]
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
-    size = sizes.index(p.size[0]) if p.size else -1
+    of = [*(sizes.index(n) for n in p.size), -1, -1][:2]
     flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole]
-    return f'{{"{p.name}", "{allowed}", {number(d.low)}, {number(d.high)}, {", ".join(str(int(x)) for x in flags)}, {size}}}'
+    return f'{{"{p.name}", "{allowed}", {number(d.low)}, {number(d.high)}, {", ".join(str(int(x)) for x in flags)}, {{{of[0]}, {of[1]}}}}}'
 
 
 def result(f: Function, name: str, size: tuple[str, ...]) -> str:

@@ -119,12 +119,10 @@ def statements(f, name, handle):
     return [f"    {line}" for line in dims + lines]
 
 
-def check_shape(f: Function) -> None:
-    """Ends with what to do about a function that no cell can have."""
+def fits_cells(f: Function) -> bool:
     outputs = f.outputs
-    if (f.returns not in ("double", "int32_t") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs)):
-        sys.exit(f"write_excel.py: rwedge_{f.name}() fits no cell: name it in NOT_DECLARED or NOT_IN_CELLS")
+    return not (f.returns not in ("double", "int32_t") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
+            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs))
 
 
 def cell_name(f):
@@ -154,8 +152,9 @@ def worksheet_function(f: Function, before: Function) -> str:
 def module(interface: Interface, template: str) -> str:
     declared = [f for f in interface.functions if f.name not in NOT_DECLARED]
     offered = [f for f in declared if f.name not in NOT_IN_CELLS]
-    for f in offered:
-        check_shape(f)
+    unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
+    if unfit:
+        sys.exit(f"write_excel.py: no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS")
     first = interface.functions[0]
     text = (template.replace("{introduction}", "\n".join(f"' {line}".rstrip() for line in interface.introduction))
             .replace("{statuses}", "\n".join(f"    {name} = {value}" for name, value in interface.statuses.items()))

@@ -104,7 +104,7 @@ def header_py(interface: Interface) -> str:
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "source": equation,
             "domains": {p.name: replaced(p.domain.text, IN_PYTHON) for p in f.parameters if p.domain},
-            "made": kind, "family": f.family,
+            "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]
     return "\n".join([*lines, "}", ""])
@@ -194,6 +194,8 @@ TYPES = {"in array": "ArrayLike", "double": "SupportsFloat", "int32_t": "Support
 def result_type(f: Function) -> str:
     if f.result == "value":
         return {"double": "float"}.get(f.returns, "int")
+    if f.result == "text":
+        return f"tuple[{', '.join(['str', *['float'] * len(f.outputs)])}]" if f.outputs else "str"
     types = ["float" if p.role == "out" else "NDArray[Any]" for p in f.outputs]
     return f"tuple[{', '.join(types)}]" if len(types) > 1 else types[0] if types else "None"
 

@@ -1,5 +1,5 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
-% Answers the calls of tests/doors/calls.sh from standard input as tests/doors/door.c does, through the functions and classes.
+% Answers the calls of tests/doors/calls.py from standard input as tests/doors/door.c does, through the functions and classes.
 1;
 
 function text = bits(value)
@@ -10,27 +10,56 @@ function text = bits(value)
     end
 end
 
-results = struct('stress', 3, 'yield_point', 3, 'subsurface_yield', 3, 'surface_yield', 2, 'contact_tractions', 2, ...
-    'contact_stresses', 3, 'contact_yield_factor', 3, 'contact_load', 0);
+function numbers = argument(text, before)
+    if strcmp(text, '@')
+        numbers = before;
+    else
+        rows = strsplit(text, ';'); % the points of a load; here they stand in a column
+        numbers = cell2mat(cellfun(@(row) str2double(strsplit(row, ' ')), rows', 'UniformOutput', false)).';
+    end
+end
+
+% The object of a family that a function makes: of its class, by a method of the class, or by one of another object.
+function object = made(family, method, object, given)
+    class_name = ['rwedge_' family];
+    if strcmp(method, 'create')
+        object = feval(class_name, given{:});
+    elseif isempty(given)
+        object = feval(method, object);
+    else
+        object = eval([class_name '.' method '(given{:})']);
+    end
+end
+
+function [results, objects] = answer(name, count, given, objects)
+    results = cell(1, count);
+    parts = regexp(name, '^(contact|series)_(\w+)$', 'tokens', 'once');
+    if isempty(parts)
+        name = regexprep(name, {'^stresses$', '^elastic_limits$'}, {'stress', 'elastic_limit'});
+        [results{:}] = feval(['rwedge_' name], given{:});
+    elseif count == 0 && isempty(regexp(name, '_(load|apply)$', 'once'))
+        objects.(parts{1}) = made(parts{1}, parts{2}, objects.(parts{1}), given);
+    else
+        [results{:}] = feval(parts{2}, objects.(parts{1}), given{:});
+    end
+end
+
+objects = struct('contact', [], 'series', []);
+before = [];
 line = fgetl(stdin);
 while ischar(line)
     parts = strsplit(line, ',');
-    name = parts{1};
-    arguments = num2cell(str2double(parts(2:end)));
-    count = 1;
-    if isfield(results, name)
-        count = results.(name);
+    head = strsplit(parts{1}, ':');
+    given = cellfun(@(text) argument(text, before), parts(2:end), 'UniformOutput', false);
+    try
+        [results, objects] = answer(head{1}, str2double(head{2}), given, objects);
+        results = cellfun(@(r) r(:), results, 'UniformOutput', false);
+        before = vertcat(results{:});
+        texts = arrayfun(@bits, before', 'UniformOutput', false);
+        text = ['' texts{:}];
+    catch
+        text = ',error';
     end
-    r = cell(1, count);
-    if strcmp(name, 'contact_create')
-        contact = rwedge_contact(arguments{:});
-        r = {};
-    elseif strncmp(name, 'contact_', 8)
-        [r{:}] = feval(name(9:end), contact, arguments{:});
-    else
-        [r{:}] = feval(['rwedge_' name], arguments{:});
-    end
-    r = cellfun(@bits, r, 'UniformOutput', false);
-    disp([line r{:}]);
+    disp([line text]);
     line = fgetl(stdin);
 end

@@ -99,7 +99,7 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
         }
     const char *between = ": ";
     for (int j = 0; j < call->arguments; j++, between = ", ")
-        if (!n || call->argument[j].size < 0)
+        if (!n || call->argument[j].sizes[0] < 0)
             add(m, "%s%s = %s", between, call->argument[j].name, text_of(v[j][at[j]], number));
     for (int j = 0; j < sizes; j++)
         add(m, ", %s = %lu", call->size[j].name, (unsigned long)n[j]);
@@ -283,7 +283,7 @@ static bool suits_array(const entry *call, const mxArray *const arguments[], siz
     if (!call || n < 2)
         return false;
     for (int j = 0; j < call->arguments; j++)
-        if (is_scalar(arguments[j]) != (call->argument[j].size < 0))
+        if (is_scalar(arguments[j]) != (call->argument[j].sizes[0] < 0))
             return false;
     return true;
 }
@@ -346,7 +346,18 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
 
 /* ---- Functions of whole arrays, and what makes objects --------------------------------------- */
 
-/* The sizes of the arrays, which must agree, or what a function tells. Numbers must be scalars. */
+/* Takes a size of an argument, which must agree with those before. */
+static void take_size(const entry *call, int j, int size, size_t count, size_t n[], bool known[])
+{
+    if (known[size] && n[size] != count)
+        fail("size", "rwedge_%s: %s has the size %lu, where %lu is needed", call->name,
+             call->argument[j].name, (unsigned long)count, (unsigned long)n[size]);
+    n[size] = count;
+    known[size] = true;
+}
+
+/* The sizes of the arrays, which must agree, or what a function tells. Numbers must be scalars.
+ * An array of two sizes has the points down and the loads across: MATLAB's columns come first. */
 static void measure(const entry *call, void *object, const mxArray *const arguments[], size_t n[])
 {
     bool known[ENTRY_SIZES] = {false};
@@ -359,21 +370,18 @@ static void measure(const entry *call, void *object, const mxArray *const argume
             known[j] = true;
         }
     for (int j = 0; j < call->arguments; j++) {
-        const int size = call->argument[j].size;
-        const size_t count = mxGetNumberOfElements(arguments[j]);
-        if (size < 0 && count != 1)
+        const signed char *sizes = call->argument[j].sizes;
+        const size_t count = mxGetNumberOfElements(arguments[j]),
+                     rows = (size_t)mxGetDimensions(arguments[j])[0];
+        if (sizes[0] < 0 && count != 1)
             fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
-        if (size >= 0 && known[size] && n[size] != count)
-            fail("size", "rwedge_%s: %s has %lu elements, where %lu are needed", call->name,
-                 call->argument[j].name, (unsigned long)count, (unsigned long)n[size]);
-        if (size >= 0) {
-            n[size] = count;
-            known[size] = true;
-        }
+        if (sizes[0] >= 0)
+            take_size(call, j, sizes[0], sizes[1] < 0 ? count : rows ? count / rows : 0, n, known);
+        if (sizes[1] >= 0)
+            take_size(call, j, sizes[1], rows, n, known);
     }
 }
 
-/* Results of two sizes have the points down and the loads across: MATLAB's columns come first. */
 static mxArray *result_array(const entry_result *of, const size_t n[])
 {
     const size_t rows = of->sizes[0] < 0 ? 1 : n[of->sizes[of->sizes[1] < 0 ? 0 : 1]],
@@ -386,7 +394,8 @@ static void fail_whole(int32_t status, const entry *call, const double *const v[
 {
     size_t at[ENTRY_ARGUMENTS] = {0};
     for (int j = 0; status == RWEDGE_EDOMAIN && j < call->arguments; j++) {
-        const size_t count = call->argument[j].size < 0 ? 0 : n[call->argument[j].size];
+        const signed char *sizes = call->argument[j].sizes;
+        const size_t count = sizes[0] < 0 ? 0 : n[sizes[0]] * (sizes[1] < 0 ? 1 : n[sizes[1]]);
         for (at[j] = 0; at[j] < count; at[j]++)
             if (!is_in_domain(&call->argument[j], v[j][at[j]]))
                 fail_with(status, call, v, at, n, (long)at[j]);

@@ -5,7 +5,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$here/../..
-for tool in octave-cli mkoctfile; do
+for tool in octave-cli mkoctfile python3; do
     command -v $tool >/dev/null 2>&1 || { echo "SKIPPED: $tool is not installed"; exit 77; }
 done
 sh "$top/bindings/private.sh" "$1"
@@ -94,8 +94,8 @@ mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
-sh "$top/tests/doors/calls.sh" >calls.csv
-cc -I"$prefix/include" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+python3 -B "$top/tests/doors/calls.py" >calls.csv
+cc -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 ./door_in_c <calls.csv >expected.csv
 octave "$here/door.m" <calls.csv >answers.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"

@@ -32,7 +32,7 @@ end
 function yield_factor_out_of_range()
     c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
     c.load(1e-10, 0);
-    c.yield_factor(0.3, 1e308);
+    c.yield_factor(0.3, 1e60);
 end
 
 function shapes()
@@ -83,7 +83,7 @@ function errors()
     refused('class', {'complex'}, @() rwedge_load(1 + 2i));
     refused('class', {'sparse'}, @() rwedge_load(sparse([1 0 2])));
     refused('domain', {'x = 1', '|x| < 1', 'element 2'}, @() rwedge_series.fit([0.1 1 2], [1 1 1], 1));
-    refused('domain', {'p = NaN', 'finite', 'element 3'}, @() rwedge_series.fit([0.1 0.2 0.3], [1 1 NaN], 1));
+    refused('domain', {'p = NaN', 'element 3'}, @() rwedge_series.fit([0.1 0.2 0.3], [1 1 NaN], 1));
     refused('arguments', {'rwedge_load(alpha)'}, @() rwedge_load());
     refused('arguments', {'rwedge_stress(alpha, f, c, x, y)'}, @() rwedge_stress(0.3, 0.2));
     refused('arguments', {'rwedge_contact(theta, a, A, f)'}, @() rwedge_contact(0.01, 0.5, 1.8e-5));
@@ -100,11 +100,11 @@ function contacts()
     refused('absent', {'contact_yield_factor'}, @() c.yield_factor(0.3, 300));
     c.load(1000, 300);
     refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
-    refused('domain', {': P = -1; allowed is 0, or 1e-148 to 1e148'}, @() c.load(-1, 0));
-    refused('range', {': P = 1e+308; allowed is 0, or 1e-148 to 1e148'}, @() c.load(1e308, 0));
-    refused('range', {': P = 1e-150; allowed is 0, or 1e-148 to 1e148'}, @() c.load(1e-150, 0));
-    refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'at least 1e-8 of the last P, Q |Q| <= f P'}, @() c.load(1e-6, 0));
-    refused('range', {'k = 1e+308; allowed is', 'k finite, > 0'}, @() yield_factor_out_of_range());
+    refused('domain', {': P = -1; allowed is 0, or 1e-60 to 1e60'}, @() c.load(-1, 0));
+    refused('domain', {': P = 1e+308; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e308, 0));
+    refused('domain', {': P = 1e-150; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e-150, 0));
+    refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'not below 1e-8 of the last P, Q |Q| <= f P'}, @() c.load(1e-6, 0));
+    refused('range', {'k = 1e+60; allowed is', 'k finite, > 0'}, @() yield_factor_out_of_range());
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
     refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));
     refused('arguments', {'contact.load(P, Q)'}, @() c.load(1000));

@@ -89,6 +89,8 @@ static int field(const arguments *given)
     if (status == STATUS_DONE)
         status = output_options_read_or(given, "vtk", &how);
     if (status == STATUS_DONE)
+        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
+    if (status == STATUS_DONE)
         status = state_read(given, how.decimal_sign, &what.state);
     const double b = what.state.b;
     if (status == STATUS_DONE)

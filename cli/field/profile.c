@@ -156,6 +156,8 @@ static int profile(const arguments *given)
     if (status == STATUS_DONE)
         status = output_options_read(given, &how);
     if (status == STATUS_DONE)
+        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
+    if (status == STATUS_DONE)
         status = read_points(given, &what);
     if (status == STATUS_DONE)
         status = state_read(given, how.decimal_sign, &what.state);

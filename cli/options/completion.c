@@ -80,18 +80,30 @@ static void bash_name(const struct poptOption *option, const command *of)
     printf("--%s ", option->longName);
 }
 
+static const char bash_begin[] = "_rwedge()\n{\n"
+                                 "    local cur=${COMP_WORDS[COMP_CWORD]} "
+                                 "prev=${COMP_WORDS[COMP_CWORD - 1]} command= words= files=\n"
+                                 "    COMPREPLY=()\n"
+                                 "    [[ $prev == = ]] && prev=${COMP_WORDS[COMP_CWORD - 2]}\n"
+                                 "    [[ $cur == = ]] && cur=\n"
+                                 "    ((COMP_CWORD > 1)) && command=${COMP_WORDS[1]}\n"
+                                 "    [[ $command == -* ]] && command=\n"
+                                 "    case $command,$prev in\n";
+
+static const char bash_end[] = "        esac ;;\n    esac\n"
+                               "    local IFS=$' \\n'\n"
+                               "    if [[ $files ]]; then\n"
+                               "        compopt -o filenames 2>/dev/null\n"
+                               "        IFS=$'\\n'\n"
+                               "        COMPREPLY=($(compgen -f -- \"$cur\"))\n"
+                               "    else\n"
+                               "        COMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n"
+                               "    fi\n}\n"
+                               "complete -F _rwedge rwedge\n";
+
 static void print_bash(const command *const commands[], int count, const struct poptOption *own)
 {
-    fputs("_rwedge()\n{\n"
-          "    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command= "
-          "words= files=\n"
-          "    COMPREPLY=()\n"
-          "    [[ $prev == = ]] && prev=${COMP_WORDS[COMP_CWORD - 2]}\n"
-          "    [[ $cur == = ]] && cur=\n"
-          "    ((COMP_CWORD > 1)) && command=${COMP_WORDS[1]}\n"
-          "    [[ $command == -* ]] && command=\n"
-          "    case $command,$prev in\n",
-          stdout);
+    fputs(bash_begin, stdout);
     each_option(own, NULL, bash_value);
     for (int i = 0; i < count; i++)
         each_option(commands[i]->grammar->options, commands[i], bash_value);
@@ -106,17 +118,7 @@ static void print_bash(const command *const commands[], int count, const struct 
         each_option(commands[i]->grammar->options, commands[i], bash_name);
         fputs("' ;;\n", stdout);
     }
-    fputs("        esac ;;\n    esac\n"
-          "    local IFS=$' \\n'\n"
-          "    if [[ $files ]]; then\n"
-          "        compopt -o filenames 2>/dev/null\n"
-          "        IFS=$'\\n'\n"
-          "        COMPREPLY=($(compgen -f -- \"$cur\"))\n"
-          "    else\n"
-          "        COMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n"
-          "    fi\n}\n"
-          "complete -F _rwedge rwedge\n",
-          stdout);
+    fputs(bash_end, stdout);
 }
 
 /* ---- zsh ---- */

@@ -7,6 +7,7 @@
 #include "text/message.h"
 #include "system/progress.h"
 #include "system/streams.h"
+#include "system/target.h"
 #include "sheet/xlsx.h"
 
 #include <string.h>
@@ -106,6 +107,14 @@ int output_options_read_or(const arguments *given, const char *other_format, out
 int output_options_read(const arguments *given, output_options *how)
 {
     return output_options_read_or(given, NULL, how);
+}
+
+int output_options_spare(const output_options *how, const char *input)
+{
+    const char *path = how->path != NULL ? how->path : "-";
+    if (input == NULL || !target_is_input(path, input))
+        return STATUS_DONE;
+    return usage_error("--output %s: it is the input; allowed: another file", path);
 }
 
 static records records_for(const output_options *how, output *out)

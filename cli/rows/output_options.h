@@ -29,6 +29,9 @@ int output_options_read(const arguments *given, output_options *how);
 /* The same for a command that has a format of its own. */
 int output_options_read_or(const arguments *given, const char *other_format, output_options *how);
 
+/* Refuses an output that is the input, NULL for none. STATUS_DONE, or what to leave with. */
+int output_options_spare(const output_options *how, const char *input);
+
 /* Writes rows; false, with the reason said, where they cannot be computed or read. */
 typedef bool rows_writer(void *context, records *rows, bool show_progress);
 

@@ -110,7 +110,7 @@ static bool strength(const contact_case *what, double b, cell row[], char compla
     const double P_yield =
         rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k);
     if (isnan(P_yield))
-        return not_computed("P_yield", rwedge_strerror(RWEDGE_ENOCONV), complaint);
+        return not_computed("P_yield", rwedge_strerror(RWEDGE_ERANGE), complaint);
     row[RESULT_LOAD_OVER_BK] = cell_number(what->P / b / what->k);
     row[RESULT_P_YIELD] = cell_number(P_yield);
     row[RESULT_SAFETY] = cell_number(P_yield / what->P);

@@ -132,6 +132,8 @@ static int solve(const arguments *given)
     if (status == STATUS_DONE)
         status = output_options_read(given, &how);
     if (status == STATUS_DONE)
+        status = output_options_spare(&how, many.path);
+    if (status == STATUS_DONE)
         status = read_layout(given, &one.row);
     if (status == STATUS_DONE)
         status = read_yield_factor(given, &many.constants, &one.yield_factor);

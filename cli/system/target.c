@@ -50,6 +50,20 @@ char *target_of_links(const char *path)
     return target;
 }
 
+static bool look_at(const char *path, int standard_stream, struct stat *file)
+{
+    const bool standard = strcmp(path, "-") == 0;
+    return (standard ? fstat(standard_stream, file) : stat(path, file)) == 0 &&
+           S_ISREG(file->st_mode);
+}
+
+bool target_is_input(const char *output, const char *input)
+{
+    struct stat out, in;
+    return look_at(output, STDOUT_FILENO, &out) && look_at(input, STDIN_FILENO, &in) &&
+           out.st_dev == in.st_dev && out.st_ino == in.st_ino;
+}
+
 /* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that
  * is allowed. */
 static int set_permissions(int descriptor, const char *target)

@@ -3,9 +3,14 @@
 #ifndef CLI_TARGET_H
 #define CLI_TARGET_H
 
+#include <stdbool.h>
+
 /* Where path leads when symbolic links at its end are followed, also to a file that is not there
  * yet: the link stays, what it points to is replaced. Free it. NULL with errno. */
 char *target_of_links(const char *path);
+
+/* Whether an input and an output are one file, by whatever names; "-" is a standard stream. */
+bool target_is_input(const char *output, const char *input);
 
 /* Opens a new file in the folder of target, with the permissions that opening target would give,
  * and its name in *unfinished. Returns the descriptor; -1 with errno, and nothing left behind. */

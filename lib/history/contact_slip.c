@@ -3,14 +3,13 @@
  * (17); for a path with the patches s_i, in the order of their size, and the slopes D_i between
  * them that makes, at a point inside the contact,
  *     w(x) = f theta [ sum (D_i - D_(i+1)) s_i gap(x/s_i) - D_1 h(x) ],
- * h being the profile: 0 at x = 0, and without a contribution from patches wider than x. So w
- * depends on the path below u alone, the load with which the edge of the contact is at x.
+ * where h is the profile. w is 0 at x = 0, and patches wider than x add nothing. So w depends on
+ * the path below u alone, where u is the load with which the edge of the contact is at x.
  *
- * While the point is in contact every slip changes the path, and w with it, and nothing else
- * does: a rising load adds to the path beyond u, a falling one cuts it off there. The slip is
- * therefore w of the present path less w of the path that was there when the point came into
- * contact (slip_origin.h). What both paths have in common is left out of both sums: it would
- * cancel. */
+ * While the point is in contact, slip changes the path below u, and w with it; nothing else does.
+ * A rising load adds to the path beyond u, a falling one cuts it off there. The slip is therefore
+ * w of the present path less w of the path when the point came into contact (slip_origin.h). What
+ * both paths have in common is left out of both sums, because it would cancel. */
 #include "history/contact.h"
 
 #include "base/always.h"

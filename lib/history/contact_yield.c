@@ -4,13 +4,15 @@
  *
  * Why the global one is not missed. G is analytic but for the marks on the surface: the edges of
  * the patches, x = +-a and the centre. At a distance r from the nearest mark the fields vary
- * over lengths of the order r: -Im G is positive and harmonic in the half-plane, so that y |G'|
- * <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick), and next to the surface between marks
- * they continue across it. In polar coordinates around each mark, with ln r, no maximum is
- * therefore narrower than about 1. The grid has the steps 0.4 in ln r and pi/16 in angle,
- * reaches from 3 b (beyond it J2 falls like r^-2) to 1e-9 of the distance to the next mark,
- * however near that is, and has the marks themselves and the surface on it. Every maximum of the
- * grid that is not far below the highest is then followed to its top. */
+ * over lengths of the order r. Below the surface this follows from -Im G, which is positive and
+ * harmonic there: y |G'| <= |Im G| and y^2 |G''| <= 2 |Im G| (Schwarz and Pick). Next to the
+ * surface, between marks, the fields continue across it. So no maximum is narrower than about 1
+ * in polar coordinates (ln r, angle) around its nearest mark.
+ *
+ * The grid around a mark has the steps 0.4 in ln r and pi/16 in angle. It reaches from 3 b, beyond
+ * which J2 falls like r^-2, to 1e-9 of the distance to the next mark. The marks and the surface
+ * are on it. Each maximum of the grid that is not far below the highest is then followed to its
+ * top. */
 #include "history/contact.h"
 
 #include "base/always.h"
@@ -24,15 +26,18 @@ enum { ANGLES = 17, RADII = 64, LINE = 7, CLIMB_MAX = 60 }; /* ANGLES, LINE <= R
 /* The ratio of neighbouring radii: RADII of them span 1e11. */
 static const double FALL = 0.67;
 
-/* A maximum of the grid is followed where it is above this fraction of the highest: the grid's
- * steps cannot lose as much. */
+/* A maximum of the grid is followed if it is above this fraction of the highest. The steps of the
+ * grid cannot hide more. */
 static const double WORTHWHILE = 0.25;
 
-/* Of a line's places, in radians and ln r: at first, at last when it is to be known which top it
- * is, and at last; and the gain, relatively, that is none. */
-static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7, ENOUGH = 4 * DBL_EPSILON;
+/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
+ * starts with FIRST. It ends at ROUGH when only the top must be told from others, and at LAST. */
+static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
 
-/* Roughly climbed, a top is known to this fraction of J2, and of its distance from the mark. */
+/* The relative rise of J2 that counts as none. */
+static const double NO_GAIN = 4 * DBL_EPSILON;
+
+/* How well a rough climb knows a top: a fraction of J2, and of the distance from the mark. */
 static const double ROUGHLY = 0.05;
 
 /* The highest J2 so far, in (theta/A)^2, and where. */
@@ -40,7 +45,7 @@ typedef struct {
     const rwedge_contact *contact;
     double kappa;
     double J2, x, y;
-    /* of the highest that was climbed; its distance from the mark, infinite before */
+    /* the highest top climbed, and its distance from the mark; infinite before the first */
     double top_x, top_y, top_radius;
 } search;
 
@@ -92,8 +97,8 @@ static size_t count_marks(const rwedge_contact *contact)
     return 1 + 2 * contact->memory.count;
 }
 
-/* How far the grid around a mark reaches: twice the distance to the nearest of the marks before
- * it, whose grid takes over there. */
+/* The outer radius of the grid around a mark: twice the distance to the nearest of the marks
+ * before it. Their grids take over there. */
 static double reach(const rwedge_contact *contact, size_t i)
 {
     double nearest = 1.5 * rwedge_contact_half_width(contact);
@@ -102,9 +107,9 @@ static double reach(const rwedge_contact *contact, size_t i)
     return 2 * nearest;
 }
 
-/* Where it ends: well inside the distance to the next of all marks; under strong friction,
- * inside the b/f^2 from an edge at which p falls to 1/f and J2 may have its maximum; not below
- * the rounding of the mark itself. */
+/* The inner radius: well inside the distance to the nearest of all marks. Strong friction may put
+ * the maximum b/f^2 from an edge, where p falls to 1/f: the radius is below that too. It is not
+ * below the rounding of the mark itself. */
 static double innermost_radius(const rwedge_contact *contact, size_t i)
 {
     double nearest = rwedge_contact_half_width(contact);
@@ -140,17 +145,17 @@ static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
                      angle = at[i].angle;
         x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
         y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
-        /* by rounding: the radius is the distance of the sharp wedge's apex, beside which there
-         * is no stress to speak of */
+        /* by rounding: the place is the apex of a sharp wedge, which has no stress; beside it,
+         * J2 is not high */
         if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
             y[i] = 1e-3 * r;
     }
     evaluate(c->s, n, x, y, J2);
 }
 
-/* To the highest place along a line, both ways: the span is doubled as long as the highest of
- * its points is at an end (beyond the ends of angle and radius nothing is higher), and then
- * narrowed to the points beside the highest. */
+/* To the highest place along a line, both ways. While the highest of its points is at an end, the
+ * span is doubled. Then it is narrowed to the points beside the highest. Beyond the ends of angle
+ * and radius nothing is higher. */
 static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
 {
     const double length = hypot(to_angle, to_log_radius);
@@ -177,9 +182,9 @@ static void climb_along(climb *c, double to_angle, double to_log_radius, double 
     }
 }
 
-/* Two places that are highest for their radius give a line to the next: it follows the ridges of
- * J2, flat to 1e-9, that narrow roundings have, and is exact where J2 is quadratic (Powell's
- * conjugate direction). */
+/* Two places that are each highest for their radius make a line, and the next climb goes along it
+ * (Powell's conjugate direction). It is exact where J2 is quadratic. It follows the ridges of
+ * narrow roundings, where J2 is flat to 1e-9. */
 static void climb_to(climb *c, double last_span)
 {
     for (int i = 0; ALWAYS(i < CLIMB_MAX); i++) { /* a few are enough */
@@ -189,13 +194,13 @@ static void climb_to(climb *c, double last_span)
         climb_along(c, 0, 1, last_span);
         climb_along(c, 1, 0, last_span);
         climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
-        if (c->J2 - before <= ENOUGH * before || last_span >= ROUGH_SPAN)
+        if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
             return;
     }
 }
 
-/* Roughly first: not farther where it is a lower top, or the one that is known, and from no mark
- * much farther away, which would have seen it in less detail. */
+/* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
+ * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
 static void climb_to_top(climb *c)
 {
     search *s = c->s;
@@ -284,7 +289,7 @@ static void search_around(search *s, size_t i)
     polar_grid grid;
     fill(s, &grid, centre, outermost, innermost);
     int first = 0;
-    /* goes on: with its last two rows, so that each row has both its neighbours once */
+    /* the next annulus repeats the last two rows, so that each row has both its neighbours once */
     while (grid.rows == RADII) {
         climb_from_grid(s, &grid, first, RADII - 1);
         fill(s, &grid, centre, grid.radius[RADII - 2], innermost);

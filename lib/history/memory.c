@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The memory diagram as a path in the plane of load and shear.
  *
- * Memory: a load adds two corners at most, where its line meets the path and where it ends, and
- * a corner stays only until a later load's line passes beyond it. So the corners are what the
- * state still depends on: rises of different slopes, and extremes of T + s or T - s that no
- * later load has exceeded. They grow in number only with loads that curve, and with reversals
- * each smaller than all that remain; nothing shorter would do for these. In a repeated cycle the
- * lines meet the path at corners that are there already, and rounding must not leave a sliver at
- * each pass: hence the tolerance. */
+ * A load adds two corners at most: where its line meets the path, and where it ends. A corner
+ * stays until the line of a later load passes beyond it. So the corners are what the state still
+ * depends on: rises of different slopes, and extremes of T + s or T - s that no later load has
+ * exceeded. Their number grows only with loads that curve, and with reversals each smaller than
+ * all that remain. In a repeated cycle the lines meet the path at corners that are there already.
+ * Rounding must not leave a sliver at each pass: hence the tolerance. */
 #include "history/memory.h"
 
 #include "base/always.h"
@@ -79,9 +78,9 @@ static double chord(const rw_corner *from, double load, double shear)
     return clipped((shear - from->shear) / (load - from->load));
 }
 
-/* Whether the path can go straight from the corner before its end to (load, shear). Every corner
- * that was left out so has narrowed the slopes that remain; without that, a slow bend in many
- * small steps would be straightened away. */
+/* Whether the path can go straight from the corner before its end to (load, shear), and leave the
+ * end out. Every corner that was left out has narrowed the slopes that are allowed. Otherwise a
+ * slow bend in many small steps would be straightened away. */
 static bool is_straight(const rw_memory *memory, double load, double shear, double *least,
                         double *most)
 {
@@ -96,9 +95,8 @@ static bool is_straight(const rw_memory *memory, double load, double shear, doub
     return *least <= slope && slope <= *most;
 }
 
-/* The slope of what is left of a corner between two slopes. Where the longer part slipped, all
- * did: |D| = 1 tells the zone of slip from that of stick, and what a sliver of rounding adds to
- * the other part must not hide it. */
+/* The slope of the straight line that replaces a corner. If the longer part slipped, all did: |D|
+ * = 1 tells the zone of slip from that of stick, and a sliver of rounding must not hide it. */
 static double joint_ratio(const rw_memory *memory, double load, double shear, double ratio)
 {
     const rw_corner *end = rw_memory_end(memory), *from = end - 1;
@@ -207,8 +205,8 @@ rw_departure rw_memory_departure(const rw_memory *memory, double load, double sh
     return ALWAYS(corner.load < load) ? (rw_departure){corner, last + 1, slip} : at_corner;
 }
 
-/* Where a step changes less than the tolerance the path stays as it is, and does not take over
- * the new values: so that many small steps cannot shift it unnoticed. */
+/* A step that changes less than the tolerance leaves the path as it is. It does not take over the
+ * new values, or many small steps could shift it unnoticed. */
 void rw_memory_advance(rw_memory *memory, const rw_departure *departure, double load, double shear)
 {
     const rw_corner end = *rw_memory_end(memory);

@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram of a contact. The tractions after any history of loads (P, Q) are those of
- * a load that grew along one path from the origin, never steeper than friction: with load s = P
- * on the path and shear T = Q/f,
+/* The memory diagram of a contact: all that it remembers of its history. The tractions after any
+ * history of loads (P, Q) are those of a load that grew along one path from the origin, never
+ * steeper than friction. With the load s = P on the path and the shear T = Q/f,
  *     q(x) = f int D(s) dp(x; s),   D = dT/ds in [-1, 1],   0 <= s <= P,
- * p(x; s) being the pressure under the load s. The path is a polygon; this room keeps its
+ * where p(x; s) is the pressure under the load s. The path is a polygon. This file keeps its
  * corners and knows no geometry.
  *
- * A new load (P', T') extends the path where the step is not steeper than 1; otherwise the edge
- * slips, D = +-1 there: from (P', T') a line of that slope is drawn back to where it meets the
- * path, and what lay beyond is forgotten. The path meets the two lines |T - T'| = P' - s once,
- * since it is never steeper than they are. */
+ * A new load (P', T') extends the path where the step is not steeper than 1. Otherwise the edge
+ * slips, D = +-1: a line of that slope is drawn from (P', T') back to where it meets the path.
+ * What lay beyond is forgotten. The path meets each of the two lines |T - T'| = P' - s once,
+ * because it is never steeper than they are. */
 #ifndef RW_MEMORY_H
 #define RW_MEMORY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A corner, with the slope D of the path from the corner before it. half_width is the caller's:
- * of the contact under that load, NaN when the corner is new. least and most bound the slope so
- * that no corner that was left out is farther from the path than its rounding error. */
+/* A corner, with the slope D of the path from the corner before it. The caller sets half_width,
+ * that of the contact under this load; it is NaN when the corner is new. least and most bound the
+ * slope: within them, no corner that was left out is farther from the path than its rounding
+ * error. */
 typedef struct {
     double load, shear, ratio;
     double least, most;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where slip is measured from: the path that the memory diagram had when a point came into
- * contact. What the tangential displacement of the point was then is no slip, and it stays what
- * it was however much of that path is forgotten since. Points are named by the load u under
- * which the edge of the contact is at them.
+ * contact. The tangential displacement that the point had then is no slip. So that path is kept
+ * here, though the memory may forget it. Points are named by the load u under which the edge of
+ * the contact is at them.
  *
- * A load that rises without slip adds points whose path is the present one: they have not
- * slipped, and nothing is kept for them. The first slip after that takes a copy of the path, for
- * all of them and for those that the slipping step itself brings into contact: for each of these
- * the path of the copy, gone on to that point of the step's straight line. A falling load takes
- * its points off. So there is one entry at most per load, and only where the contact grew since
- * the entry before; a repeated cycle replaces its own. */
+ * A load that rises without slip adds points whose path is the present one. They have not
+ * slipped, and nothing is kept for them. The first slip after that takes a copy of the path. The
+ * copy serves all of these points, and those that the slipping step itself brings into contact:
+ * the path of each of the latter is the copy, gone on along the step's straight line to the point.
+ * A falling load takes its points off. So a load adds one origin at most, and only if the contact
+ * grew since the origin before; a repeated cycle replaces its own. */
 #ifndef RW_SLIP_ORIGIN_H
 #define RW_SLIP_ORIGIN_H
 
@@ -38,10 +38,10 @@ void rw_slip_origins_destroy(rw_slip_origins *origins);
 bool rw_slip_origins_advance(rw_slip_origins *origins, const rw_memory *memory, bool slips,
                              double load, double shear);
 
-/* The entry of the point u; NULL where it has not slipped. */
+/* The origin of the point u; NULL where it has not slipped. */
 const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u);
 
-/* Where the path of the point u leaves its entry's base. */
+/* Where the path of the point u leaves its origin's base. */
 rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, double u);
 
 #endif

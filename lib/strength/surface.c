@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* On y = 0, with the slope g of the profile and the pressure -p, J2 = f^2 (g^2 + p^2) + kappa (p
- * + f g)^2. Why one root on 0 <= x <= alpha is the global maximum: - it is not at x < 0, where g
- * < 0 makes the second square smaller; - it is not beyond alpha: g = 1 up to the edge, p falls,
- * and outside p = 0 while g falls; - on the rounding, x = alpha sin(psi), 0 <= psi <= pi/2, the
- * derivative with respect to x is positive at 0 (for f > 0) and
- *   tends to minus infinity at alpha, where p has a vertical tangent. That it changes sign only
- *   once between is not proved here but checked, densely, by the tests (strength_survey), over
- *   all alpha, f and nu; what follows from it is proved at many of them
+ * + f g)^2. Why one root on 0 <= x <= alpha is the global maximum:
+ * - It is not at x < 0, where g < 0 makes the second square smaller.
+ * - It is not beyond alpha: up to the edge g = 1 and p falls; outside p = 0 and g falls.
+ * - On the rounding, x = alpha sin(psi), 0 <= psi <= pi/2, the derivative with respect to x is
+ *   positive at 0 (for f > 0). It tends to minus infinity at alpha, where p has a vertical
+ *   tangent. That it changes sign only once between is not proved here. The tests check it densely
+ *   over all alpha, f and nu (strength_survey), and prove what follows from it at many of them
  *   (tests/proof/certificate). */
 #include "strength/surface.h"
 

@@ -47,11 +47,6 @@ called="rwedge solve -i - in pieces"
 same "from a pipe, in pieces" "" "$(diff plain_solved out)"
 message_is ""
 
-# The file may be the output; it is replaced at the end.
-cp plain.csv same.csv
-run solve -i same.csv $fixed -o same.csv
-same "in place" "" "$(diff plain_solved same.csv)"
-
 # The comma as decimal sign goes for what is read and what is written; options keep the point.
 printf 'note;P;a\nx;100,5;0,25\ny;100.5;0,25\n' >comma.csv
 run solve -i comma.csv $fixed --decimal-comma --digits 5
@@ -84,7 +79,7 @@ id,E1,nu1,theta,a,P,Q,f,k
 15,210000,"0,3",0.05,1,100,10,0.2,300
 16,inf,0.3,0.05,1,100,10,0.2,300
 17,210000,nan,0.05,1,100,10,0.2,300
-18,1e55,0.3,0.05,1e-45,100,10,0.2,300
+18,1e40,0.3,0.05,1e-15,100,10,0.2,300
 19,210000,0.3,0.05,1,100,0,0.2,
 20,210000,0.3,0.05,1,100,10,,300
 21,210000,0.3,0.05,1,100, ,0.2,300

@@ -121,6 +121,37 @@ status=0
 status_is 0
 same "file written without standard streams" "$text" "$(cat files/new.csv)"
 
+# An output that is the input is refused before anything is written, whatever it is called.
+contact="--E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.3"
+printf 'P,Q\n2000,300\n' >input.csv
+cp input.csv before.csv
+ln -s input.csv symbolic.csv
+ln input.csv hard.csv
+input_stays() { # how the message calls it
+    status_is 2
+    same "message" "--output $1: it is the input; allowed: another file" "$(sed 's/^rwedge [a-z]*: //' err)"
+    same "the input" "" "$(cmp input.csv before.csv 2>&1)"
+    same "no other file" "" "$(find . -name '.rwedge-*')"
+}
+for name in input.csv ./input.csv "$PWD/input.csv" symbolic.csv hard.csv; do
+    for input in "solve --input" "profile --history" "field --history"; do
+        run $input input.csv $contact -o "$name"
+        input_stays "$name"
+    done
+    run solve --input "$name" $contact -o input.csv
+    input_stays input.csv
+    called="rwedge solve --input - <$name -o input.csv"
+    status=0
+    "$rwedge" solve --input - $contact -o input.csv <"$name" >out 2>err || status=$?
+    input_stays input.csv
+    called="rwedge solve --input input.csv >>$name"
+    status=0
+    "$rwedge" solve --input input.csv $contact >>"$name" 2>err || status=$?
+    input_stays -
+done
+run solve --input input.csv $contact -o beside.csv
+status_is 0
+
 # Protected files and folders; for root they are no obstacle, so another user is borrowed.
 as_user=
 if [ "$(id -u)" = 0 ]; then

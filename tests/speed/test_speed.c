@@ -108,7 +108,8 @@ static bool has_long_vectors(void)
 #endif
 }
 
-/* Seen: 8.4 and 4.8, from gcc 16 6.0 and 3.6; with vectors of two 4.3 and 2.3; without vectors 2.7. */
+/* Seen: 8.4 and 4.8, from gcc 16 6.0 and 3.6; with vectors of two 4.3 and 2.3; without vectors
+ * 2.7. */
 static void arrays_beat_the_series(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the calls of tests/doors/calls.sh from standard input, as Excel would: the
+/* Answers the calls of tests/doors/calls.py from standard input, as Excel would: the
  * declarations are read from rwedge.bas, the library is loaded by its path, and each function is
  * called through DispCallFunc, OLE Automation's way to call what is only known by its types.
  * Each line is printed back with the bits of its results, like tests/doors/door.c does.
@@ -9,8 +9,9 @@
  *
  * The latter prints the nanoseconds of a call, directly and by DispCallFunc.
  *
- * The arguments of a line are used up in turn; what is passed by reference after the last of
- * them receives a result. */
+ * The arguments of a line are used up in turn, but by objects and sizes; what is passed by
+ * reference after the last of them receives results. An object that is made takes the place of
+ * the one before, which is not freed. */
 #include <windows.h>
 
 #include <oleauto.h>
@@ -19,20 +20,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_PARAMETERS = 12, MAX_FUNCTIONS = 100 };
+enum { MAX_PARAMETERS = 16, MAX_FUNCTIONS = 200, MOST = 64 /* numbers of an array */ };
+typedef enum { NO_HANDLE, CONTACT, SERIES } handle;
 
 typedef struct {
     char name[64];
     VARTYPE result; /* VT_EMPTY: a Sub */
     int parameters;
     VARTYPE types[MAX_PARAMETERS];
-    int is_handle[MAX_PARAMETERS];
+    handle handles[MAX_PARAMETERS];
     FARPROC address;
 } function;
 
 static function functions[MAX_FUNCTIONS];
 static int function_count;
-static LONGLONG contact;
+static LONGLONG objects[3]; /* one contact and one series at a time */
+static double before[MOST]; /* what the line before gave */
+static int count_before;
 
 static void give_up(const char *what, const char *which)
 {
@@ -78,7 +82,9 @@ static void declare(char *line, HMODULE library)
         if (f->parameters == MAX_PARAMETERS || sscanf(p, " %7s %31s As %15s", how, name, type) != 3)
             give_up("not understood", p);
         f->types[f->parameters] = type_named(type) | (strcmp(how, "ByRef") == 0 ? VT_BYREF : 0);
-        f->is_handle[f->parameters++] = strcmp(name, "contact") == 0;
+        f->handles[f->parameters++] = strcmp(name, "contact") == 0  ? CONTACT
+                                      : strcmp(name, "series") == 0 ? SERIES
+                                                                    : NO_HANDLE;
     }
 }
 
@@ -139,52 +145,106 @@ static void print_bits(double value)
         printf(",nan");
 }
 
+typedef struct {
+    double v[MOST];
+    int count;
+} numbers;
+
+static numbers numbers_of(const char *text)
+{
+    numbers a = {{0}, 0};
+    if (*text == '@') {
+        memcpy(a.v, before, sizeof a.v);
+        a.count = count_before;
+        return a;
+    }
+    for (char *end; a.count < MOST && *text && *text != ','; text = end)
+        a.v[a.count++] = strtod(text, &end);
+    return a;
+}
+
+/* The size in front of an array is the number of its elements: that of the next list among the
+ * arguments. */
+static int size_at(const function *f, const numbers given[], const char is_given[], int i)
+{
+    for (; i < f->parameters; i++)
+        if (is_given[i] && f->types[i] == (VT_BYREF | VT_R8))
+            return given[i].count;
+    return 0;
+}
+
+/* Gives the numbers of the line to the parameters in turn, but to objects and sizes. */
+static void read_arguments(const function *f, const char *line, numbers given[], char is_given[])
+{
+    const char *text = strchr(line, ',');
+    for (int i = 0; i < f->parameters; i++) {
+        is_given[i] = text && f->handles[i] == NO_HANDLE && f->types[i] != VT_I8;
+        if (!is_given[i])
+            continue;
+        given[i] = numbers_of(text + 1);
+        text = strchr(text + 1, ',');
+    }
+    if (text)
+        give_up("too many arguments", line);
+}
+
+static void print_results(const char *line, const function *f, const numbers results[],
+                          const char is_given[])
+{
+    int outputs = 0, all = 0;
+    sscanf(line, "%*[a-z_]:%d:%d", &outputs, &all);
+    count_before = 0;
+    for (int i = 0; i < f->parameters; i++) {
+        if (is_given[i] || f->types[i] != (VT_BYREF | VT_R8))
+            continue;
+        for (int j = 0; j < all / outputs; j++) {
+            print_bits(results[i].v[j]);
+            if (count_before < MOST)
+                before[count_before++] = results[i].v[j];
+        }
+    }
+}
+
 static void answer(const char *line)
 {
-    char text[256];
-    double given[MAX_PARAMETERS], results[MAX_PARAMETERS];
-    int result_count = 0;
+    static numbers given[MAX_PARAMETERS];
+    char name[64], is_given[MAX_PARAMETERS];
     VARIANT arguments[MAX_PARAMETERS];
-    snprintf(text, sizeof text, "%s", line);
-    const function *f = function_named(strtok(text, ","));
-    if (strcmp(f->name, "contact_create") == 0)
-        contact = 0;
+    sscanf(line, "%63[a-z_]", name);
+    const function *f = function_named(name);
+    read_arguments(f, line, given, is_given);
     for (int i = 0; i < f->parameters; i++) {
         VARIANT *v = &arguments[i];
         VariantInit(v);
         V_VT(v) = f->types[i];
-        const char *word = f->is_handle[i] || f->types[i] == VT_I8 ? NULL : strtok(NULL, ",");
         switch (f->types[i]) {
         case VT_R8:
-            V_R8(v) = strtod(word, NULL);
+            V_R8(v) = given[i].v[0];
             break;
         case VT_I4:
-            V_I4(v) = atol(word);
+            V_I4(v) = (LONG)given[i].v[0];
             break;
-        /* or the length of the arrays */
         case VT_I8:
-            V_I8(v) = f->is_handle[i] ? contact : 1;
+            V_I8(v) = f->handles[i] ? objects[f->handles[i]] : size_at(f, given, is_given, i);
             break;
         case VT_BYREF | VT_I8:
-            V_I8REF(v) = &contact;
+            V_I8REF(v) = &objects[f->handles[i]];
             break;
         case VT_BYREF | VT_R8:
-            if (word)
-                given[i] = strtod(word, NULL);
-            V_R8REF(v) = word ? &given[i] : &results[result_count++];
+            V_R8REF(v) = given[i].v;
             break;
         default:
             give_up("cannot be passed", f->name);
         }
     }
     VARIANT result = call(f, arguments);
-    if (f->result == VT_I4 && V_I4(&result) != 0)
-        give_up("fails", line);
     printf("%s", line);
-    if (f->result == VT_R8)
+    if (f->result == VT_I4 && V_I4(&result) != 0)
+        printf(",error");
+    else if (f->result == VT_R8)
         print_bits(V_R8(&result));
-    for (int i = 0; i < result_count; i++)
-        print_bits(results[i]);
+    else
+        print_results(line, f, given, is_given);
     printf("\n");
 }
 
@@ -247,7 +307,7 @@ int main(int count, char **arguments)
         measure();
         return 0;
     }
-    char line[256];
+    char line[1024];
     while (fgets(line, sizeof line, stdin)) {
         line[strcspn(line, "\r\n")] = 0;
         answer(line);

@@ -3,7 +3,7 @@ function value = rwedge_a_over_b(AP_over_theta_a)
 %   The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
 %   (a/b >= 1) included.   Eq. (7), (11), inverse
 %     AP_over_theta_a  > 0, finite
-%   NaN outside the domain. Relative error below 1e-14.
+%   NaN outside the domain, or where a/b leaves it. Relative error below 1e-14.
 %
 %   The arguments are arrays of one size, or scalars, which go with every element.
 if nargin < 1

@@ -51,19 +51,16 @@ classdef rwedge_contact < handle
         %LOAD  contact.load(P, Q)
         %   The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
         %      Sec. 3.2; new
-        %     P  0, or 1e-148 to 1e148 and at least 1e-8 of the last P; 0 separates the bodies (Q must
-        %        then be 0 too), and all but the dissipated energy is forgotten
-        %     Q  |Q| <= f P; equality, to 8 epsilon of f times the larger of P and the last P, is full
-        %        sliding
-        %   rwedge:sliding where |Q| > f P. rwedge:domain; rwedge:range where P is outside 1e-148 to
-        %   1e148, the half-width b above 1e300, b, a/b or the peak pressure not a normal number, the peak
-        %   pressure times max(1, f) above 1e300 (of the sharp wedge: 452 theta/A max(1, f)), or the
-        %   energy overflows (below the smallest double it is 0), and where P is not 0 but below 1e-8 of
-        %   the last P, whose rounding would blur what Q/(fP) is: go there in two loads; rwedge:handle;
-        %   rwedge:memory. After an error the contact is as before; of
-        %   vectors, the loads before the one that is refused stay. It keeps at most two points of the
-        %   history per load, and of them only those that no later load has wiped out: a load cycle that
-        %   is repeated costs the memory of one.
+        %     P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
+        %        the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+        %     Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
+        %        P
+        %   rwedge:sliding where |Q| > f P. rwedge:domain. rwedge:range where the half-width, a/b, the
+        %   peak pressure or the energy leaves the domain. rwedge:range too where P is not 0 but below
+        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
+        %   rwedge:handle; rwedge:memory. After an error the contact is as before; of
+        %   vectors, the loads before the one that is refused stay. It remembers at most
+        %   two points of the history per load, and of them only those that no later load has wiped out.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
@@ -79,16 +76,16 @@ classdef rwedge_contact < handle
 
         function value = stick_half_width(contact)
         %STICK_HALF_WIDTH  value = contact.stick_half_width()
-        %   Half-width c of the stick zone, length: between it and the edge, c < |x| < b, friction is
-        %   exhausted, |q| = f |p|. It is b where there is no such zone, 0 in full sliding and when
-        %   separated.   Eq. (25); new
+        %   Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
+        %   |p|. c is b where all sticks, 0 in full sliding and when separated.
+        %      Eq. (25); new
             value = rwedge_mex('contact_stick_half_width', contact.number);
         end
 
         function value = memory(contact)
         %MEMORY  value = contact.memory()
         %   How many points of its history the contact remembers; 0 when separated. The time
-        %   that its functions need per point of the half-plane grows like this.
+        %   of its functions grows in proportion, for each point of the half-plane.
             value = rwedge_mex('contact_memory', contact.number);
         end
 
@@ -109,8 +106,7 @@ classdef rwedge_contact < handle
         function [sxx, syy, txy] = stresses(contact, x, y)
         %STRESSES  [sxx, syy, txy] = contact.stresses(x, y)
         %   Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
-        %     x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge, nor
-        %                    nearer to it than 2.2e-308 b
+        %     x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
         %     sxx, syy, txy  each receives n numbers
         %   rwedge:domain; rwedge:handle. Nothing is written unless every point is in the domain.
         %   Error below 1e-13 of what rwedge_stress() says, for every remembered point of the history.
@@ -122,11 +118,11 @@ classdef rwedge_contact < handle
 
         function slip = slip(contact, x)
         %SLIP  slip = contact.slip(x)
-        %   Slip at n points of the surface, length: the tangential displacement of the half-plane's
-        %   surface relative to the wedge's since the point last came into contact. It has the sign of q
-        %   while it grows, so that q d(slip) is the heat. 0 where a point has stuck ever since. In full
-        %   sliding the rigid displacement is not determined by the loads; the slip is then the least that
-        %   the loads need, with which the centre of the contact is on the verge of slip.
+        %   Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
+        %   relative to the wedge's, since the point last came into contact. It has the sign of q while it
+        %   grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
+        %   sliding the loads do not determine the rigid displacement. The slip is then the least that the
+        %   loads need: the centre of the contact is on the verge of slip.
         %      Eq. (17) to (21); new
         %     x     length, |x| <= b: points outside have no partner
         %     slip  receives n numbers
@@ -142,7 +138,7 @@ classdef rwedge_contact < handle
         %DISSIPATED_ENERGY  value = contact.dissipated_energy()
         %   Energy dissipated by friction since the contact was created, per unit thickness (a force): the
         %   time integral of the traction times the rate of slip over the contact, without the rigid
-        %   displacement in full sliding. Never falls. In a cycle under constant P it is the area of the
+        %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
         %   Relative error of each load's share below 1e-12, and epsilon times P over the
         %   change of Q/f where that slip reaches an older layer.
@@ -152,17 +148,16 @@ classdef rwedge_contact < handle
         function [factor, x, y] = yield_factor(contact, nu, k)
         %YIELD_FACTOR  [factor, x, y] = contact.yield_factor(nu, k)
         %   How far the present state is from first yield (von Mises, plane strain): k over the maximum of
-        %   sqrt(J2) over the half-plane. Loads scaled by it would not yield it exactly, as the contact
-        %   grows: see rwedge_yield_load().
+        %   sqrt(J2) over the half-plane. Loads times this factor would not just yield, because the contact
+        %   grows with them: see rwedge_yield_load().
         %     nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
         %     factor  receives the factor: above 1 all is elastic; 0 where the stress is infinite, at the
         %             apex of the sharp wedge
         %     x, y    where the maximum is, length
-        %   It is the global maximum that is searched for, from each edge of slip that is remembered, at
-        %   every scale; a millisecond for a first load, and its time grows with the square of
+        %   The search is for the global maximum, around each remembered edge of slip, at every scale. It
+        %   takes a millisecond for a first load, and its time grows with the square of
         %   rwedge_contact.memory(). rwedge:absent when separated: there is no stress. rwedge:domain;
-        %   rwedge:handle; rwedge:range where the factor is not a finite number. Relative error below
-        %   1e-12.
+        %   rwedge:handle; rwedge:range where the factor leaves the domain. Relative error below 1e-12.
         %     k  yield stress in pure shear, stress, finite, > 0
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: [factor, x, y] = contact.yield_factor(nu, k)');

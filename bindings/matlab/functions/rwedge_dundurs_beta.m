@@ -1,6 +1,6 @@
 function value = rwedge_dundurs_beta(E1, nu1, E2, nu2)
 %RWEDGE_DUNDURS_BETA  value = rwedge_dundurs_beta(E1, nu1, E2, nu2)
-%   Dundurs' second constant for plane strain, the coupling of normal and tangential problem. The
+%   Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
 %   theory with friction is exact where it is 0 (elastically similar bodies).
 %      Dundurs (1969), see lib/README.md
 %     arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;

@@ -2,8 +2,8 @@ function value = rwedge_elastic_limit(alpha, f, nu)
 %RWEDGE_ELASTIC_LIMIT  value = rwedge_elastic_limit(alpha, f, nu)
 %   Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
 %   under a normal load (f = 0).   Figs. 3 to 5
-%   It belongs to the global maximum of J2 over the half-plane. 0 for the sharp wedge, save for nu
-%   = 0.5 and f = 0 (or below 1e-100, which counts as 0): pi.
+%   It belongs to the global maximum of J2 over the half-plane. It is 0 for the sharp wedge, whose
+%   stresses are infinite; but pi for nu = 0.5 and f = 0.
 %     alpha  0, or at least 1e-14: the J2 of smaller tips can be too flat for its maximum to be found
 %   NaN outside the domain. Relative error below 1e-12.
 %     f   coefficient of friction, 0 <= f <= 1e6

@@ -60,7 +60,7 @@ classdef rwedge_series < handle
 
         function value = pressure(series, x)
         %PRESSURE  value = series.pressure(x)
-        %   The pressure at x; 0 for |x| >= 1; NaN for x not finite.   Eq. (29)
+        %   The pressure at x; 0 for |x| >= 1; NaN outside the domain.   Eq. (29)
         %     x  place along the surface, in b, finite
             if nargin < 2
                 error('rwedge:arguments', 'too few arguments: value = series.pressure(x)');
@@ -102,8 +102,8 @@ classdef rwedge_series < handle
         %   Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
         %      Sec. 4 of the paper
         %     samples  number of samples, >= terms, samples * terms <= 2^27
-        %     x, p     where and what, |x| < 1; 0 or 1e-60 to 1e60 in magnitude. Samples near Chebyshev's
-        %              points (x = cos t, t equally spaced) fit best
+        %     x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
+        %              equally spaced) fit best
         %     terms    >= 1
         %   rwedge:rank where the samples do not determine the coefficients to half the digits of a double
         %   (repeated or clustered points, or fewer than terms); rwedge:domain, rwedge:range,

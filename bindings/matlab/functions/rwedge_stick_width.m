@@ -1,6 +1,6 @@
 function value = rwedge_stick_width(alpha, Q_over_fP)
 %RWEDGE_STICK_WIDTH  value = rwedge_stick_width(alpha, Q_over_fP)
-%   Half-width of the stick zone c/b for a tangential force Q < fP that grew from zero under
+%   Half-width of the stick zone c/b, under a tangential force Q < fP that grew from zero under
 %   constant P.   Eq. (25)
 %     Q_over_fP  0 <= Q/(fP) <= 1; 0 sticks everywhere (1), 1 slides (0)
 %   NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().

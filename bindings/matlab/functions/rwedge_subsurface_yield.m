@@ -1,11 +1,11 @@
 function [limit, x, y] = rwedge_subsurface_yield(alpha, f, nu)
 %RWEDGE_SUBSURFACE_YIELD  [limit, x, y] = rwedge_subsurface_yield(alpha, f, nu)
-%   Its two branches apart: the elastic limit is the smaller of the two, and the cusps of Fig. 4
-%   are where they cross. Each is smooth in alpha, f and nu, so that each can be interpolated.
-%      Fig. 4; new
+%   The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
+%   and the cusps of Fig. 4 are where they cross. Each branch is smooth in alpha, f and nu, so that
+%   each can be interpolated.   Fig. 4; new
 %
-%   Below the surface: the local maximum of J2 that for f = 0 is on the axis. It ends at a fold in
-%   f, and for small alpha: rwedge:absent beyond.
+%   Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
+%   alpha have none: rwedge:absent.
 %     alpha  0, or at least 1e-14
 %   rwedge:domain.
 %     f   coefficient of friction, 0 <= f <= 1e6

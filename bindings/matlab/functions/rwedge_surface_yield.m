@@ -1,7 +1,7 @@
 function [limit, x] = rwedge_surface_yield(alpha, f, nu)
 %RWEDGE_SURFACE_YIELD  [limit, x] = rwedge_surface_yield(alpha, f, nu)
-%   At the surface: the maximum of J2 over y = 0, at 0 <= x <= min(alpha, 1). rwedge:absent for
-%   nu = 0.5 and f = 0 (or below 1e-100, which counts as 0), where J2 is 0 on the surface.
+%   At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). rwedge:absent
+%   for nu = 0.5 and f = 0, where J2 is 0 on the surface.
 %     alpha  0, or at least 1e-14
 %   rwedge:domain.   Fig. 4; new
 %     f   coefficient of friction, 0 <= f <= 1e6

@@ -1,45 +1,56 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers the calls of tests/doors/calls.sh from standard input: each line back with the bits of its results, as 16
-hexadecimal digits ("nan" for every NaN). Prints what tests/doors/door.c prints."""
+"""Answers the calls of tests/doors/calls.py from standard input: each line back with the bits of its results, as 16
+hexadecimal digits, "nan" for every NaN, "error" where it is refused. Prints what tests/doors/door.c prints."""
 import struct
 import sys
 
 import numpy as np
 
 import rwedge
+from rwedge._header import FUNCTIONS
 
-contact = None  # one at a time: contact_create begins the next
+objects = {}  # one of a family at a time: what makes one begins the next
+MAKERS = {"contact_create": rwedge.Contact, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
+# What has another name here.
+FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k]}
 
 
-def create(*parameters):
-    global contact
-    contact = rwedge.Contact(*parameters)
-
-
-CONTACT = {
-    "create": create,
-    "load": lambda P, Q: contact.load(P, Q),
-    "half_width": lambda: contact.half_width,
-    "stick_half_width": lambda: contact.stick_half_width,
-    "dissipated_energy": lambda: contact.dissipated_energy,
-    "tractions": lambda x: contact.tractions(x),
-    "stresses": lambda x, y: contact.stresses(x, y),
-    "slip": lambda x: contact.slip(x),
-    "yield_factor": lambda nu, k: contact.yield_factor(nu, k),
-}
+def made(name, family, arguments):
+    """An object, by its class, a method of the class, or a method of another object."""
+    if name in MAKERS:
+        return MAKERS[name](*arguments)
+    of = objects[family] if "handle" in FUNCTIONS[name]["roles"] else {"contact": rwedge.Contact, "series": rwedge.Series}[family]
+    return getattr(of, name.removeprefix(family + "_"))(*arguments)
 
 
 def call(name, arguments):
     """The results, a tuple."""
-    if name.startswith("contact_"):
-        result = CONTACT[name.removeprefix("contact_")](*arguments)
-    elif name == "coefficient":
-        result = rwedge.coefficient(arguments[0], int(arguments[1]))
+    about = FUNCTIONS[name]
+    family = about["family"]
+    if "created" in about["roles"]:
+        objects[family] = made(name, family, arguments)
+        return ()
+    if name in FORMS:
+        result = FORMS[name](*arguments)
+    elif family:
+        member = getattr(objects[family], name.removeprefix(family + "_"))
+        result = member(*arguments) if callable(member) else member
     else:
         result = getattr(rwedge, name)(*arguments)
     if result is None:
         return ()
+    if np.iscomplexobj(result):
+        return result.real, result.imag
     return result if isinstance(result, tuple) else (result,)
+
+
+def argument(text, kind, before):
+    if text == "@":
+        return before
+    values = [float(word) for word in text.replace(";", " ").split(" ")]
+    if ";" in text:
+        return np.array(values).reshape(text.count(";") + 1, -1)
+    return np.array(values) if kind == "const double *" else int(values[0]) if kind == "int32_t" else values[0]
 
 
 def bits(value):
@@ -47,10 +58,19 @@ def bits(value):
 
 
 def main():
-    with np.errstate(invalid="ignore"):  # outside the domain is among the calls
+    before = np.array([])
+    with np.errstate(all="ignore"):  # outside the domain is among the calls
         for line in map(str.rstrip, sys.stdin):
-            name, *arguments = line.split(",")
-            print(line, *map(bits, call(name, [float(argument) for argument in arguments])), sep=",")
+            name, *texts = line.split(",")
+            name = name.split(":")[0]
+            inputs = [kind for (kind, _), role in zip(FUNCTIONS[name]["parameters"], FUNCTIONS[name]["roles"])
+                      if role in ("in", "in array")]
+            try:
+                results = call(name, [argument(text, kind, before) for text, kind in zip(texts, inputs)])
+                before = np.concatenate([np.ravel(result) for result in results]) if results else np.array([])
+                print(line, *map(bits, before), sep=",")
+            except (rwedge.Error, IndexError):
+                print(line, "error", sep=",")
 
 
 if __name__ == "__main__":

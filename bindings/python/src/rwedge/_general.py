@@ -15,10 +15,10 @@ from ._library import ERANGE, Error, check, function, integer, real
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 
-def _numbers(name: str, given: Any) -> NDArray[Any]:
+def _numbers(name: str, given: Any, dimensions: int) -> NDArray[Any]:
     array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe"))
-    if array.ndim != 1:
-        raise Error(f"{name} has the shape {array.shape}: it must be of one dimension", ERANGE)
+    if array.ndim != dimensions:
+        raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)
     return array
 
 
@@ -35,15 +35,15 @@ class _Call:
         return {size: function(teller)(self.address) for size, teller in self.about["given by"].items()}
 
     def _measure(self, name: str, array: NDArray[Any]) -> None:
-        (size,) = self.about["sizes"][name]
-        if self.sizes.setdefault(size, array.size) != array.size:
-            raise Error(f"{name} has {array.size} numbers, where {self.sizes[size]} are needed", ERANGE)
+        for size, count in zip(self.about["sizes"][name], array.shape):
+            if self.sizes.setdefault(size, count) != count:
+                raise Error(f"{name} has the shape {array.shape}, where {self.sizes[size]} are needed for {count}", ERANGE)
 
     def arguments(self) -> list[Any]:
         values = []
         for (kind, name), role in zip(self.about["parameters"], self.about["roles"]):
             if role == "in array":
-                self.given[name] = _numbers(name, self.given[name])
+                self.given[name] = _numbers(name, self.given[name], len(self.about["sizes"][name]))
                 self._measure(name, self.given[name])
             elif role == "in":
                 self.given[name] = _TYPES[kind](name, self.given[name])
@@ -64,7 +64,9 @@ class _Call:
 
     def results(self) -> Any:
         result = function(self.name)(*self.arguments())
-        if not self.outputs and self.about["result"] != "int32_t":
+        if self.about["result"] == "const char *":
+            return (result.decode(), *map(float, self.outputs.values())) if self.outputs else result.decode()
+        if not self.outputs and not self.about["status"]:
             return result
         check(self.name, result, {n: v for n, v in self.given.items() if not isinstance(v, np.ndarray)})
         results = tuple(array if array.ndim else float(array) for array in self.outputs.values())

@@ -1,0 +1,220 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+! rwedge for Fortran: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+! Written by bindings/interface/generate.py from include/rwedge.h and template.f90: change those, not rwedge.f90.
+! Compile this file with your program and link the library: gfortran rwedge.f90 program.f90 -lrwedge.
+!
+! The comments that begin with !> are those of rwedge.h, which has the geometry, units and the domains of the arguments that
+! return everywhere. What is different here:
+! - The composite compliance A is the argument "compliance": Fortran takes a and A for one name.
+! - Functions of numbers are elemental: they take arrays too. They give NaN outside their domain.
+! - What has a status has the optional arguments stat and errmsg, as ALLOCATE has: stat receives rwedge_ok or the reason,
+!   errmsg the reason in words, with the arguments and what is allowed. Where stat is absent, an error ends the program with
+!   that text.
+! - On error the outputs are as they were.
+! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
+!   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
+!   return one from a function: compilers copy the handle there, not what it holds. README.md says more.
+! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
+module rwedge
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    private
+
+{statuses}
+
+    public :: rwedge_version, rwedge_error_text
+{public}
+
+    ! One contact and what it remembers of its loads.
+    type, public :: rwedge_contact
+        private
+        type(c_ptr) :: handle = c_null_ptr
+    contains
+{contact procedures}
+        procedure, private :: assign_contact
+        generic :: assignment(=) => assign_contact
+        final :: finalize_contact
+    end type
+
+    ! The paper's series. It never changes once made, so that copies share it.
+    type, public :: rwedge_series
+        private
+        type(c_ptr) :: handle = c_null_ptr
+        integer, pointer :: users => null()
+    contains
+{series procedures}
+        procedure, private :: assign_series
+        generic :: assignment(=) => assign_series
+        final :: finalize_series
+    end type
+
+    ! rwedge.h
+    interface
+        pure function strlen(text) bind(C, name="strlen") result(length)
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: text
+            integer(c_size_t) :: length
+        end function
+
+{interfaces}
+    end interface
+
+contains
+
+    ! ---- Texts and errors ----------------------------------------------------------------------------------------------
+
+    !> The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text.
+    function rwedge_version() result(text)
+        character(:), allocatable :: text
+        text = text_of(c_version())
+    end function
+
+    !> What a status means.
+    function rwedge_error_text(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+        text = text_of(c_strerror(status))
+    end function
+
+    function text_of(c_text) result(text)
+        type(c_ptr), intent(in) :: c_text
+        character(:), allocatable :: text
+        character(kind=c_char), pointer :: letters(:)
+        integer :: i
+        call c_f_pointer(c_text, letters, [strlen(c_text)])
+        allocate (character(size(letters)) :: text)
+        do i = 1, size(letters)
+            text(i:i) = letters(i)
+        end do
+    end function
+
+    ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments, allowed says what they
+    ! may be, element is the one of its arrays that was refused.
+    subroutine conclude(status, call, values, allowed, stat, errmsg, element)
+        integer(c_int32_t), intent(in) :: status
+        character(*), intent(in) :: call, allowed
+        real(c_double), intent(in) :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer, intent(in), optional :: element
+        if (present(stat)) stat = status
+        if (status == rwedge_ok) return
+        if (present(errmsg)) errmsg = message(status, call, values, allowed, element)
+        if (present(stat)) return
+        write (error_unit, '(a)') message(status, call, values, allowed, element)
+        error stop 1
+    end subroutine
+
+    function message(status, call, values, allowed, element) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(*), intent(in) :: call, allowed
+        real(c_double), intent(in) :: values(:)
+        integer, intent(in), optional :: element
+        character(:), allocatable :: text
+        character(24) :: number
+        integer :: i
+        text = call
+        if (present(element)) then
+            write (number, '(i0)') element
+            text = text // ', element ' // trim(number)
+        end if
+        text = text // ': ' // rwedge_error_text(status)
+        if (status == rwedge_enull) text = text // ' (create it first)'
+        do i = 1, size(values)
+            write (number, '(g0.15)') values(i)
+            text = text // merge(': ', ', ', i == 1) // trim(number)
+        end do
+        if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+    end function
+
+    ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
+    pure function first_outside(x, low, high, low_open, high_open, or_zero) result(element)
+        real(c_double), intent(in) :: x(:), low, high
+        logical, intent(in) :: low_open, high_open, or_zero
+        integer :: element
+        do element = 1, size(x)
+            if (ieee_is_nan(x(element))) return
+            if (or_zero .and. .not. abs(x(element)) > 0) cycle
+            if (x(element) < low .or. x(element) > high) return
+            if ((low_open .and. .not. x(element) > low) .or. (high_open .and. .not. x(element) < high)) return
+        end do
+        element = 0
+    end function
+
+    ! ---- The life of objects -------------------------------------------------------------------------------------------
+
+    ! What the contact held before is freed last: it may have been copied from itself.
+    subroutine own_contact(this, handle)
+        class(rwedge_contact), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call c_contact_destroy(this%handle)
+        this%handle = handle
+    end subroutine
+
+    !> this = from, by copy(); both may be without a contact.
+    impure elemental subroutine assign_contact(this, from)
+        class(rwedge_contact), intent(inout) :: this
+        type(rwedge_contact), intent(in) :: from
+        if (c_associated(from%handle)) then
+            call this%copy(from)
+        else
+            call this%destroy()
+        end if
+    end subroutine
+
+    !> Frees; NULL is allowed.
+    subroutine contact_destroy(this)
+        class(rwedge_contact), intent(inout) :: this
+        call own_contact(this, c_null_ptr)
+    end subroutine
+
+    impure elemental subroutine finalize_contact(this)
+        type(rwedge_contact), intent(inout) :: this
+        call this%destroy()
+    end subroutine
+
+    subroutine own_series(this, handle)
+        class(rwedge_series), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        call this%destroy()
+        this%handle = handle
+        allocate (this%users)
+        this%users = 1
+    end subroutine
+
+    ! this = from, which share the series from then on.
+    impure elemental subroutine assign_series(this, from)
+        class(rwedge_series), intent(inout) :: this
+        type(rwedge_series), intent(in) :: from
+        type(c_ptr) :: handle
+        integer, pointer :: users
+        handle = from%handle
+        users => from%users
+        if (associated(users)) users = users + 1
+        call this%destroy() ! which may be from
+        this%handle = handle
+        this%users => users
+    end subroutine
+
+    !> Frees; NULL is allowed.
+    subroutine series_destroy(this)
+        class(rwedge_series), intent(inout) :: this
+        if (.not. associated(this%users)) return
+        this%users = this%users - 1
+        if (this%users == 0) then
+            call c_series_destroy(this%handle)
+            deallocate (this%users)
+        end if
+        this%handle = c_null_ptr
+        nullify (this%users)
+    end subroutine
+
+    impure elemental subroutine finalize_series(this)
+        type(rwedge_series), intent(inout) :: this
+        call this%destroy()
+    end subroutine
+
+{procedures}
+end module

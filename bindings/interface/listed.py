@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names the functions of the header that lack a place where every function must have one."""
+import re
+import sys
+from pathlib import Path
+
+from header import read
+
+TOP = Path(__file__).resolve().parents[2]
+PLACES = {  # what a function needs there, and which files may have it
+    "a claim": "tests/lib/*.c tests/proof/*.c tests/host/test_*.c",
+    "a row of accuracy": "tests/proof/accuracy/*.c",
+    "a line in tests/support/every_function.c": "tests/support/every_function.c",
+    "a call in tests/host/calls.c": "tests/host/calls.c",
+}
+# Without a number whose error could be measured.
+WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
+                    "series_create", "series_fit", "series_destroy", "series_terms"}
+
+
+def texts(patterns):
+    files = [file for pattern in patterns.split() for file in sorted(TOP.glob(pattern))]
+    return "\n".join(file.read_text(encoding="utf-8") for file in files)
+
+
+def main():
+    lacking = []
+    found = {what: texts(patterns) for what, patterns in PLACES.items()}
+    for f in read(TOP / "include/rwedge.h").functions:
+        for what, text in found.items():
+            if what == "a row of accuracy" and f.name in WITHOUT_ACCURACY:
+                continue
+            if not re.search(rf"\b(rwedge_)?{f.name}\b", text):
+                lacking.append(f"rwedge_{f.name}() lacks {what} ({PLACES[what]})")
+    for text in lacking:
+        print(f"FAILED: {text}: see bindings/interface/README.md, How to add a function")
+    sys.exit(bool(lacking))
+
+
+main()

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Prints the calls that every door answers: calls.py [--own] > CALLS
+
+A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
+in all, and its arguments, the numbers of an array with spaces between them, and ; between the loads of one of two sizes. @ is the array of the numbers that the line before
+gave. A function that makes an object makes the one that the following lines are about.
+
+Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
+unnoticed (exchange.py tries them all; these are the calls of --own); then come the arguments of the reference tables, and the
+ends of the domains.
+"""
+import csv
+import math
+import sys
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "bindings" / "interface"))
+
+from header import read  # noqa: E402
+
+VARIANTS = 7  # calls of a function with numbers from the middle of their domains
+POINTS = 3  # the numbers of an array
+LOADS = 2  # the loads of an array of two sizes
+EVERY = 7  # rows of a reference table
+
+# Values of each argument, by its name; those outside the domain of a function are left out.
+QUANTITIES = {
+    "alpha": [0.25, 0.37, 0.003, 0.81, 1.7, 1e-6, 0.02],
+    "f": [0.3, 0.45, 0.1, 0.72, 0.05],
+    "nu": [0.31, 0.27, 0.4, 0.15],
+    "c": [0.52, 0.13, 0.77, 0.35, 0.94],
+    "x": [-0.61, 0.28, 0.84, -0.17, 0.49, -0.9, 0.07, 0.66, -0.38],
+    "y": [0.23, 0.71, 0.04, 1.3, 0.55],
+    "n": [3, 0, 11, 1000000],
+    "Q_over_fP": [0.42, 0.85, 0.11, 0.63],
+    "AP_over_theta_a": [7.5, 0.8, 130, 2.3],
+    "E1": [200e3, 72e3, 110e3], "nu1": [0.3, 0.25, 0.33, 0.11], "E2": [70e3, 205e3, 3.1e3, 400e3], "nu2": [0.35, 0.2, 0.42],
+    "theta": [0.01, 0.023, 0.005],
+    "a": [0.5, 1.9, 0.08, 6.3],
+    "A": [1.8e-5, 3.1e-5, 7e-6],
+    "R": [200, 35, 810],
+    "P": [1000, 2300, 640, 90],
+    "Q": [270, -410, 130],
+    "b": [2.4, 0.7, 11, 5.5],
+    "k": [310, 180, 455],
+    "p": [-0.35, -0.92, -0.71, -1.3, -1.1, -0.6, -0.83, -0.2, -0.97],
+    "terms": [4, 7, 9],
+    "state": "@",
+}
+# Where a function needs others.
+OWN = {
+    ("series_coefficient", "k"): [2, 0, 3, 1, 50],
+    ("contact_tractions", "x"): [-0.8, 0.31, 2, -0.5, 4.2, 0, 0.07],
+    ("contact_stresses", "x"): [-0.8, 0.31, 2, -0.5, 4.2, 0, 0.07],
+    ("subsurface_yield", "alpha"): [0.25, 0.37, 0.81, 1.7],  # and little friction: the branch must exist
+    ("subsurface_yield", "f"): [0.1, 0.02, 0.07],
+    ("subsurface_yield", "nu"): [0.31, 0.27, 0.33],
+    ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
+    ("contact_create", "f"): [0.6],
+}
+SAMPLES = {"series_fit": 9}
+# The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro.
+OBJECTS = {
+    "contact": [("contact_load", pair) for pair in
+                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))],
+    "series": [],
+}
+TABLES = (
+    ("contact_law", {"load": (0,), "a_over_b": "inverse", "peak_pressure": (0,), "transition_pressure": (0,), "max_tension": (0,)}),
+    ("pressure", {"pressure": (0, 1)}),
+    ("coefficients", {"coefficient": (0, 1)}),
+    ("stress_sliding", {"stress": (0, 1, None, 2, 3)}),
+    ("stress_partial_slip", {"stress": (0, 1, 2, 3, 4), "shear_ratio": (0, 2), "stick_width": (0, 5), "shear": (0, 2, 3)}),
+    ("elastic_limit", {"elastic_limit": (0, 1, 2), "yield_point": (0, 1, 2)}),
+    ("critical_friction", {"critical_friction": (0, 1)}),
+)
+
+interface = read(TOP / "include" / "rwedge.h")
+
+
+def inside(domain, value):
+    if domain.or_zero and value == 0:
+        return True
+    return (domain.low < value or domain.low == value and not domain.low_open) and \
+        (value < domain.high or value == domain.high and not domain.high_open)
+
+
+def values(function, parameter):
+    given = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name))
+    if given is None:
+        sys.exit(f"FAILED: rwedge_{function.name}() has the argument {parameter.name}, of which calls.py knows no values: add some "
+                 "to QUANTITIES")
+    if given != "@":
+        given = [v for v in given if inside(parameter.domain, v)]
+        if not given:
+            sys.exit(f"FAILED: calls.py has no value of {parameter.name} in its domain in rwedge_{function.name}(): add some to OWN")
+    return given
+
+
+def call(function, given):
+    """given: a number, a list of them or "@" for each argument."""
+    counts = {}
+    for p, value in zip(function.inputs, given):
+        if p.size and value != "@":
+            counts[p.size[0]] = len(value)
+            if len(p.size) == 2:
+                counts[p.size[1]] = len(value[0])
+    numbers = 0
+    for p in function.outputs:
+        known = [counts.get(size, 0) for size in p.size]
+        numbers += math.prod(known)
+    results = len(function.outputs) or int(function.result == "value")
+    print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, given)]))
+
+
+def text_of(given):
+    if isinstance(given, list):
+        return (";" if isinstance(given[0], list) else " ").join(map(text_of, given))
+    return given if given == "@" else repr(given)
+
+
+def sampled(function, variant):
+    """The arguments of a call; other arguments take other steps through their values."""
+    given = []
+    for j, p in enumerate(function.inputs):
+        of, step = values(function, p), 1 + j % 3
+        if of == "@":
+            given.append(of)
+        elif len(p.size) == 2:
+            given.append([[of[(step * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
+        elif p.size:
+            given.append([of[(step * variant + i) % len(of)] for i in range(SAMPLES.get(function.name, POINTS))])
+        else:
+            given.append(of[step * variant % len(of)])
+    return given
+
+
+def sample(function, count):
+    for variant in range(count if function.inputs else 1):
+        call(function, sampled(function, variant))
+
+
+def formulas():
+    for f in interface.functions:
+        if not f.family and f.result in ("value", "status"):
+            sample(f, VARIANTS)
+
+
+def objects():
+    """Every way to make one, then its history, and after each load what it tells."""
+    for family, history in OBJECTS.items():
+        own = [f for f in interface.functions if f.family == family and f.result in ("value", "status")]
+        readers = [f for f in own if f.of("handle") and not f.of("created")]
+        others = [f for f in own if f.of("changed") and f.name not in {name for name, _ in history}]
+        for maker in (f for f in own if f.of("created")):
+            call(maker, sampled(maker, 0))
+            steps = history if maker.method == "create" else history[-1:]
+            for name, arguments in steps:
+                call(interface[name], arguments)
+                for f in readers:
+                    sample(f, 1 if maker.method != "create" else 2)
+            for f in others:
+                sample(f, 2)
+                for reader in readers:
+                    sample(reader, 1)
+            if not steps:
+                for f in readers:
+                    sample(f, 4)
+
+
+def reference_rows():
+    for table, functions in TABLES:
+        with open(TOP / "tests" / "data" / f"{table}.csv", encoding="ascii", newline="") as file:
+            rows = list(csv.reader(file))[1:]
+        for row in rows[EVERY - 2::EVERY]:
+            for name, columns in functions.items():
+                if columns == "inverse":
+                    given = [float(row[1]) / float(row[0])] if float(row[0]) else None
+                else:
+                    given = [0.0 if k is None else float(row[k]) for k in columns]
+                if given:
+                    call(interface[name], [int(v) if p.kind == "int32_t" else v for p, v in zip(interface[name].inputs, given)])
+
+
+def ends():
+    """Of formulas: each argument in turn at the ends of its domain, and beyond."""
+    for f in (f for f in interface.functions if f.result == "value" and not f.family):
+        for j, p in enumerate(f.inputs):
+            d = p.domain
+            edges = [v for v in (d.low, d.high) if math.isfinite(v)] + [0.0, 1e-300, 1e300, -1.0, math.inf, math.nan]
+            if p.kind == "int32_t":
+                edges = [0, -1, 2**31 - 1]
+            for edge in dict.fromkeys(edges):
+                given = sampled(f, 0)
+                given[j] = edge
+                call(f, given)
+
+
+def main():
+    formulas()
+    objects()
+    if sys.argv[1:] != ["--own"]:
+        reference_rows()
+        ends()
+
+
+main()

@@ -1,0 +1,321 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exchanges two arguments, or two results, of every call of the library in every binding, and looks whether the binding's door
+then gives other answers: exchange.py BUILD [BINDING...]. BUILD is where the tests of the bindings have run.
+
+All functions have an exchange at the same time, each one of its own, but for those that make or change an object, which have
+one at a time: their answers are those of all that follows. Exchanges that a compiler refuses are not tried: of a number and
+an array, and in Fortran and Python's classes of a real and an integer. Excel's module, which no door runs, is held by bindings/excel/check.py,
+which is asked in the same way. Not tried are the calls with which Fortran looks for the element to be named in a message.
+"""
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+HERE = TOP / "tests" / "doors"
+INTERFACE = TOP / "bindings" / "interface"
+sys.path.insert(0, str(INTERFACE))
+
+import write_excel  # noqa: E402
+import write_python  # noqa: E402
+from header import read  # noqa: E402
+
+interface = read(TOP / "include" / "rwedge.h")
+BUILD = Path(sys.argv[1] if len(sys.argv) > 1 else "build").resolve()
+PRIVATE = BUILD / "private" / "prefix"
+ARCHIVE = str(PRIVATE / "lib" / "librwedge.a")
+
+
+def run(*command, **options):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, **options)
+    if done.returncode:
+        sys.exit(f"FAILED: {' '.join(map(str, command))}\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def arguments(text, start):
+    """(start, end) of each argument of the call whose parenthesis opens at start."""
+    found, depth, begin, quoted = [], 0, start + 1, False
+    for i in range(start, len(text)):
+        quoted ^= text[i] in "'\"" and text[i - 1] != "\\"
+        depth += 0 if quoted else {"(": 1, "[": 1, ")": -1, "]": -1}.get(text[i], 0)
+        if not quoted and (depth == 0 or text[i] == "," and depth == 1):
+            found.append((begin, i))
+            begin = i + 1
+        if depth == 0:
+            break
+    return [(a + len(text[a:b]) - len(text[a:b].lstrip(" \n&\\_")), b) for a, b in found if text[a:b].strip(" \n&\\_")]
+
+
+class Site:
+    """Two places of a file's text to be exchanged, and the functions that must notice."""
+
+    def __init__(self, functions, file, one, other):
+        self.functions, self.file, self.places = functions, file, (one, other)
+        self.changes = any(interface[f].of("created", "changed") for f in functions)
+
+    def text(self, texts):
+        (a, b), (c, d) = self.places
+        return f"{self.file.name}: {', '.join(self.functions)}: {texts[self.file][a:b]} and {texts[self.file][c:d]}"
+
+
+def pairs(items):
+    return [(a, b) for i, a in enumerate(items) for b in items[i + 1:]]
+
+
+def of_calls(file, text, pattern, name_of, parameters_of, same_kind):
+    """The sites of all calls in a text; parameters_of says what stands where."""
+    sites = []
+    for match in re.finditer(pattern, text):
+        name = name_of(match)
+        if name not in interface:
+            continue
+        places = arguments(text, match.end() - 1)
+        listed = list(zip(places, parameters_of(interface[name])))
+        sites += [Site([name], file, p, q) for (p, one), (q, other) in pairs(listed)
+                  if one and other and same_kind(one, other) and "*" not in text[p[0]:p[1]] + text[q[0]:q[1]] * (file.suffix == ".py")]
+    return sites
+
+
+def in_c(one, other):
+    return one.role == other.role and one.role in ("in", "in array", "out", "out array", "size")
+
+
+def of_one_type(one, other):
+    return in_c(one, other) and one.kind == other.kind
+
+
+def all_parameters(f):
+    return f.parameters
+
+
+# ---- The doors: what is exchanged, and how the door is made of it ----
+
+
+class C:
+    """The table of entries, in the door of C."""
+
+    def __init__(self, work):
+        self.work = work
+        self.files = [INTERFACE / "entries.h"]
+
+    def sites(self, texts):
+        (file,) = self.files
+        return of_calls(file, texts[file], r"\brwedge_(\w+)\(", lambda m: m[1], all_parameters, in_c)
+
+    def answers(self, texts, calls):
+        (self.work / "entries.h").write_text(texts[self.files[0]])
+        run("cc", "-O0", "-w", f"-I{self.work}", f"-I{TOP}/include", HERE / "door.c", ARCHIVE, "-lm", "-o", self.work / "door")
+        return run(self.work / "door", input=calls)
+
+
+class Fortran:
+    """The module. Its interfaces have the names alone; the calls are what counts."""
+
+    def __init__(self, work):
+        self.work = work
+        self.files = [TOP / "bindings" / "fortran" / "rwedge.f90"]
+
+    def sites(self, texts):
+        (file,) = self.files
+        text = texts[file]
+        start = text.index("    end interface\n\ncontains")
+        calls = r"\bc_(\w+)\((?![^\n]*\bi:i\b)"
+        return [s for s in of_calls(file, text, calls, lambda m: m[1], all_parameters, of_one_type) if s.places[0][0] > start]
+
+    def answers(self, texts, calls):
+        (self.work / "rwedge.f90").write_text(texts[self.files[0]])
+        run("gfortran", "-O0", "-w", "rwedge.f90", TOP / "bindings" / "fortran" / "door.f90", ARCHIVE, "-lm", "-o", "door",
+            cwd=self.work)
+        return run(self.work / "door", input=calls)
+
+
+class Matlab:
+    """The MEX file's table, and the functions and classes."""
+
+    def __init__(self, work):
+        self.work, self.built = work, None
+        self.functions = sorted((TOP / "bindings" / "matlab" / "functions").glob("*.m"))
+        self.files = [INTERFACE / "entries.h", *self.functions]
+        self.include = run("mkoctfile", "-p", "OCTINCLUDEDIR").strip()
+
+    def sites(self, texts):
+        sites = of_calls(self.files[0], texts[self.files[0]], r"\brwedge_(\w+)\(", lambda m: m[1], all_parameters, in_c)
+        for file in self.functions:
+            sites += of_calls(file, texts[file], r"rwedge_mex\((?='(\w+)')", lambda m: m[1],
+                              lambda f: [None, *(f.of("handle", "changed") and [None]), *f.inputs],
+                              lambda one, other: True)
+            for match in re.finditer(r"\[([^]\n]*)\] = rwedge_mex\('(\w+)'", texts[file]):
+                places = [(match.start(1) + m.start(), match.start(1) + m.end()) for m in re.finditer(r"\w+", match[1])]
+                sites += [Site([match[2]], file, p, q) for p, q in pairs(places)]
+        return sites
+
+    def answers(self, texts, calls):
+        table = texts[self.files[0]]
+        if table != self.built:
+            (self.work / "entries.h").write_text(table)
+            run("gcc", "-O0", "-w", "-shared", "-fPIC", f"-I{self.work}", f"-I{TOP}/include", f"-I{self.include}",
+                TOP / "bindings" / "matlab" / "rwedge_mex.c", ARCHIVE, "-lm", "-o", self.work / "rwedge_mex.mex")
+            self.built = table
+        for file in self.functions:
+            (self.work / file.name).write_text(texts[file])
+        return run("octave-cli", "--no-init-file", "--no-history", "--path", self.work,
+                   TOP / "bindings" / "matlab" / "door.m", input=calls)
+
+
+class Python:
+    """The loops of the ufuncs, and the calls of the classes."""
+
+    def __init__(self, work):
+        self.work, self.built = work, None
+        self.python = BUILD / "python" / "venv" / "bin" / "python"
+        package = next((BUILD / "python" / "venv").glob("lib/*/site-packages/rwedge"))
+        shutil.copytree(package, work / "rwedge")
+        self.made = work / "loops.h"
+        self.made.write_text(write_python.loops_h(interface))
+        self.classes = {family: TOP / f"bindings/python/src/rwedge/_{family}.py" for family in ("contact", "series")}
+        self.files = [self.made, *self.classes.values()]
+
+    def sites(self, texts):
+        text = texts[self.made]
+        sites = of_calls(self.made, text, r"\brwedge_(\w+)\(", lambda m: m[1], all_parameters, in_c)
+        for match in re.finditer(r"FORMULA_LOOP\((\w+), [^()]*\([^()]*\), \(", text):
+            functions = [f.name for f in interface.functions if write_python.is_ufunc(f) and f.result == "value"
+                         and "".join(p.kind[0] for p in f.parameters) == match[1]]
+            sites += [Site(functions, self.made, p, q) for p, q in pairs(arguments(text, match.end() - 1))]
+        for family, file in self.classes.items():
+            sites += of_calls(file, texts[file], r"(?<![\w.])_(\w+)\(", lambda m, family=family: f"{family}_{m[1]}",
+                              all_parameters, of_one_type)
+        return sites
+
+    def answers(self, texts, calls):
+        if texts[self.made] != self.built:
+            folder = self.work / "include"
+            folder.mkdir(exist_ok=True)
+            (folder / "loops.h").write_text(texts[self.made])
+            run("cc", "-O0", "-w", "-shared", "-fPIC", f"-I{folder}", f"-I{TOP}/include", TOP / "bindings/python/src/loops.c",
+                "-Wl,--whole-archive", ARCHIVE, "-Wl,--no-whole-archive", "-lm", "-o", self.work / "rwedge/_rwedge.so")
+            self.built = texts[self.made]
+        for file in self.classes.values():
+            (self.work / "rwedge" / file.name).write_text(texts[file])
+        return run(self.python, "-B", TOP / "bindings/python/tests/door.py", input=calls, env={"PYTHONPATH": str(self.work)})
+
+
+class Excel:
+    """The module of Basic: declarations and calls, by what check.py says of them."""
+
+    def __init__(self, work):
+        self.work = work
+        self.files = [TOP / "bindings" / "excel" / "rwedge.bas"]
+        folder = BUILD / "excel"
+        self.given = [TOP / "include/rwedge.h", folder / "prototypes", folder / "tables"]
+
+    def sites(self, texts):
+        (file,) = self.files
+        text = texts[file]
+        declared = r'Alias "rwedge_(\w+)" \('
+        return of_calls(file, text, declared, lambda m: m[1], all_parameters, in_c) + \
+            of_calls(file, text, r"(?<!Function )(?<!Sub )\bc_(\w+)\(", lambda m: m[1], all_parameters, in_c)
+
+    def answers(self, texts, calls):
+        """A line for each function: what check.py says of it."""
+        module = self.work / "rwedge.bas"
+        module.write_bytes(texts[self.files[0]].encode("ascii"))
+        said = subprocess.run([sys.executable, "-B", TOP / "bindings/excel/check.py", module, *self.given], capture_output=True,
+                              text=True).stdout
+        names = [f.name for f in interface.functions if f.name not in write_excel.NOT_DECLARED]
+        return "\n".join(f"{n}:{re.findall(rf'(?m)^.*(?:rwedge|c)_{n}: .*$', said)}" for n in names)
+
+
+# What each needs: programs, and what the tests of the binding leave in BUILD.
+NEEDS = {"c": (), "fortran": ("gfortran",), "matlab": ("octave-cli", "mkoctfile"), "python": (BUILD / "python/venv/bin/python",),
+         "excel": (BUILD / "excel/prototypes", BUILD / "excel/tables")}
+DOORS = {"c": C, "fortran": Fortran, "matlab": Matlab, "python": Python, "excel": Excel}
+
+# ---- Rounds of exchanges ----
+
+
+def exchanged(texts, sites):
+    """The texts with all these exchanges; they are of different calls."""
+    texts = dict(texts)
+    edits = {}
+    for site in sites:
+        (a, b), (c, d) = site.places
+        text = texts[site.file]
+        edits.setdefault(site.file, []).extend([(a, b, text[c:d]), (c, d, text[a:b])])
+    for file, changes in edits.items():
+        text = texts[file]
+        for a, b, new in sorted(changes, reverse=True):
+            text = text[:a] + new + text[b:]
+        texts[file] = text
+    return texts
+
+
+def rounds(sites):
+    """Lists of sites that are tried at the same time: one of each function, but one alone that changes an object."""
+    alone = [[s] for s in sites if s.changes]
+    together = []
+    for site in (s for s in sites if not s.changes):
+        free = next((r for r in together if not {f for s in r for f in s.functions} & set(site.functions)), None)
+        if free is None:
+            together.append([site])
+        else:
+            free.append(site)
+    return together + alone
+
+
+def lines_of(answers):
+    """function -> its lines."""
+    found = {}
+    for line in answers.splitlines():
+        found.setdefault(line.split(":")[0], []).append(line)
+    return found
+
+
+def unnoticed(site, before, after):
+    """The functions of a site that answer as if nothing had happened."""
+    if site.changes:
+        return [] if before != after else site.functions
+    served = {f: [f, *(g.name for g in interface.functions if g.name == f or interface[f].array_of == g.name)]
+              for f in site.functions}
+    return [f for f, names in served.items() if all(before.get(n) == after.get(n) for n in names)]
+
+
+def try_all(name, work, calls):
+    door = DOORS[name](work)
+    texts = {file: file.read_bytes().decode("ascii") for file in door.files}
+    sites = door.sites(texts)
+    before = lines_of(door.answers(texts, calls))
+    missed = []
+    for tried in rounds(sites):
+        after = lines_of(door.answers(exchanged(texts, tried), calls))
+        missed += [site.text(texts) for site in tried if unnoticed(site, before, after)]
+    for text in missed:
+        print(f"FAILED: nobody notices: {name}: {text}")
+    if not sites:
+        missed.append(name)
+        print(f"FAILED: no calls found: {name}")
+    functions = {f for s in sites for f in s.functions}
+    print(f"{name}: {len(sites)} exchanges of {len(functions)} functions, {len(missed)} unnoticed", flush=True)
+    return missed
+
+
+def main():
+    calls = run(sys.executable, "-B", HERE / "calls.py", "--own")
+    missed, skipped = [], []
+    for name in sys.argv[2:] or DOORS:
+        absent = [str(n) for n in NEEDS[name] if not shutil.which(n) and not Path(n).is_file()]
+        if absent:
+            skipped.append(name)
+            print(f"SKIPPED: {name}, as there is no {', '.join(absent)}")
+            continue
+        with tempfile.TemporaryDirectory() as work:
+            missed += try_all(name, Path(work), calls)
+    sys.exit(1 if missed else 77 if skipped else 0)
+
+
+main()

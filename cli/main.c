@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rwedge: which command, and what holds for all of them. */
+/* rwedge: finds the command, and does what all commands need. */
 #include "options/arguments.h"
 #include "options/completion.h"
 #include "field/field.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All that a build without libxlsxwriter has of spreadsheets: it says that there are none. */
+/* Stands for all code of spreadsheets in a build without libxlsxwriter. It says that this build
+ * writes none. */
 #include "rows/spreadsheet.h"
 #include "sheet/xlsx.h"
 #include "workbook/book.h"

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs the two commands on another release of Debian: in a minimal system, made in a temporary folder, that has nothing but git
-# and ca-certificates, and in it a clean clone of what is committed here.
+# Runs the two commands on another release of Debian. For this it makes a minimal system in a temporary folder. The system has only
+# git and ca-certificates, and a clean clone of what is committed here.
 #     elsewhere.sh SUITE        bookworm, trixie, testing; stable is the present stable release, if this machine is another one
 # It claims that ./tables/generate.sh ends well and changes no file of the clone, and that ./tests/run.sh --strict passes.
-# Ten minutes or so, 6 GB. Ends with 77 where it may not, or cannot, make the system.
+# It takes about ten minutes and 6 GB. The status is 77 if it may not, or cannot, make the system.
 set -eu
 [ $# = 1 ] || { echo "usage: $0 SUITE" >&2; exit 2; }
 suite=$1

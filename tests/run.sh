@@ -1,17 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds everything into build/ and runs the tests; what is missing on the machine is installed first, where possible.
+# Builds everything into build/ and runs the tests. What is missing on the machine is installed first, if that is possible.
 #
 #     ./tests/run.sh              the everyday run
-#     ./tests/run.sh --compilers  also: each gcc and clang that is here: no warning, the tests, the tables, no exception raised
+#     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
-#     ./tests/run.sh --strict     a skip is a failure, where this machine could have had what is missing; the CI runs --all --strict
+#     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs --all --strict
 #
-# The last line says how many passed, failed and were skipped, and the one before how long it took; each skip says why in its own
-# output.
+# The last line says how many tests passed, failed and were skipped. The line before it says how long the run took. Each skipped test
+# says why in its own output.
 set -eu
 began=$(date +%s)
 top=$(cd "$(dirname "$0")/.." && pwd)

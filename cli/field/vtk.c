@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID: one quantity after the other.
- * A grid of any size takes no memory, because every quantity computes the stresses anew: writing
- * their digits takes longer. */
+/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID. It has one quantity after the
+ * other. The stresses are computed anew for every quantity. So a grid of any size takes no memory;
+ * and writing the digits takes longer than computing. */
 #include "vtk.h"
 
 #include "system/progress.h"

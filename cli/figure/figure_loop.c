@@ -2,16 +2,18 @@
 /* The hysteresis loop of a cycle of Q under constant P.
  *
  * In plane strain the displacement of remote points grows like the logarithm of their distance
- * d. Were the contact bonded over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force; what
- * the bodies move beyond that, because the contact slips, depends on no d: it is the
- * displacement of the loop. Each part of the traction with the shape of a flat punch of
- * half-width s moves them by (A dQ/pi) ln(b/s) beyond the bonded contact, and the contact |x| <
- * b is made of such punches with forces f dP(s): on first loading, with stick in |x| < c,
+ * d. If the contact were bonded over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force.
+ * Because the contact slips, the bodies move further. This further displacement does not depend on
+ * d. It is the displacement of the loop.
+ *
+ * A part of the traction that has the shape of a flat punch of half-width s moves the bodies by
+ * (A dQ/pi) ln(b/s) further than the bonded contact. The contact |x| < b is made of such punches
+ * with forces f dP(s). So on first loading, with stick in |x| < c,
  *
  *     displacement = (A f/pi) * integral of ln(b/s) dP(s), s from c to b.
  *
- * Unloading and reloading follow twice that curve (Masing), and the area of the loop is the
- * energy dissipated, as the part in proportion to Q encloses none. */
+ * Unloading and reloading follow twice that curve (Masing). The area of the loop is the energy
+ * dissipated, because the part in proportion to Q encloses no area. */
 #include "figure_loop.h"
 
 #include <math.h>

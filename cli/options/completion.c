@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What may follow an option is told by how help calls it: words between bars, a FILE, or
- * something to type. */
+/* Completion scripts for the shells. The help text of an option says what may follow it: words
+ * between bars, a FILE, or something to type. */
 #include "completion.h"
 
 #include "text/message.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Marching squares. A rim of low values around the grid closes every contour; its points have
- * the coordinates of the border. Each crossed edge is left into exactly one cell, with the
- * higher values on the same side, so that a loop is found by following one table. */
+/* Marching squares. A rim of low values around the grid closes every contour. Its points have the
+ * coordinates of the border. The contour keeps the higher values on one side. So it leaves each
+ * crossed edge into exactly one cell, and one table is enough to follow a loop. */
 #include "contour.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A drawing in the language of gnuplot 5, its data in here-documents. */
+/* Writes a drawing in the language of gnuplot 5. The data are in here-documents. */
 #include "gnuplot_script.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The only file that knows libcsv. Its parser is pushed, and rows are pulled here: it gets the
- * file line by line, so that one push ends one row at the most. */
+/* The only file that knows libcsv. Callers ask for one row after the other, but libcsv's parser
+ * calls back for whatever it is given. So it is given one line at a time: a line ends one row at
+ * the most. */
 #include "csv_input.h"
 
 #include "text/message.h"

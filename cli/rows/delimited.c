@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* CSV (RFC 4180, save that records end in LF) and TSV: one header row, no comments, quotes only
- * where needed. */
+/* CSV and TSV: one header row, no comments, quotes only where they are needed. CSV is that of
+ * RFC 4180, except that records end in LF. */
 #include "delimited.h"
 
 #include <math.h>

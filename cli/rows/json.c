@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* JSON: an array of objects, one to a line; an empty cell is null. Texts are written by Jansson.
- * Jansson builds an array in memory before it writes it, and prints every number with the same
- * digits; so the frame of the array is written here, and the numbers are those of the other
- * formats, whose grammar is JSON's too. */
+/* JSON: an array of objects, one to a line; an empty cell is null. Jansson writes the texts only.
+ * It would build the whole array in memory, and print every number with the same digits. So the
+ * frame of the array is written here. The numbers are those of the other formats, which are valid
+ * in JSON too. */
 #include "json.h"
 
 #include <errno.h>

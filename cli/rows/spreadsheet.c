@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* XLSX: the rows on one sheet, below a header that stays; how they were made on another. */
+/* XLSX. One sheet has the rows, below a header that does not scroll. Another says how they were
+ * made. */
 #include "spreadsheet.h"
 
 #include "text/invocation.h"

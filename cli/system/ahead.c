@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Threads take blocks of indices in turn, and put their results into a ring of blocks; the
- * caller empties the ring. Without threads the caller computes each block when it comes to it. */
+/* Results computed ahead. Threads take blocks of indices in turn, and put the results into a ring
+ * of blocks. The caller empties the ring. Without threads the caller computes each block itself. */
 #include "ahead.h"
 
 #include "signals.h"

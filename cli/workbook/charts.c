@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figs. 3, 4 and 6 of the paper beside the calculator, with its case in them. */
+/* Figs. 3, 4 and 6 of the paper, beside the calculator. They also show the calculator's case. */
 #include "charts.h"
 
 #include "formula.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The workbook's tables. Each has its title in the first row, a note in the second, its header
- * in the fourth. */
+/* The workbook's tables. Each sheet has the title in the first row, a note in the second, and the
+ * header in the fourth. */
 #include "table_sheets.h"
 
 #include "table/tables.h"

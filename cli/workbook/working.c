@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The calculator's working cells: the steps of model.c as formulas, with their names.
- * Names of the form rw_ are the user's, rwt_ these. A step may fail for inputs that the results
- * refuse; its cell is then not used. What the charts draw is then #N/A, which they leave out. */
+ * Names that begin with rw_ are for the user; those of the working cells begin with rwt_. A step
+ * may fail for inputs that the results refuse. Its cell is then not used. What the charts draw is
+ * then #N/A, and they leave it out. */
 #include "working.h"
 
 #include "formula.h"

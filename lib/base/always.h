@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Conditions that are argued to be always or never true, and checked all the same: the branch
- * costs nothing and keeps a mistake in the argument from doing harm. The name tells reader and
- * tools that no test reaches the other side. The condition has no side effects, for it is not
- * always evaluated:
+/* Conditions that are argued to be always or never true. They are checked all the same: the branch
+ * costs nothing, and a mistake in the argument then does no harm. The name tells the reader and the
+ * tools that no test reaches the other side. The condition must have no side effects, because it is
+ * not always evaluated:
  *     RW_COVERAGE  the coverage build counts no branch there
  *     RW_CHECKED   the fuzzers' build stops where the argument is wrong
  * The reason stands beside each use. */

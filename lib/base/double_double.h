@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of twice the digits: sums of two doubles, not evaluated (Dekker 1971). They serve where
- * a formula cancels and no better one is known. The relative error of each operation is below
- * 2^-100, as long as nothing over- or underflows. */
+/* Numbers of twice the digits: each is a sum of two doubles that is not added up (Dekker 1971).
+ * They are used where a formula cancels and no better one is known. The relative error of each
+ * operation is below 2^-100, as long as nothing over- or underflows. */
 #ifndef RW_DOUBLE_DOUBLE_H
 #define RW_DOUBLE_DOUBLE_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that must become part of the loop around them, or the compiler makes no vector
- * instructions of it. */
+/* Functions that must become part of the loop around them. Otherwise the compiler makes no vector
+ * instructions of the loop. */
 #ifndef RW_INLINE_H
 #define RW_INLINE_H
 

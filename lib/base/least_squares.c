@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* LAPACK's dgelsd, by singular values: dgels reports success on columns that are all but
- * dependent, dgelsd tells the rank. The reference LAPACK ends the process on a bad argument and
- * takes NaN for a number, so the caller's checks are part of the contract. */
+/* This uses LAPACK's dgelsd, which works by singular values and tells the rank. dgels would report
+ * success on columns that are nearly dependent. The reference LAPACK ends the process on a bad
+ * argument, and takes NaN for a number. So the caller must check the arguments. */
 #include "base/least_squares.h"
 
 #include "base/always.h"
@@ -25,7 +25,7 @@ int32_t rw_least_squares(int32_t rows, int32_t columns, double *A, double *v)
     double size = 0, unused = 0;
     dgelsd_(&rows, &columns, &one, A, &rows, v, &rows, &unused, &condition, &rank, &size, &query,
             &integer_size, &info);
-    /* never: the sizes are sound, and of 2^27 entries the work is not more */
+    /* never: the sizes are sound, and the work for 2^27 entries is not more than INT32_MAX */
     if (NEVER(info != 0 || !(size >= 1 && size <= INT32_MAX)))
         return RWEDGE_ENOCONV;
     const int32_t length = (int32_t)size;

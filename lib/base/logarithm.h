@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Logarithms of quotients and angles of points, the two parts of a complex logarithm, by
- * additions, multiplications, divisions and selections (select.h) alone. Their bits are the same
+/* Logarithms of quotients and angles of points: the two parts of a complex logarithm. They use only
+ * additions, multiplications, divisions and selections (select.h). Their bits are the same
  * everywhere; those of the math library's log() and atan2() differ between machines. Compilers
  * make vector instructions of a loop over them. No divisor is 0.
  *
@@ -31,8 +31,8 @@ RW_INLINE double rw_arc_series(double t)
 }
 
 /* ln(p/q)/over, p and q normal numbers > 0 whose quotient is within 2^+-1000; difference is (p -
- * q)/over. The bits of a double, read as an integer, are its logarithm to base 2 but for 0.09:
- * the difference of those of p and q, rounded, is an exponent k that makes p/(2^k q) lie between
+ * q)/over. The bits of a double, read as an integer, are its logarithm to base 2, to within 0.09.
+ * The difference of those of p and q is rounded to an exponent k. With it p/(2^k q) lies between
  * 0.66 and 1.51. */
 RW_INLINE double rw_log_of_quotient_over(double p, double q, double difference, double over,
                                          double per)
@@ -61,7 +61,7 @@ RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
     const double turn = rw_if_negative(most, 1, rw_if_negative(some, TURN, 0));
     const double turned = rw_if_negative(most, PI / 4, rw_if_negative(some, TURN_ANGLE, 0));
     const double general = (small - turn * large) * per;
-    /* DBL_MIN is lost in rounding, but for the origin, whose length would be 0 */
+    /* DBL_MIN is lost in rounding, except at the origin, whose length would be 0 */
     const double length = large + turn * small + DBL_MIN;
     const double rise = rw_if_negative(steep, general, rw_if_negative(some, general, height));
     const double s_over = rise / length, s = over * s_over;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* GSL's Brent. GSL reports errors to one handler of the whole process, which aborts by default
- * and is the host's to set: so nothing here may fail. The bracket is proved before GSL sees it,
- * and the solver lives on the stack, because its allocator is another way to the handler. */
+/* Brent's method of GSL. GSL reports errors to one handler of the whole process. By default the
+ * handler aborts; only the host may set it. So no call of GSL may fail here. The bracket is checked
+ * before GSL sees it. The solver is on the stack, because GSL's allocator may call the handler too.
+ */
 #include "base/root.h"
 
 #include "base/always.h"
@@ -11,8 +12,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-/* Brent takes ten steps or so; halving alone would take 60 to the last bits, or to 1e-18 of a
- * bracket that begins at 0. */
+/* Brent's method takes about ten steps. Halving alone would take 60, to the last bits or to 1e-18
+ * of a bracket that begins at 0. */
 enum { MAX_STEPS = 200 };
 
 typedef struct {
@@ -38,7 +39,7 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
         return hi;
     problem p = {f, context};
     gsl_function function = {evaluate, &p};
-    /* Brent's is 12 doubles; a GSL that needs more is refused rather than overrun */
+    /* Brent's state is 12 doubles; a GSL that needs more is refused, and the state not overrun */
     double state[32];
     if (NEVER(gsl_root_fsolver_brent->size > sizeof state)) /* in no GSL up to 2.8 */
         return NAN;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One of two values that are both computed, chosen by the sign of a third.
+/* Selects one of two values by the sign of a third. Both values are computed.
  *
- * A file that defines RW_VECTORS before it includes this has loops that are to become vector
- * instructions. A condition is in their way: compilers move into its branches what only one of
- * them needs, and a loop with branches stays a loop of single numbers. There the bits are
- * masked. Elsewhere a condition is quicker. */
+ * A file whose loops are to become vector instructions defines RW_VECTORS before it includes this.
+ * Then the bits are masked. A condition would be in the way: compilers move into its branches what
+ * only one of them needs, and a loop with branches stays a loop of single numbers. In other files a
+ * condition is used, because it is quicker. */
 #ifndef RW_SELECT_H
 #define RW_SELECT_H
 

@@ -4,9 +4,9 @@
  *     b_n = (4/pi)(-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]/(m (m^2-1)),
  * and 4 (-1)^n/(pi m) for the sharp wedge, where the paper prints (-1)^(2n) (E1).
  *
- * The bracket cancels near the zeros of b_n as a function of alpha, and like (1-alpha)^(3/2) near
- * alpha = 1; and the product m phi0 loses the digits of m. An integer power of exp(i phi0) in
- * twice the digits serves all three. */
+ * There are three losses of digits. The bracket cancels near the zeros of b_n as a function of
+ * alpha. It cancels like (1-alpha)^(3/2) near alpha = 1. The product m phi0 loses the digits of m.
+ * An integer power of exp(i phi0) in twice the digits avoids all three. */
 #include "rwedge.h"
 
 #include "base/domain.h"
@@ -33,8 +33,8 @@ static complex_dd power(complex_dd base, uint32_t exponent)
     return result;
 }
 
-/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], by powers of the smaller one of the angles phi0
- * and pi/2 - phi0, so that a small sine keeps its relative accuracy. */
+/* (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)]. It uses powers of the smaller one of the angles
+ * phi0 and pi/2 - phi0, so that a small sine keeps its relative accuracy. */
 static double bracket(double alpha, uint32_t m)
 {
     const rw_dd sine = rw_dd_from(alpha);

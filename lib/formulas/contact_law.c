@@ -16,14 +16,14 @@ double rwedge_load(double alpha)
     return asin(alpha) / alpha + rw_cos_asin(alpha);
 }
 
-/* A P/(theta b) = (A P/(theta a)) alpha: what the two sides differ by. It grows with alpha. */
+/* The difference of the two sides of A P/(theta b) = (A P/(theta a)) alpha. It grows with alpha. */
 static double excess(double alpha, const void *AP_over_theta_a)
 {
     return *(const double *)AP_over_theta_a * alpha - rwedge_load(alpha);
 }
 
-/* The load lies between pi/2 (Hertz, alpha = 1) and 2 (sharp): that brackets alpha. The
- * bracket's ends are moved outwards by a few bits, because a root may lie at either to rounding. */
+/* The load lies between pi/2 (Hertz, alpha = 1) and 2 (sharp). This brackets alpha. The ends of the
+ * bracket are moved outwards by a few bits, because rounding may put a root just outside. */
 static double solve_for_alpha(double load)
 {
     if (load <= RW_HALF_PI) /* Hertz */

@@ -25,8 +25,8 @@ double rwedge_compliance(double E1, double nu1, double E2, double nu2)
 
 /* With mu = E/(2(1+nu)) and kappa = 3 - 4 nu,
  *     beta = (mu1 (kappa2 - 1) - mu2 (kappa1 - 1)) / (mu1 (kappa2 + 1) + mu2 (kappa1 + 1))
- *          = (l2 s2 - l1 s1) / (s1 + s2),   s = 2(1-nu^2)/E,   l = (1-2nu)/(2(1-nu)):
- * the compliances weight each body's own ratio, and a rigid body has s = 0. */
+ *          = (l2 s2 - l1 s1) / (s1 + s2),   s = 2(1-nu^2)/E,   l = (1-2nu)/(2(1-nu)).
+ * Each body's own ratio l is weighted with its compliance s. A rigid body has s = 0. */
 double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2)
 {
     double A = rwedge_compliance(E1, nu1, E2, nu2);

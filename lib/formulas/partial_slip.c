@@ -25,8 +25,8 @@ static double asin_excess(double q)
 }
 
 /* alpha (F(1) - F(c)), alpha <= c <= 1. With d = sqrt(1-alpha^2) - sqrt(c^2-alpha^2), the two
- * arcsines differ by asin(q), q = alpha d/c, and alpha d itself cancels but for its part (1-c):
- * every term left is small with 1-c. */
+ * arcsines differ by asin(q), q = alpha d/c. alpha d itself cancels, except for its part (1-c). So
+ * every term that is left is small when 1-c is small. */
 static double load_lost_on_flank(double alpha, double c)
 {
     const double lost = (1 - c) * (1 + c);

@@ -16,7 +16,7 @@ static double sharp_wedge(double t, double from_edge)
 }
 
 /* ln|sin(phi+phi0)/sin(phi-phi0)|, sin(phi +- phi0) = A +- B over c, x != a. The difference A - B
- * would cancel: (A+B)(A-B) = (x+a)(x-a) gives it from factors that do not. Where one of A, B is
+ * would cancel. (A+B)(A-B) = (x+a)(x-a) gives it from factors that do not cancel. If one of A, B is
  * small beside the other, the quotient is near 1, and its distance from 1 is a product. */
 static double log_of_ratio(double a, double x, double A, double B)
 {

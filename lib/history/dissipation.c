@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* While the front of slip passes the layer ds of the path, whose slope changes there by w = |+-1
- * - D|, the shear traction changes by f w times that of a flat punch of half-width eta(s).
- * Outside it the points slip by
- *     |d slip| = (A f w/pi) arcosh(|x|/eta(s)) ds,
- * and the pressure p = -int ds'/(pi sqrt(eta(s')^2 - x^2)) does the work
- *     int f |p| |d slip| dx = (A f^2 w/pi) ds int_s^P ln(eta(s')/eta(s)) ds'
- * because a flat punch of half-width eta' has, weighted with its own pressure, the displacement
- * ln(eta'/eta). Written as ln(eta'/eta) = int du (d ln eta/du) and with the integrals exchanged,
- * a layer s1 < s < s0 of constant w, passed while the edge moves from P0 to P1, dissipates
+/* The energy of one load step.
+ *
+ * The front of slip passes the layers ds of the path. In a layer the slope D of the path changes
+ * by w = |+-1 - D|. The shear traction then changes by f w times that of a flat punch of half-width
+ * eta(s). Outside the punch the points slip by
+ *     |d slip| = (A f w/pi) arcosh(|x|/eta(s)) ds.
+ * The pressure is p = -int ds'/(pi sqrt(eta(s')^2 - x^2)), a sum of flat punches. The mean of
+ * arcosh(|x|/eta) under the pressure of one of them, of half-width eta', is ln(eta'/eta). So the
+ * work of friction is
+ *     int f |p| |d slip| dx = (A f^2 w/pi) ds int_s^P ln(eta(s')/eta(s)) ds'.
+ * Now ln(eta'/eta) = int du (d ln eta/du), and the integrals are exchanged. A layer s1 < s < s0 of
+ * constant w, passed while the edge moves from P0 to P1, dissipates
  *     (A f^2 w/pi) int B(u) du/(u m(u)),
- *     B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta:
- * one integral of one sign, with nothing that cancels. m = 2 for Hertz and 1 for the sharp
+ *     B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta.
+ * This is one integral of one sign, and nothing in it cancels. m is 2 for Hertz and 1 for the sharp
  * wedge. */
 #include "history/dissipation.h"
 
@@ -21,8 +24,8 @@
 
 #include <float.h>
 
-/* A layer, in depths below the load `top` at the start of the step, because layers may be thin:
- * the front goes from s0 to s1, the edge from p0 to p1, s0 <= s1, p <= s. */
+/* A layer. The front goes from s0 to s1, the edge from p0 to p1; s0 <= s1, p <= s. All four are
+ * depths below the load `top` at the start of the step, because layers may be thin. */
 typedef struct {
     double top, corner_load;
     double s0, s1, p0, p1;
@@ -30,7 +33,8 @@ typedef struct {
 
 /* ---- The integrand ---- */
 
-/* B at the depth d. P - u is linear in s: a trapezium, or what is left of it above 0. */
+/* B at the depth d. P - u is linear in s. So B is the area of a trapezium, or of its part above
+ * 0. */
 static double overlap(const layer *l, double d)
 {
     const double from = fmax(l->s0, d), length = l->s1 - from;
@@ -45,9 +49,9 @@ static double overlap(const layer *l, double d)
     return above > 0 ? length * above / (above - below) * above / 2 : 0;
 }
 
-/* m(u) for a load u, which may be that at the end of the rounding. The half-width e = eta/a
- * solves e load(1/e) = (pi/2) ratio; the left side is concave, so that Newton's steps from below
- * stay below: at most 4 are needed. */
+/* m(u) for a load u. Under corner_load the contact reaches the end of the rounding. Up to that load
+ * m = 2 (Hertz). Beyond, the half-width e = eta/a solves e load(1/e) = (pi/2) ratio. The left side
+ * is concave, so Newton's steps from below stay below. At most 4 are needed. */
 static double logarithmic_slope(double u, double corner_load)
 {
     if (u <= corner_load)
@@ -77,11 +81,11 @@ static double integrand(const layer *l, double d)
 
 /* ---- Its integral ---- */
 
-/* A panel in u in which the integrand is smooth, but for a square root of u - corner_load where
- * that is near. */
+/* A panel: a range of u in which the integrand is smooth, except that near corner_load it has a
+ * square root of u - corner_load. */
 typedef struct {
     const layer *l;
-    /* of hi; loads above that of the corner where they are replaced by their square root */
+    /* lo and hi: the loads at its ends, less corner_load; depth: that of hi */
     double depth, lo, hi;
 } panel;
 
@@ -102,7 +106,7 @@ static double square_root(double t, const void *context)
 static double panel_integral(const layer *l, double shallow, double deep)
 {
     const panel p = {l, shallow, l->top - deep - l->corner_load, l->top - shallow - l->corner_load};
-    /* of a panel's end that was meant to be the corner, which may be far above the load */
+    /* of a panel's end that is meant to be the corner; the corner may be far above the load */
     const double rounding = rw_memory_tolerance(fmax(l->top, l->corner_load));
     if (p.hi <= rounding || p.lo < -rounding ||
         p.lo > deep - shallow) /* by rounding: panels are cut at the corner */
@@ -110,9 +114,9 @@ static double panel_integral(const layer *l, double shallow, double deep)
     return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
 }
 
-/* From one depth to another, between which B is one polynomial. The pole at u = 0 asks for
- * panels in geometric sequence; those that rounding would not separate from u = 0 add nothing,
- * as B is of order u there. */
+/* From one depth to another; B is one polynomial between them. There is a pole at u = 0, so the
+ * panels get shorter towards it, in geometric sequence. Panels that rounding does not separate from
+ * u = 0 add nothing, because B is of order u there. */
 static double smooth_integral(const layer *l, double shallow, double deep)
 {
     double sum = 0;
@@ -155,9 +159,9 @@ static double depth_of(const step *s, size_t i)
     return s->top - s->memory->corners[i].load;
 }
 
-/* Slip of one sign while t goes from start to end. At t the line of slope `slip` from the load
- * has climbed by t climb above that at t = 0, and the front is where the path has climbed as
- * much: by 1 - slip D per depth. */
+/* Slip of one sign while t goes from start to end. The front is where the path meets the line of
+ * slope `slip` from the load. Between 0 and t the line climbs by t climb; going back along the
+ * path, it nears the line by 1 - slip D per depth. */
 static double sweep(const step *s, int slip, double start, double end)
 {
     const double climb = slip * s->rise - s->run;
@@ -187,9 +191,9 @@ static int sign(double v)
     return (v > 0) - (v < 0);
 }
 
-/* A falling load: the edge moves along the path, and `missing` is what the step's shear is ahead
- * of the path's there. Where it changes sign the zone of slip has shrunk to nothing and begins
- * anew with the other sign. */
+/* A falling load. The edge moves along the path. `missing` is the shear of the step less that of
+ * the path there. Where it changes sign, the zone of slip has shrunk to nothing. A new one begins,
+ * with the other sign. */
 static double falling(const step *s)
 {
     const rw_corner *corners = s->memory->corners;

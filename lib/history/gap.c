@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The primitive of the potential on the surface, subtracted from the profile. With X =
+/* The gap outside a patch: the profile less the primitive of the potential on the surface. With X =
  * sqrt(x^2-1), L = arcosh x,
  *
  *     (pi/2) gap = x D - ((x-alpha)^2/(2 alpha)) M - (c0/2) L + (phi0/(2 alpha)) (x X - L),
  *     D = atan(c0 X/(1 + alpha x)),   M = atan(alpha X/(c0 x)),
  *
- * which is the primitive of lib/README.md ("The potential") after the arctangents are joined, so
- * that nothing is large for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha).
- * Next to the edge the sum is of the order X^3 and its terms of the order c0 X: there its
- * derivative is integrated instead. */
+ * It follows from the potential in lib/README.md ("The potential"). The arctangents are joined, so
+ * that no term is large for c0 near 0. Hertz: gap = ((x X - L) - max(x - alpha, 0)^2)/(2 alpha).
+ * Next to the edge the sum is of the order X^3, but its terms are of the order c0 X. They would
+ * cancel, and so the derivative is integrated there instead. */
 #include "history/gap.h"
 
 #include "base/domain.h"
@@ -17,8 +17,8 @@
 
 #include <float.h>
 
-/* From here, |R| < 1/4 and the series in R is exact with RW_FAR_TERMS; the closed form cancels
- * like 1/x. */
+/* Beyond this x the series in R is used: |R| < 1/4, and RW_FAR_TERMS terms make it exact. The
+ * closed form cancels there like 1/x. */
 static const double FAR = 2.25;
 
 /* x X - arcosh(x) = (sinh 2L - 2L)/2. */
@@ -26,8 +26,8 @@ static double segment_area(double X)
 {
     if (X > 0.5)
         return sqrt(1 + X * X) * X - asinh(X);
-    /* int_0^X 2 t^2/sqrt(1+t^2) dt = 2 X^3 sum_k binom(-1/2, k) X^2k/(2k+3): 24 terms leave
-     * 0.25^24 = 4e-15 of a term that is itself below 2e-2 of the first */
+    /* int_0^X 2 t^2/sqrt(1+t^2) dt = 2 X^3 sum_k binom(-1/2, k) X^2k/(2k+3). What 24 terms leave
+     * out is 0.25^24 = 4e-15 of a term that is below 2e-2 of the first. */
     double term = 1, sum = 1.0 / 3;
     for (int k = 1; k < 25; k++) {
         term *= -X * X * (2 * k - 1) / (2 * k);
@@ -36,7 +36,7 @@ static double segment_area(double X)
     return 2 * X * X * X * sum;
 }
 
-/* M/alpha, whose limit for the sharp wedge is X/x. */
+/* M/alpha. Its limit for the sharp wedge is X/x. */
 static double arctangent_over_alpha(const rw_potential *p, double X, double x)
 {
     const double argument = p->alpha * X / (p->c0 * x);
@@ -62,8 +62,8 @@ static double derivative(double X, const void *potential)
     return 2 / RW_PI * slope * X / x;
 }
 
-/* int_0^x Re G for large x: the series of G integrated term by term. The constant is that of the
- * closed form at infinity. */
+/* int_0^x Re G for large x. The series of G is integrated term by term; the constant is that of
+ * the closed form at infinity. */
 static double far_primitive(const rw_potential *p, double x)
 {
     const double R = 1 / (x + sqrt(x - 1) * sqrt(x + 1)), R2 = R * R; /* x^2 may overflow */

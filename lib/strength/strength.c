@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The strength of the contact in full sliding: first yield and maximum tension. In natural units
- * the load is A P/(theta b) and yield begins where max sqrt(J2) = A k/theta: P/(bk) is the
- * quotient. */
+ * the load is A P/(theta b), and yield begins when max sqrt(J2) = A k/theta. P/(bk) is the quotient
+ * of the two. */
 #include "rwedge.h"
 
 #include "base/domain.h"
@@ -10,8 +10,8 @@
 #include "strength/surface.h"
 #include "stress/von_mises.h"
 
-/* For alpha >= 1 load and stresses fall alike with 1/alpha: whatever is divided by the load
- * is that of alpha = 1. */
+/* For alpha >= 1 the load and the stresses both fall like 1/alpha. A quotient of the two is the
+ * same as for alpha = 1. */
 static double shape(double alpha)
 {
     return fmin(alpha, 1);
@@ -21,8 +21,8 @@ double rwedge_max_tension(double alpha)
 {
     if (!rw_is_magnitude(alpha))
         return NAN;
-    /* At x = -b the profile's slope is -1 and sxx = 2 f: "a" in Eq. (38) is the contact
-     * half-width (E5). */
+    /* At x = -b the profile's slope is -1, and sxx = 2 f. The "a" of Eq. (38) is the half-width of
+     * the contact (E5). */
     return 2 / rwedge_load(shape(alpha));
 }
 
@@ -36,8 +36,9 @@ static double limit_of(double alpha, rw_maximum maximum)
     return rwedge_load(shape(alpha)) / sqrt(maximum.J2);
 }
 
-/* The sharp wedge: stresses are infinite at the apex, but for a material that yields by shape
- * alone and a normal load: there the deviator stays below 2/pi, and tends to it on the axis. */
+/* The sharp wedge. The stresses are infinite at the apex, so the limit is 0. The exception is f = 0
+ * with nu = 0.5. For this nu only the deviator counts; without friction it stays below 2/pi, and
+ * tends to 2/pi on the axis. */
 static double sharp_limit(double f, double nu)
 {
     return f == 0 && nu == 0.5 ? RW_PI : 0;
@@ -136,8 +137,8 @@ typedef struct {
     double alpha, kappa;
 } pair;
 
-/* How far the subsurface maximum exceeds that of the surface; -1 past its end, where the surface
- * has long overtaken it. */
+/* How far the subsurface maximum exceeds that of the surface, relatively. -1 where there is no
+ * subsurface maximum; its branch ends only after the surface has become higher. */
 static double excess_below(double f, const void *context)
 {
     const pair *p = context;

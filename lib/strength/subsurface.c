@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The subsurface maximum is found on the axis, at f = 0, and followed from there to where it is
- * asked for, first in f, and for the smallest tips then in kappa.
+/* The maximum below the surface. It is first found on the axis, at f = 0. From there it is
+ * followed in f. For the smallest tips it is then followed in kappa.
  *
- * Why this cannot miss it. Any maximum below the surface that is higher than the surface's lies
- * on the branch that begins on the axis, and the path below stays on it. There is one other kind
- * of local maximum, next to the corner x = a where the rounding ends, for f > 0.25; there the
- * surface is the higher, by 5 % of J2 at the least. Both statements are not proved here but
- * checked by the tests (strength_survey), which search the whole half-plane without using them,
- * and for many alpha, f and nu it is proved that the outcome is the global maximum
- * (tests/proof/certificate). Given them, the path reaches the maximum, or ends at a fold before
- * it and the surface governs. A step along the path counts only if every iterate had a negative
- * definite Hessian: it cannot slip to the saddle that the maximum meets at the fold. */
+ * Why this cannot miss it. Two statements are used:
+ * - A maximum below the surface that is higher than the surface's lies on the branch that begins
+ *   on the axis.
+ * - There is one other kind of local maximum, for f > 0.25, next to the corner x = a where the
+ *   rounding ends. There the surface is higher, by at least 5 % of J2.
+ * They are not proved here. The test strength_survey checks them: it searches the whole
+ * half-plane without using them. For many alpha, f and nu tests/proof/certificate proves that the
+ * result is the global maximum.
+ *
+ * If they hold, the path either reaches the maximum, or ends at a fold before it. In the second
+ * case the surface governs. A step along the path counts only if every iterate had a negative
+ * definite Hessian. So the path cannot change over to the saddle that the maximum meets at the
+ * fold. */
 #include "strength/subsurface.h"
 
 #include "base/domain.h"
@@ -26,11 +30,10 @@ typedef struct {
     double kappa;
 } axis;
 
-/* There G = i P(y) and G' = P'(y) are real functions, P < 0 < P', J2 = (y P')^2 + kappa P^2,
- * dJ2/dy = 2 P' steepness with
- *     steepness = (y P' + y^2 P'') + kappa P.
- * It is negative at the surface and far below, where J2 falls like 1/y^2, and positive on at
- * most one interval, at whose lower end J2 has its maximum. */
+/* On the axis G = i P(y) and G' = P'(y), with real P < 0 < P'. So J2 = (y P')^2 + kappa P^2 and
+ *     dJ2/dy = 2 P' steepness,     steepness = (y P' + y^2 P'') + kappa P.
+ * The steepness is negative at the surface. It is negative far below, where J2 falls like 1/y^2.
+ * It is positive on at most one interval. J2 has its maximum at the deeper end of that interval. */
 static double steepness(double y, const void *context)
 {
     const axis *a = context;
@@ -39,15 +42,15 @@ static double steepness(double y, const void *context)
     return field.H_re - bend.K_im + a->kappa * field.G_im;
 }
 
-/* A depth inside that interval unless it is very short: its last point, as kappa grows, is
- * between 0.55 alpha (small tips) and 0.35 alpha (Hertz). */
+/* A depth inside that interval, unless the interval is very short. As kappa grows, the interval
+ * shrinks to a point between 0.55 alpha (small tips) and 0.35 alpha (Hertz). */
 static double depth_of_last_rise(double alpha)
 {
     return 0.56 * alpha / (1 + 0.65 * alpha * alpha);
 }
 
-/* The depth of the maximum, from one above it: the interval may be many powers of ten long, so
- * it is first narrowed to one factor. */
+/* The depth of the maximum; `above` is a smaller depth, inside the interval. The interval may be
+ * many powers of ten long, so the maximum is first enclosed within a factor of FACTOR. */
 static double depth_of_maximum(const axis *a, double above)
 {
     static const double FACTOR = 4;
@@ -95,7 +98,7 @@ static double length(step s)
     return sqrt(s.x * s.x + s.y * s.y);
 }
 
-/* Newton from the given point. False where it leaves the region in which J2 is concave. */
+/* Newton's method from the given point. False if it leaves the region in which J2 is concave. */
 static bool settle(const rw_potential *potential, parameters q, path_point *point)
 {
     enum { MAX_STEPS = 12 };
@@ -112,8 +115,8 @@ static bool settle(const rw_potential *potential, parameters q, path_point *poin
         point->x += d.x * point->y;
         point->y += d.y * point->y;
         const double gain = (point->at.x * d.x + point->at.y * d.y) / 2;
-        /* Without friction the maximum of a tip of 1e-10 is so flat that the gradient's rounding
-         * moves it by 1e-6. */
+        /* The second test is for small tips without friction. At a tip of 1e-10 the maximum is so
+         * flat that rounding of the gradient moves it by 1e-6. */
         if (length(d) < SQUARE_ROOT || gain < DBL_EPSILON / 4 * point->at.J2) {
             point->at.J2 += gain;
             return true;
@@ -122,8 +125,8 @@ static bool settle(const rw_potential *potential, parameters q, path_point *poin
     return false;
 }
 
-/* Where the path ends, from two points on it. Next to a fold the determinant falls to 0 like the
- * square root of the distance, so that its square is linear. HUGE_VAL where it does not fall. */
+/* Where the path ends, estimated from two points on it. Next to a fold the determinant falls to 0
+ * like the square root of the distance, so its square is linear. HUGE_VAL if it does not fall. */
 static double fold_ahead(const path_point *before, const path_point *now)
 {
     const double d0 = determinant(&before->at), d1 = determinant(&now->at);
@@ -137,13 +140,12 @@ static parameters between(parameters start, parameters end, double t)
                         start.kappa + t * (end.kappa - start.kappa)};
 }
 
-/* From *point at the start of the path to its end; false where the maximum does not exist that
- * far. */
+/* Moves *point from the start of the path to its end. False if the maximum ends before that. */
 static bool follow(const rw_potential *potential, parameters start, parameters end,
                    path_point *point)
 {
-    static const double LONGEST = 0.4;    /* a step of the prediction, over the depth */
-    static const double SHORTEST = 1e-13; /* of the path: then it is at the fold */
+    static const double LONGEST = 0.4;    /* the longest predicted step, over the depth */
+    static const double SHORTEST = 1e-13; /* a shorter stride, over the path, is at the fold */
     const double df = end.f - start.f, dkappa = end.kappa - start.kappa;
     double stride = 1;
     while (point->t < 1) {
@@ -171,7 +173,7 @@ static bool follow(const rw_potential *potential, parameters start, parameters e
 
 bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *maximum)
 {
-    /* the largest f of a fold, over all alpha and nu, is 0.556 (test_strength) */
+    /* over all alpha and nu, the fold with the largest f is at 0.556 (test_strength) */
     static const double LAST = 0.6;
     if (f > LAST)
         return false;
@@ -181,8 +183,8 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     const double probe = depth_of_last_rise(alpha);
     const double rise = steepness(probe, &on_axis);
     const double pressure = -rw_potential_at(&potential, 0, probe).G_im;
-    /* For the smallest tips there may be a maximum for f > 0 where kappa is too large for one on
-     * the axis. */
+    /* For the smallest tips there may be a maximum at f > 0 although kappa is too large for one
+     * on the axis. Then the path starts with a smaller kappa. */
     on_axis.kappa = fmin(kappa, 0.9 * rise / pressure);
     path_point point = {.t = 0, .x = 0, .y = depth_of_maximum(&on_axis, probe)};
     point.at = rw_von_mises_at(&potential, 0, on_axis.kappa, 0, point.y);

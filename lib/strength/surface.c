@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* On y = 0, with the slope g of the profile and the pressure -p, J2 = f^2 (g^2 + p^2) + kappa (p
- * + f g)^2. Why one root on 0 <= x <= alpha is the global maximum:
+/* The maximum of J2 on y = 0. With the slope g of the profile and the pressure -p,
+ *     J2 = f^2 (g^2 + p^2) + kappa (p + f g)^2.
+ * Why one root on 0 <= x <= alpha is the global maximum:
  * - It is not at x < 0, where g < 0 makes the second square smaller.
  * - It is not beyond alpha: up to the edge g = 1 and p falls; outside p = 0 and g falls.
- * - On the rounding, x = alpha sin(psi), 0 <= psi <= pi/2, the derivative with respect to x is
- *   positive at 0 (for f > 0). It tends to minus infinity at alpha, where p has a vertical
- *   tangent. That it changes sign only once between is not proved here. The tests check it densely
- *   over all alpha, f and nu (strength_survey), and prove what follows from it at many of them
- *   (tests/proof/certificate). */
+ * - On the rounding, x = alpha sin(psi), 0 <= psi <= pi/2. There the derivative with respect to x
+ *   is positive at 0 (for f > 0). It tends to minus infinity at alpha, where p has a vertical
+ *   tangent. So it has a root between.
+ * It has only one root between. This is not proved here. The test strength_survey checks it
+ * densely over all alpha, f and nu. At many of them tests/proof/certificate proves that the result
+ * is the global maximum. */
 #include "strength/surface.h"
 
 #include "base/domain.h"
@@ -20,7 +22,8 @@ typedef struct {
     double c0, phi0;
 } surface;
 
-/* A place x = alpha sin(psi) on the rounding, by t = tan(psi/2): no sine needs to be evaluated. */
+/* A place x = alpha sin(psi) on the rounding. It is given by t = tan(psi/2), so that no sine needs
+ * to be evaluated. */
 typedef struct {
     double u, cosine; /* sin(psi), cos(psi) */
 } rounding_point;
@@ -35,8 +38,8 @@ static double pressure_at(const surface *c, double u)
     return -rw_patch_pressure(c->alpha, 1, c->alpha * u);
 }
 
-/* -dp/du. From G' of the potential it is (2/pi) [ phi0 x/s + atanh(c0 u/s) ], s^2 - (c0 u)^2 =
- * cos(psi)^2: the second is the logarithm of (s + c0 u)/cos(psi). */
+/* -dp/du. From G' of the potential it is (2/pi) [ phi0 x/s + atanh(c0 u/s) ], s = sqrt(1-x^2). As
+ * s^2 - (c0 u)^2 = cos(psi)^2, the atanh is the logarithm of (s + c0 u)/cos(psi). */
 static double fall_of_pressure(const surface *c, rounding_point at)
 {
     const double x = c->alpha * at.u, s = rw_cos_asin(x), c0_u = c->c0 * at.u;
@@ -61,7 +64,7 @@ static double J2_at(const surface *c, double g)
 }
 
 /* Hertz: g^2 + p^2 = 1 on the whole contact, and p + f g is largest where tan(psi) = f. For
- * kappa = 0 this is one point of a plateau, the limit for kappa -> 0. */
+ * kappa = 0, J2 is the same on the whole contact; this point is the limit for kappa -> 0. */
 static rw_maximum hertz(double f, double kappa)
 {
     return (rw_maximum){.J2 = f * f + kappa * (1 + f * f), .x = f / sqrt(1 + f * f), .y = 0};
@@ -72,14 +75,14 @@ static double place_of_maximum(const surface *c)
 {
     if (c->f == 0)
         return 0; /* J2 = kappa p^2 */
-    /* For kappa = 0 the slope is odd in psi: 0 is always a root, and a maximum if the slope
+    /* For kappa = 0 the slope is odd in psi, so 0 is always a root. It is the maximum if the slope
      * falls there. */
     const double start = c->kappa > 0 ? 0 : 5e-10;
     const double end = 1 - 1e-9; /* at 1 the slope is infinite */
     if (slope_of_J2(start, c) <= 0)
         return 0;
     if (slope_of_J2(end, c) >= 0)
-        return 1; /* alpha so near 1 and f so large that the maximum is within 1e-18 of x = alpha */
+        return 1; /* alpha near 1 and a large f: the maximum is within 1e-18 of x = alpha */
     return rw_root(slope_of_J2, c, start, end, 1e-18);
 }
 

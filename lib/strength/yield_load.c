@@ -21,14 +21,16 @@ static double excess(double log_alpha, const void *context)
     return y->wanted - peak(exp(log_alpha), y->f, y->nu);
 }
 
-/* At the apex stresses are infinite, or bounded however large the load. */
+/* The sharp wedge. Its stresses are infinite at the apex under any load, so the yield load is 0.
+ * For f = 0 with nu = 0.5 the peak of sqrt(J2) is finite, and the same under every load. Yield is
+ * then reached at once, or never. */
 static double sharp_yield_load(const yielding *y)
 {
     return y->f == 0 && y->nu == 0.5 && y->wanted > peak(0, 0, 0.5) ? HUGE_VAL : 0;
 }
 
-/* The half-width at yield; HUGE_VAL where there is none. The peak grows as alpha falls: for
- * alpha >= 1 in proportion to 1/alpha; below like a logarithm, so that ln(alpha) is solved for. */
+/* The half-width at yield; HUGE_VAL if there is none. The peak grows as alpha falls. For alpha >= 1
+ * it is proportional to 1/alpha. Below 1 it grows like a logarithm, so the unknown is ln(alpha). */
 static double half_width_at_yield(double a, const yielding *y)
 {
     const double share = y->wanted / peak(1, y->f, y->nu);

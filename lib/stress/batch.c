@@ -17,7 +17,7 @@ RW_INLINE void put(rw_fields *fields, int i, rw_field field)
 
 typedef rw_field formula(const rw_potential *p, rw_place at);
 
-/* The compiler inlines this for each formula and processor, and makes vector instructions of the
+/* The compiler inlines this for each formula and processor. It makes vector instructions of the
  * inner loop. */
 RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count,
                      const double *restrict x, const double *restrict y, rw_fields *restrict fields)

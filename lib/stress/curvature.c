@@ -10,7 +10,7 @@ static double complex number(double re, double im)
     return re + im * I;
 }
 
-/* y/a by a division of real numbers: complex division differs between compilers. */
+/* y/a. The division is one of real numbers, because complex division differs between compilers. */
 static double complex y_over(double y, double complex a)
 {
     return y / (creal(a) * creal(a) + cimag(a) * cimag(a)) * conj(a);
@@ -18,7 +18,7 @@ static double complex y_over(double y, double complex a)
 
 /* G''  =  (2/pi) [ c0/(X q) + (phi0/alpha)/X^3 ],   q = (z-alpha)(z+alpha),
  * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],
- * written in y/X and y/(z -+ alpha), which neither under- nor overflow. For Hertz c0 = 0. */
+ * They are written in y/X and y/(z -+ alpha), which neither under- nor overflow. Hertz: c0 = 0. */
 static rw_curvature curvature_at(const rw_potential *p, rw_place at, rw_elliptic e)
 {
     const double complex per_X = y_over(1, number(e.sin_v * e.sinh_w, e.cos_v * e.cosh_w));

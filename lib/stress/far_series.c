@@ -18,8 +18,8 @@ void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_
         far[n] = 0;
     if (alpha >= 1) /* Hertz: G = R/alpha */
         return;
-    /* sin(m phi0)/alpha and cos(m phi0), m = 2n+1. The sine is divided by alpha, so that alpha =
-     * 0 is no special case. */
+    /* sin(m phi0)/alpha and cos(m phi0), m = 2n+1. The sine is divided by alpha. So alpha = 0 is
+     * no special case. */
     double sine = 1, cosine = c0;
     const double cos2 = (1 - alpha) * (1 + alpha) - alpha * alpha;
     for (int n = 1; n < RW_FAR_TERMS; n++) {

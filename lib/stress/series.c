@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The paper's route to the stresses. The pressure p = -sqrt(1-x^2) sum a_k U_k(x) has the
  * potential G = sum a_k R^(k+1), Eq. (29), (30). With x = cos(t), sqrt(1-x^2) U_k(x) is
- * sin((k+1) t): what is fitted and summed is a sine series. */
+ * sin((k+1) t). So the series that is fitted and summed is a sine series. */
 #include "rwedge.h"
 
 #include "base/domain.h"
@@ -27,10 +27,10 @@ static rwedge_series *allocate(int32_t terms)
     return series;
 }
 
-/* An upper bound of sum_(n >= N) |b_n|, N >= 1, m = 2n+1, from two bounds of
- * |m sin(m phi0) cot(phi0) - cos(m phi0)|. It is below m^2 + 1: this serves up to M =
- * c0/(2 alpha), with 1/m <= ln((n+1)/n)/2. It is below m c0/alpha + 1: this serves beyond, with
- * 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
+/* An upper bound of sum_(n >= N) |b_n|, N >= 1, m = 2n+1. It rests on two bounds of
+ * |m sin(m phi0) cot(phi0) - cos(m phi0)|:
+ * - m^2 + 1, used for n up to M = c0/(2 alpha), with 1/m <= ln((n+1)/n)/2;
+ * - m c0/alpha + 1, used beyond, with 1/(m^2-1) = (1/n - 1/(n+1))/4, which telescopes. */
 static double analytic_tail(double alpha, double N)
 {
     if (alpha >= 1)
@@ -81,7 +81,7 @@ static double root_mean_square_of_misfit(const rwedge_series *series, size_t sam
     return sqrt(sum / (double)samples);
 }
 
-/* Solves for made->a. work holds the matrix and the right-hand side. */
+/* Solves for made->a. `work` has room for the matrix and the right-hand side. */
 static int32_t fit(size_t samples, const double x[], const double p[], double *work,
                    rwedge_series *made)
 {
@@ -151,7 +151,7 @@ double rwedge_series_residual(const rwedge_series *series)
     return series ? series->residual : NAN;
 }
 
-/* sum a_k R^(k+1) and, with the weights k+1, -X dG/dz, by Horner. */
+/* Two sums by Horner's rule: G = sum a_k R^(k+1), and -X dG/dz, whose weights are (k+1) a_k. */
 typedef struct {
     double G_re, G_im, weighted_re, weighted_im;
 } sums;
@@ -179,8 +179,8 @@ double rwedge_series_pressure(const rwedge_series *series, double x)
     return sum_powers(series, x, -rw_cos_asin(x)).G_im;
 }
 
-/* G and y G' = -y (weighted sum)/X at any point of the half-plane; the left half mirrors the
- * right one in R and X. */
+/* G and y G' = -y (weighted sum)/X at any point of the half-plane. In the left half R and X are
+ * the mirror images of those in the right half. */
 static rw_field field_at(const rwedge_series *series, double x, double y)
 {
     const double right = fabs(x), sign = x < 0 ? -1 : 1;

@@ -2,8 +2,8 @@
 /* The interior stress field. With a normal traction of potential G_N and a shear traction of
  * potential G_T,
  *     s = (sxx+syy)/2 = Im G_N - Re G_T,   D = (syy-sxx)/2 + i txy = -y G_N' + i y G_T' + G_T,
- * which is Eq. (32), (33) for G_T = f G_N. In partial slip G_T = f (G_N - G_c), where G_c
- * belongs to the same profile pressed to the half-width c of the stick zone. */
+ * This is Eq. (32), (33) for G_T = f G_N. In partial slip G_T = f (G_N - G_c). G_c belongs to the
+ * same profile pressed to the half-width c of the stick zone. */
 #include "stress/stress.h"
 
 #include "stress/batch.h"
@@ -11,7 +11,7 @@
 #include "base/inline.h"
 #include "rwedge.h"
 
-/* The two patches of one contact, both centred at 0; the stick zone's where c > 0. */
+/* The two patches of one contact, both centred at 0. `stick` is used only if c > 0. */
 typedef struct {
     double f, c;
     rw_potential contact, stick;

@@ -25,9 +25,9 @@ static double complex turned(double complex a)
 }
 
 /* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f -
- * i,  H = y G'. The potentials are analytic, so that d/dy is i d/dx but for the factor y itself.
- * Each derivative is multiplied by the power of y that makes it of the order of J2, at the
- * surface and at the apex of the smallest tip too. */
+ * i,  H = y G'. The potentials are analytic, so d/dy of them is i d/dx; the factor y of H adds its
+ * own part. Each derivative is multiplied by a power of y, so that it is of the order of J2
+ * everywhere: at the surface, and at the apex of the smallest tip. */
 rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
                              double y)
 {

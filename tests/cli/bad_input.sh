@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Mistakes on the command line: one line with the option, the value and what is allowed; status 2; nothing written.
+# A mistake on the command line gives one line, with the option, the value and what is allowed. The status is 2, and nothing is
+# written.
 . "$(dirname "$0")/claims.sh"
 
 limit="table elastic-limit"

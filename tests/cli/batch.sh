@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# rwedge solve --input: rows in, rows out; a bad row costs itself, a bad file is refused before any row.
+# rwedge solve --input: rows in, rows out. A bad row spoils no other row. A bad file is refused before its first row.
 . "$(dirname "$0")/claims.sh"
 
 fixed="--E1 210000 --nu1 0.3 --theta 0.05"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every script shares: assertions that print what was expected and what came, a scratch folder, numbers compared
-# with a tolerance. A script is called with the program and the folder of reference values, and ends with "finish".
+# What every script shares: assertions that print the expected and the actual value, a scratch folder, comparison of numbers with
+# a tolerance. A script is called with the program and the folder of reference values, and ends with "finish".
 # shellcheck shell=sh disable=SC2034
 
 if [ $# -lt 2 ]; then

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion in real shells, and the man page: neither may miss an option, nor have one too many.
+# Completion in real shells, and the man page. Both have every option, and no other.
 . "$(dirname "$0")/claims.sh"
 
 for shell in bash zsh fish; do

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every system call of a run on its files fails once, each time it is made, or a signal comes with it: the old file or the
-# whole new one is there, the status is not 0 where it is the old one, a line says why, and no unfinished file is left (but
-# after SIGKILL). libxlsxwriter writes its parts to temporary files and does not look at what becomes of that: a single
-# failure there may lose cells; a disk that stays full does not.
+# Every system call on the files of a run fails in turn, or a signal arrives with it. What must hold:
+#   - Either the old file is there, or the whole new one.
+#   - If it is the old one, the status is not 0, and a line says why.
+#   - No unfinished file is left, except after SIGKILL.
+# libxlsxwriter writes its parts to temporary files, and does not check whether that worked. A single failure there may lose cells.
+# A disk that stays full does not.
 #
-#     faults.sh PROGRAM REFERENCES [MOST]    of the calls of one kind in a command at most so many (default 2; 0: all), and from 6 on
-#                                            a figure and a field too
+#     faults.sh PROGRAM REFERENCES [MOST]    MOST: how many calls of one kind in a command are tried (default 2; 0: all). From 6 on
+#                                            a figure and a field are tried too.
 most=${3:-2}
 . "$(dirname "$0")/claims.sh"
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pictures: each figure in each format where gnuplot is there; and what is said, and left alone, where it is missing,
-# old or failing.
+# The pictures: each figure in each format, if gnuplot is there. If it is missing, old or fails: the message, and the files that
+# are left alone.
 . "$(dirname "$0")/claims.sh"
 
 mkdir fake files

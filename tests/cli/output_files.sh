@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# -o FILE: whole or not at all, and where output goes when something is in the way.
+# -o FILE: it is written whole or not at all. What happens to the output when something is in the way.
 . "$(dirname "$0")/claims.sh"
 
 small="table contact-law --a-over-b 1 --digits 3"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The rooms of cli/ use only what their README allows, which is rooms that cli/README.md names before them.    rooms.sh PROGRAM DATA
+# A room of cli/ uses only the rooms that its README allows. Its README allows only rooms that cli/README.md names before it.
+#     rooms.sh PROGRAM DATA
 set -eu
 cd "$(dirname "$0")/../../cli"
 rooms=$(sed -n '/^Includes name the room/,/^$/p' README.md | grep -o '`[a-z]*`' | tr -d '`')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Signals while a table is written: the program ends by the signal, the old file stays, no unfinished one is left.
+# A signal arrives while a table is written. The program ends by the signal, the old file stays, and no unfinished file is left.
 . "$(dirname "$0")/claims.sh"
 
 env --default-signal=INT true 2>/dev/null || skip "env cannot reset signals"

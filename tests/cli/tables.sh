@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The five tables against reference values of 20 digits: the right numbers in the right columns.
+# The five tables, compared with reference values of 20 digits: the right numbers are in the right columns.
 . "$(dirname "$0")/claims.sh"
 
 list() { # of a reference column, with commas

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of the command-line tool that its tables do not reach yet, or not with enough values:
- * texts in CSV and JSON, and numbers and ranges by the hundred thousand. */
+/* Parts of the command-line tool that its tables reach not at all, or with too few values: texts in
+ * CSV and JSON, and hundreds of thousands of numbers and ranges. */
 #include "text/number.h"
 #include "text/range.h"
 #include "rows/delimited.h"

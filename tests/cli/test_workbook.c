@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How exact the workbook's calculator is: its computation in C, whose values the cells store and
- * which LibreOffice repeats in workbook.sh, against the library. */
+/* How exact the workbook's calculator is. Its computation in C is compared with the library. The
+ * cells store the values of this computation; in workbook.sh LibreOffice repeats it. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

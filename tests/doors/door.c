@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the calls of calls.py from standard input: each line back with the bits of its results,
- * as 16 hexadecimal digits, "nan" for every NaN, "error" where the call is refused. Every
- * language that the library is called from has such a program, and all print the same lines.
- * Compiled as C and as C++. */
+/* Reads the calls of calls.py from standard input and answers each with one line: the call, and
+ * the bits of its results as 16 hexadecimal digits. Every NaN is "nan"; a refused call is "error".
+ * Every language that the library is called from has such a program, and all print the same lines.
+ * This one is compiled as C and as C++. */
 #include "entries.h"
 #include "rwedge.h"
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The calls answered from C with the ordinary build, C with the private build and C++: the same bits.
+# The calls give the same bits from C with the ordinary build, from C with the private build, and from C++.
 #     doors.sh SOURCE BUILD
 set -eu
 command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which lists the calls"; exit 77; }

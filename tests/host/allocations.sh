@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every allocation of the tool fails in turn, once and for ever after: it ends by itself, with status 1, one line that says
-# why, and the old file; or it can do without, and the file is the whole new one. Nothing unfinished is left.
-# libxlsxwriter does not survive the lack of memory: what it does then is counted here.
+# Every allocation of the tool fails in turn: only once, or from then on. Then one of two things must hold:
+#   - The tool ends by itself with status 1. One line says why, and the old file is there.
+#   - The tool can do without the memory, and the whole new file is there.
+# No unfinished file is left. libxlsxwriter does not survive lack of memory; its failures are counted here.
 #
-#     allocations.sh PROGRAM REFERENCES PRELOADED [MOST]     of a command's allocations at most so many (default 40; 0: all)
+#     allocations.sh PROGRAM REFERENCES PRELOADED [MOST]     MOST: how many allocations of a command are tried (default 40; 0: all)
 preloaded=$(realpath "$3") most=${4:-40}
 . "$(dirname "$0")/../cli/claims.sh"
 

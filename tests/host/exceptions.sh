@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# No exception but inexact and underflow, by construct: the library from every compiler that is here, at every level of
-# optimisation and with every width of vectors that this processor has.
+# The library raises no floating-point exception but inexact and underflow. This is tried with every compiler that is here, at
+# every level of optimisation, and with every width of vectors that this processor has.
 #     exceptions.sh SOURCE [COMPILER...]
 set -eu
 cd "$1"

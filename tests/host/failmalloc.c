@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Preloaded into a program: one allocation fails, or all from one on. For glibc, whose own
- * functions have a second name.
+/* This library is preloaded into a program. It makes one allocation fail, or all from one on. It
+ * needs glibc, whose own functions have a second name.
  *
  *     FAIL_AT=N     the N-th allocation fails; unset or 0: none
  *     FAIL_ALL=1    and all after it

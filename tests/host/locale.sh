@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Where numbers have a decimal comma: every function of the library gives the same bits, every command the same bytes.
+# In a locale with a decimal comma every function of the library gives the same bits, and every command the same bytes.
 #
 #     locale.sh PROGRAM TEST_CALLS
 command -v localedef >/dev/null 2>&1 || { echo "SKIPPED: no localedef here"; exit 77; }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every allocation of the library fails in turn, once and for ever after: the call says
- * RWEDGE_ENOMEM, touches nothing, leaks nothing, and gives the same as ever when there is memory
- * again.
+/* Every allocation of the library fails in turn: only once, or from then on. The call returns
+ * RWEDGE_ENOMEM, changes nothing and leaks nothing. When there is memory again, it gives the same
+ * result as before.
  *
- * With PROGRAM_HEAP the four functions are this program's, which stand before those of glibc in
- * every shared library too: GSL's and LAPACK's allocations count. Elsewhere it is linked with
- * --wrap, and sees those of the library alone. */
+ * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
+ * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
+ * PROGRAM_HEAP it is linked with --wrap, and sees only the allocations of the library. */
 #include "claims.h"
 #include "rwedge.h"
 

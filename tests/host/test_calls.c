@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every public function with arguments at the edges of its domain and beyond them: the header's
- * rules for errors hold; a host that traps floating-point exceptions is not trapped, and those
- * it has raised stay raised; its rounding mode, errno and locale are left alone and do not
- * matter; a stack of 64 KiB is enough.
+/* Every public function with arguments at the edges of its domain and beyond them. The claims:
+ * - The header's rules for errors hold.
+ * - A host that traps floating-point exceptions is not trapped. Exceptions that the host has raised
+ *   stay raised.
+ * - The host's rounding mode, errno and locale are left alone, and do not matter.
+ * - A stack of 64 KiB is enough.
  *
  *     test_calls [CALLS [TESTS]]
  *
- * CALLS of each function (2000), drawn at random where there are more combinations. */
+ * CALLS is the number of calls of each function (2000). If there are more combinations of
+ * arguments, they are drawn at random. */
 #define _GNU_SOURCE /* feenableexcept() */
 #include "calls.h"
 #include "claims.h"

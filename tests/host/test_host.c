@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a call leaves behind in its host: nothing. Over a grid of extreme arguments errno stays
- * what it was, no valid call raises invalid, division by zero or overflow (which a host may have
- * made to trap), none clears an exception that the host has raised, and RWEDGE_OK means finite. */
+/* A call changes nothing in its host. This is tried over a grid of extreme arguments. errno stays
+ * what it was. No valid call raises invalid, division by zero or overflow, on which a host may
+ * trap. No call clears an exception that the host has raised. Results with RWEDGE_OK are finite.
+ * */
 #include "claims.h"
 #include "rwedge.h"
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Under the thread sanitizer: eight threads on shared handles give the same bits without a data race, and so do the threads
-# of the tool.    threads.sh SOURCE
+# Runs under the thread sanitizer: eight threads with shared handles give the same bits without a data race. So do the threads of
+# the tool.    threads.sh SOURCE
 set -eu
 cd "$1"
 work=$(mktemp -d)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An array of points is evaluated in batches, by vector instructions where the processor has
- * them: the bits are those of the points one by one, for every length, every mixture of points
- * and in place, and no exception is raised that a host may have made to trap. */
+/* An array of points is evaluated in batches, with vector instructions if the processor has them.
+ * The bits are those of the points one by one, for every length, for every mixture of points, and
+ * in place. No exception is raised on which a host may trap. */
 #include "claims.h"
 #include "rwedge.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact refuses, and that it is then as before; copies; memory that runs short. Linked
- * with --wrap for malloc, calloc and realloc: a compiler may make a calloc() of a malloc(). */
+/* What a contact refuses; a refusal leaves it unchanged. Copies; lack of memory. This is linked
+ * with
+ * --wrap for malloc, calloc and realloc, because a compiler may make a calloc() of a malloc(). */
 #include "histories.h"
 
 #include <float.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The logarithms and angles of lib/logarithm.h against the math library's in long double: the
- * error that it states, in units of the last digit. */
+/* The logarithms and angles of lib/base/logarithm.h, compared with the math library's in long
+ * double. The error stays below what that file states, in units of the last digit. */
 #include "claims.h"
 #include "base/logarithm.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The rooms behind the physics: roots, quadrature, least squares. */
+/* The numerical tools of lib/base/: roots, quadrature, least squares. */
 #include "claims.h"
 #include "base/integral.h"
 #include "base/least_squares.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dimensional quantities of one contact, and how far a contact with a history is from yield. */
+/* Quantities with units of one contact; how far a contact with a history is from yield. */
 #include "histories.h"
 
 static void a_cylinder_gives_the_formulas_of_hertz(void **state)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every C file of the project compiles alone, by the strict rules of newer compilers: no function, no int is implied.
+# Every C file of the project compiles alone by the strict rules of newer compilers. Every function is declared; no type is
+# implied to be int.
 #     alone.sh SOURCE
 set -eu
 cd "$1"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The bits of many results of every function, for comparison between compilers. The fit of the
- * series is left out: its bits are LAPACK's. */
+/* Prints the bits of many results of every function, for comparison between compilers. The fit of a
+ * series is left out, because its bits depend on LAPACK. */
 #include "every_function.h"
 
 #include <inttypes.h>

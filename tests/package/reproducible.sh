@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The same bytes in tables/ from every compiler, level of optimisation and math library; the same bits from the library for
-# every compiler, level and processor, those of pressures and stresses from every math library too.
+# Every compiler, level of optimisation and math library gives the same bytes in tables/. Every compiler, level and processor gives
+# the same bits of the library's results. The bits of pressures and stresses are also the same from every math library.
 #     reproducible.sh SOURCE BUILD
 set -eu
 source=$(realpath "$1") build=$(realpath "$2")

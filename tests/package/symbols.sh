@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The shared library exports exactly what the header declares, and calls nothing that prints, ends the process or changes its
-# state; nor GSL's allocators, which report to a handler that ends it.    symbols.sh HEADER LIBRARY
+# The shared library exports exactly what the header declares. It calls nothing that prints, ends the process or changes its state.
+# It calls none of GSL's allocators: they report to a handler that ends the process.    symbols.sh HEADER LIBRARY
 set -eu
 command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which reads the header"; exit 77; }
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The slope of the wedge is a broken line: -1, from x = -1 on it rises by k = +1 per length, from
- * x = 1 on it does no more. Each bend adds its own part to all that is asked for. */
+/* The slope of the wedge is a broken line. It is -1 up to x = -1, rises by 1 per length up to x =
+ * 1, and is constant beyond. Each of the two bends adds its own part to every result. */
 #include "eccentric_patch.h"
 
 #include "claims.h"

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Does the elastic limit belong to the global maximum? A search of the whole half-plane, x of
- * both signs, that knows nothing of how the library searches, over random a/b, f and nu; and the
- * facts on which the library's search rests:
- *   - a maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second
- *   one that is next to the corner
- *     x = a, at f > 0.25, and lower than the surface's; its height over the surface's is printed,
- *   - on the surface there is one local maximum, and rwedge_surface_yield() finds it, - as f
- *   grows, yield moves from below to the surface once and stays there; and no maximum is left
- *   below for f > 0.6.
+/* Does the elastic limit belong to the global maximum? This searches the whole half-plane, x of
+ * both signs, for random a/b, f and nu. The search knows nothing of how the library searches. It
+ * also checks the facts on which the library's search rests:
+ *   - A maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second one.
+ *     The second one is next to the corner x = a, at f > 0.25, and lower than the surface's. Its
+ *     height over the surface's is printed.
+ *   - On the surface there is one local maximum, and rwedge_surface_yield() finds it.
+ *   - As f grows, yield moves from below to the surface once, and stays there. No maximum is left
+ *     below for f > 0.6.
  *
  *     strength_survey CASES [SEED]
  *
- * prints what it covered; exit status 1 with a line for each case that contradicts a claim. */
+ * It prints what it covered. Each case that contradicts a claim gets a line; the exit status is
+ * then 1. */
 #include "claims.h"
 #include "rwedge.h"
 

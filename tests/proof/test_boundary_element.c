@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory diagram against the incremental boundary-element solver along random histories:
- * they must approach each other as mesh and step shrink. */
+/* The memory diagram is compared with the incremental boundary-element solver along random
+ * histories. They must approach each other as mesh and step shrink. */
 #include "boundary_element.h"
 #include "histories.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The boundary-element solver under moment and bulk tension, against the closed forms of patches
- * off the centre: the differences fall with the elements. Units of eccentric_patch.h, f = 1/2:
- * theta = A = a = 1. */
+/* The boundary-element solver under moment and bulk tension is compared with the closed forms of
+ * patches off the centre. The differences fall with the size of the elements. Units are those of
+ * eccentric_patch.h, theta = A = a = 1; f = 1/2. */
 #include "boundary_element.h"
 #include "claims.h"
 #include "eccentric_patch.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the paper says of its results, and what is wrong in its print: E1 ... E9 of
- * lib/README.md, each with the corrected form right and, where the printed one says something
- * definite, that one wrong. */
+/* What the paper says of its results, and the errors in its print: E1 ... E9 of lib/README.md. For
+ * each the corrected form is shown to be right. If the printed form says something definite, it is
+ * shown to be wrong. */
 #include "claims.h"
 #include "quadrature.h"
 #include "rwedge.h"

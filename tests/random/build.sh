@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the targets with libFuzzer and the address and undefined-behaviour sanitizers, library and tool included.
 #
-#     build.sh SOURCE FOLDER        of the project; where the programs fuzz_TARGET and the folders seeds/TARGET go
+#     build.sh SOURCE FOLDER        SOURCE: the project; FOLDER: where the programs fuzz_TARGET and the folders seeds/TARGET go
 #
-# Ends with 77 where no clang has libFuzzer.
+# The status is 77 if no clang has libFuzzer.
 set -eu
 source=$(cd "$1" && pwd)
 mkdir -p "$2"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# No function of the header lacks a target that calls it.     covered.sh SOURCE
+# Every function of the header has a target that calls it.     covered.sh SOURCE
 set -eu
 cd "$1"
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# libFuzzer ends with 77 after a finding. run.sh must fail then: CTest takes 77 for a skip.
+# libFuzzer ends with 77 after a finding. CTest would take 77 for a skip, so run.sh must fail with another status.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# All targets, one after another on one core: so many seconds in all, what was interesting is kept in FOLDER and grows from run to run.
-# The last line has the sum.
+# Runs all targets, one after another on one core, for SECONDS in all. Interesting inputs are kept in FOLDER, which grows from run to
+# run. The last line has the sum.
 #
-#     long.sh SECONDS [FOLDER]     folder: build/fuzz
+#     long.sh SECONDS [FOLDER]     FOLDER is build/fuzz if it is not given
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 seconds=$1

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In place of cli/text/message.c: what the tool says is formatted, and thrown away. */
+/* Takes the place of cli/text/message.c. Messages are formatted and thrown away. */
 #include "text/message.h"
 
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Without libFuzzer: the seeds of a target, and changes of them drawn from a fixed sequence.
+/* Runs a target without libFuzzer: on its seeds, and on changes of them from a fixed sequence.
  *
  *     replay_TARGET CHANGES TARGET.seeds */
 #include "input.h"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One target of build.sh for so many runs: first the seeds, then changes of them; the random numbers are fixed.
+# Runs one target of build.sh RUNS times: first on the seeds, then on changes of them. The random numbers are fixed.
 #
 #     run.sh SOURCE FOLDER TARGET RUNS
 set -eu

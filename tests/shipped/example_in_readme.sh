@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The example that lib/README.md shows is the one that the tests run, and what it says that it prints is what it prints.
+# The example in lib/README.md is the one that the tests run, and it prints what lib/README.md says.
 #     example_in_readme.sh SOURCE
 set -eu
 work=$(mktemp -d)

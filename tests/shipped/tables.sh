@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tables/ is what the tool writes now: the CSV files and the pictures by their bytes, the workbook by its unzipped parts.
+# tables/ is what the tool writes now. CSV files and pictures are compared by their bytes, the workbook by its unzipped parts.
 #     tables.sh SOURCE TOOL
 set -eu
 source=$1 tool=$2

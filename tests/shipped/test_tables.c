@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shipped tables: what they hold is what the library gives, and linear interpolation in them
- * is as good as tables/README.md says. The errors are measured at the centre of every cell,
- * where they are largest, and printed. */
+/* The shipped tables hold what the library gives. Linear interpolation in them is as good as
+ * tables/README.md says. The errors are measured at the centre of every cell, where they are
+ * largest, and printed. */
 #include "claims.h"
 #include "rwedge.h"
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The version that CMakeLists.txt states is everywhere: header, tool, man page, Python's package, CITATION.cff, CHANGELOG.md with
+# The version in CMakeLists.txt stands everywhere: header, tool, man page, Python's package, CITATION.cff, CHANGELOG.md with
 # its date.
 #     versions.sh SOURCE TOOL
 set -eu

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Times per call beside those of the plain way, the paper's series and a search on a grid, and
- * how they grow with the number of points. Processor time, each the fastest of several, all in
- * one run: the ratios hold on a busy machine too. Not a test: test_speed.c is.
+/* Prints times per call, and how they grow with the number of points. Beside them are the times of
+ * the plain way: the paper's series, and a search on a grid. Each is processor time, the fastest of
+ * several, and all are of one run. So the ratios hold on a busy machine too. This is not a test;
+ * test_speed.c is one.
  *
  *     build/tests/speed/bench [--quick] [TERMS]
  *

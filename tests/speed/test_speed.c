@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* That the library is as fast as it says, by ratios within one run: to a plain evaluation of the
- * series and to itself. A busy machine disturbs both sides alike, and one good attempt out of a
- * few is enough; a loop that is no longer made of vector instructions, or a search that takes
- * twice the steps, fails every one. */
+/* The library is as fast as it says. What is tested are ratios of times within one run: to a plain
+ * evaluation of the series, and to other calls of the library. A busy machine disturbs both sides
+ * alike, and one good attempt out of a few is enough. A loop that is no longer made of vector
+ * instructions fails every attempt, and so does a search that takes twice the steps. */
 #include "claims.h"
 #include "plain.h"
 #include "rwedge.h"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # For coverage/ and mutation/: which programs are the unit tests of lib/.    . unit_tests.sh
 
-# unit_tests SOURCE - their names: of the rooms, and of all calls with bad arguments and too little memory. Not
-# test_boundary_element, which takes longer than all others.
+# unit_tests SOURCE - their names: the tests of the rooms, and those of calls with bad arguments or too little memory.
+# test_boundary_element is left out, because it takes longer than all others.
 unit_tests()
 {
     for file in "$1"/tests/lib/test_*.c "$1"/tests/host/test_*.c "$1"/tests/proof/test_*.c; do

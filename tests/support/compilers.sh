@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by what builds the library without CMake. Runs in the top folder.
 
-# What lib/CMakeLists.txt compiles every file of the library with, from gcc and clang.
+# The options with which lib/CMakeLists.txt compiles every file of the library, for gcc and clang.
 library_options='-std=c99 -ffp-contract=off -fno-math-errno'
 
 # options_of COMPILER FILE - the same, and what clang needs not to raise exceptions.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by tables/generate.sh and tests/run.sh: what they need, found or installed.
+# Sourced by tables/generate.sh and tests/run.sh. It finds or installs what they need.
 
-# have KIND:NAME - is the command on the path, the library known to pkg-config, the header where the compiler looks?
+# have KIND:NAME - is it there: a command on the path, a library that pkg-config knows, a header where the compiler looks?
 have()
 {
     case $1 in

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Preloaded, takes the place of functions that the library has from GSL and LAPACK, with other
- * meanings: what a host may have in its address space under the same names. */
+/* Functions with the names of GSL's and LAPACK's that do something else. A host may have such
+ * functions in its address space. Preloaded, they take the place of those that the library calls.
+ * */
 #include <stdint.h>
 
 int gsl_root_fsolver_set(void *solver, void *function, double lower, double upper);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A host with a GSL, and an error handler, of its own. Prints the bits of what the library
- * computes by GSL (roots) and by LAPACK (fits, good and bad), and fails where its handler was
- * called or exchanged. */
+/* A host with its own GSL and its own error handler. It prints the bits of what the library
+ * computes by GSL (roots) and by LAPACK (fits, good and bad). It fails if its handler was called
+ * or exchanged. */
 #include "rwedge.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The private build among foreign libraries: with other functions under GSL's and LAPACK's names preloaded, and LAPACKs whose
-# integers have 64 bits, it gives the same bits, and leaves the host's GSL error handler alone.
+# The private build among foreign libraries. Other functions under GSL's and LAPACK's names are preloaded, or a LAPACK whose integers
+# have 64 bits. The private build gives the same bits, and leaves the host's GSL error handler alone.
 #     hostile.sh SOURCE BUILD
 set -eu
 source=$1 build=$2

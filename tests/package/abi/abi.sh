@@ -3,7 +3,7 @@
 # The library's binary interface is the stored one: soname, exported symbols with their version and status codes (interface.txt),
 # and the types of all parameters (librwedge.abi, by libabigail).
 #     abi.sh SOURCE BUILD           compares
-#     abi.sh SOURCE BUILD --store   stores anew: after an addition; after a change that breaks, RWEDGE_ABI grows first
+#     abi.sh SOURCE BUILD --store   stores it anew, after an addition. A change that breaks raises RWEDGE_ABI first.
 set -eu
 source=$1 build=$2 store=${3:-}
 here=$source/tests/package/abi

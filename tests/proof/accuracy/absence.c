@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The maxima of a grid of the half-plane, polar and logarithmic in the radius; a stationary
- * point next to one of them is enclosed, and its Hessian over the enclosure. */
+/* J2 is evaluated on a grid of the half-plane, polar and logarithmic in the radius. Next to a
+ * maximum of the grid a stationary point is enclosed, and then the Hessian over the enclosure. */
 #include "absence.h"
 
 #include <math.h>

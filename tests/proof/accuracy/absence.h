@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the library says does not exist, looked for without asking it. */
+/* Looks for what the library says does not exist, without the library's answer. */
 #ifndef ABSENCE_H
 #define ABSENCE_H
 

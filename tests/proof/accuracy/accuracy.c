@@ -4,8 +4,8 @@
  *
  *     accuracy [calls [seed [function]]]
  *
- * Exit status 1 where an error exceeds what the header promises, or, where it promises nothing,
- * the bound of the row. The figures depend on calls and seed alone. */
+ * The exit status is 1 if an error exceeds what the header promises. If the header promises
+ * nothing, the bound of the row counts. The figures depend only on calls and seed. */
 #include <float.h>
 #include <math.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* While the front of slip passes the layer s0 > s > s1 of the path, whose slope differs by w
- * from that of slip, and the load moves linearly from p0 to p1,
+/* The front of slip passes the layer s0 > s > s1 of the path, while the load moves linearly from p0
+ * to p1. The slope of the layer differs by w from that of slip. Then
  *     energy = (A f^2/pi) w int B(u) d ln(eta(u)),
  *     B(u) = int max(P(s) - u, 0) ds over s1 < s < min(s0, u).
  * B is a polynomial of the second degree between its corners s0, s1, p0, p1; the integrals of

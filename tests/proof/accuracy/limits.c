@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Elastic limits, and where it yields. */
+/* Elastic limits, and the points that yield. */
 #include <math.h>
 
 #include "absence.h"

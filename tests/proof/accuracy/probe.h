@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One call of one function at random arguments, and how far its result is from the exact one. A
- * row of the report draws a call and judges it: the judge computes the error in balls, so that
- * the exact error is within what it returns, and is asked again with more bits until nothing of
- * the figure is the reference's own. */
+/* One call of one function at random arguments, and the error of its result. A row of the report
+ * draws a call and judges it. The judge computes the error in balls: the exact error is within the
+ * ball that it returns. It is asked again with more bits until the reference adds nothing to the
+ * figure. */
 #ifndef PROBE_H
 #define PROBE_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's series: each function of the coefficients that it holds. The header promises no
- * figures; what is measured is taken beside the sum of the terms' moduli, and bounded in the
- * rows. */
+/* The paper's series: each function, judged by the coefficients that the series holds. The header
+ * promises no figures. The errors are relative to the sum of the terms' moduli; the rows bound
+ * them. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -3,10 +3,10 @@
  *
  *     certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv ...
  *
- * An entry is proved if the limit lies within T (1e-9) of what is stated. The enclosure of the
- * limit that shows it reaches from what the stated place gives to D (1e-13) below. Prints a line
- * per a/b, each entry that is not proved, and a summary. Exit status 0 if all are proved, 1 if
- * not, 2 for an error in the command or a table. */
+ * An entry is proved if the limit lies within T (1e-9) of what is stated. To show this, the limit
+ * is enclosed: it is at most what the stated place gives, and at least D (1e-13) below that. The
+ * program prints a line per a/b, each entry that is not proved, and a summary. The exit status is
+ * 0 if all are proved, 1 if not, 2 for an error in the command or a table. */
 #include "search.h"
 
 #include <math.h>

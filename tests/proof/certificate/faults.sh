@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The certificate rejects wrong tables, each for its reason:  faults.sh CERTIFICATE TABLE
+# The certificate rejects wrong tables, each for the right reason.    faults.sh CERTIFICATE TABLE
 set -eu
 certificate=$1 table=$2
 work=$(mktemp -d)

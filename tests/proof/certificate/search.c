@@ -3,9 +3,9 @@
  *
  *     J2 = |f (G + iH) - H|^2 + kappa (Im G - f Re G)^2
  *
- * is a quadratic polynomial in f and linear in kappa: six functions of the place alone, enclosed
- * once for a square, serve all entries of one a/b. A square is split in four as long as an entry
- * is left that it might exceed. */
+ * is a quadratic polynomial in f and linear in kappa. Its coefficients are six functions of the
+ * place alone. They are enclosed once for a square, and serve all entries of one a/b. A square is
+ * split in four as long as there is an entry that it might exceed. */
 #include "search.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential in balls, against the reference stresses, and against its own derivative and
+/* The potential in balls, compared with the reference stresses, and with its own derivative and
  * limits. */
 #include "ball_potential.h"
 #include "claims.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The steps of the certificate: what is said to enclose encloses, and is sharp enough to be of
- * use. */
+/* The steps of the certificate: each enclosure contains what it must, and is sharp enough to be
+ * useful. */
 #include "claims.h"
 #include "curvature.h"
 #include "search.h"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Proves what the tool computes over the whole range of a/b, friction and Poisson's ratio to what the library promises, 1e-12:
+# Proves the elastic limits that the tool computes over the whole range of a/b, friction and Poisson's ratio. They are proved to the
+# 1e-12 that the library promises.
 #
 #     wide.sh CERTIFICATE RWEDGE [JOBS]
 set -eu

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Histories of loads: whatever they are, the contact stays one that can be. Its friction is
- * never exceeded, its energy never falls, a refused load changes nothing, a copy is the same,
- * the tractions add up to the loads. */
+/* Any history of loads leaves a contact that is possible. Its friction is never exceeded, its
+ * energy never falls, a refused load changes nothing, a copy is the same, and the tractions add up
+ * to the loads. */
 #include "input.h"
 #include "rwedge.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader of CSV files: any bytes come to an end, in cells that are texts; what the writer
- * has written is read back. */
+/* The reader of CSV files. It comes to an end with any bytes, and its cells are texts. It reads
+ * back what the writer has written. */
 #include "rows/csv_input.h"
 #include "file.h"
 #include "input.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Any public function with any arguments: the header's rules for errors; symmetries and
- * inverses. */
+/* Any public function with any arguments. It keeps the header's rules for errors; symmetries and
+ * inverses hold. */
 #include "calls.h"
 #include "input.h"
 #include "rwedge.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers as text: what is read is what strtod() reads, what is written reads back. */
+/* Numbers as text. They are read as strtod() reads them; what is written reads back. */
 #include "input.h"
 #include "text/number.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Ranges as text: read or complained of, monotonic, from START and not beyond STOP. */
+/* Ranges as text. A range is refused, or it is monotonic, from START and not beyond STOP. */
 #include "input.h"
 #include "text/range.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Series, analytic ones and fits to any samples: created or refused, and then finite everywhere. */
+/* Analytic series, and fits to any samples. They are refused, or created and finite everywhere. */
 #include "input.h"
 #include "rwedge.h"
 

@@ -1,8 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The unit tests reach every branch of lib/, but for those that ALWAYS() and NEVER() argue (lib/base/always.h).
-# Compiled without optimisation or inlining, so that branches are those of the source, and without the choice that batch.c
-# makes by the processor.
+# The unit tests reach every branch of lib/, except those that ALWAYS() and NEVER() argue (lib/base/always.h). The library is compiled
+# without optimisation or inlining, so that the branches are those of the source. batch.c makes no choice by the processor here.
 #     coverage.sh SOURCE BUILD
 set -eu
 source=$(cd "$1" && pwd) build=$2/coverage

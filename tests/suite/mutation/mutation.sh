@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Do the unit tests notice a fault in lib/? Makes small faults, one at a time, in a random sample of all that mutants.py knows,
-# and counts those that some test notices. Fails below 90 %; see README.md.
+# Do the unit tests notice a fault in lib/? This plants small faults, one at a time: a random sample of all that mutants.py knows. It
+# counts those that some test notices, and fails below 90 %; see README.md.
 #     mutation.sh SOURCE BUILD [--sample N] [--seed N] [--jobs N] [--only REGEX] [--tests REGEX]
 set -eu
 source=$(cd "$1" && pwd) build=$2/mutation

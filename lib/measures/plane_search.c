@@ -9,6 +9,7 @@
  * left to chance: no plane exceeds the result by more than rounding. */
 #include "measures/plane_search.h"
 
+#include "base/always.h"
 #include "base/root.h"
 
 #include <float.h>
@@ -16,7 +17,7 @@
 
 enum { ARCS = 16, CAPACITY = 64 };
 
-/* An arc this short has no room for a product larger than those at its ends. */
+/* No arc is this short: at 1e-7 the bound is above the products at the ends by less than the noise. */
 static const double SHORTEST = 1e-9;
 
 /* A product this small has too few digits to be compared. */
@@ -108,7 +109,8 @@ static inline double bound(const arc *a, const control *x, const control *y, con
 
 static bool may_exceed(const search *s, const arc *a, const control c[KINDS])
 {
-    return a->tangent > SHORTEST && bound(a, &c[PEAK], &c[TOP], &c[BOTTOM]) > s->best + s->noise;
+    return ALWAYS(a->tangent > SHORTEST) &&
+           bound(a, &c[PEAK], &c[TOP], &c[BOTTOM]) > s->best + s->noise;
 }
 
 static void record(search *s, direction u, double peak, double range)
@@ -166,7 +168,7 @@ static quartic derivative(const rw_wave *v, const rw_wave *w)
 }
 
 /* The largest product on the arc, where its derivative has one root at most; whether that is so.
- * Without a root, the largest is at an end, and there it is known. */
+ * Without a root, or where it is the smallest, the largest is at an end, and there it is known. */
 static bool settle(search *s, const arc *a)
 {
     const direction u = middle_of(a);
@@ -180,12 +182,12 @@ static bool settle(search *s, const arc *a)
     const double reach = half_of(a, u, u).tangent; /* x at the end of the arc */
     if (fabs(c[1]) <= reach * (2 * fabs(c[2]) + reach * (3 * fabs(c[3]) + reach * 4 * fabs(c[4]))))
         return false;
-    if (quartic_at(-reach, &slope) > 0 && quartic_at(reach, &slope) < 0) {
-        const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
+    const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
+    if (!isnan(x)) {
         const double cosine = (1 - x * x) / (1 + x * x), sine = 2 * x / (1 + x * x);
-        const direction top = {cosine * u.cosine - sine * u.sine,
-                               sine * u.cosine + cosine * u.sine};
-        record(s, top, value_at(&s->member[PEAK][0], top), value_at(&range, top));
+        const direction there = {cosine * u.cosine - sine * u.sine,
+                                 sine * u.cosine + cosine * u.sine};
+        record(s, there, value_at(&s->member[PEAK][0], there), value_at(&range, there));
     }
     return true;
 }

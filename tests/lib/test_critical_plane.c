@@ -236,6 +236,26 @@ static void out_of_phase_cycle(void **state)
     assert_close(angle, PI / 2, 1e-14);
 }
 
+/* At the worst plane the second and third derivatives are 0 too: the product is (1 + c) (3 - c)/10,
+ * c the cosine of twice the angle from it. The value is as good as ever, and many planes have it but
+ * for rounding. */
+static void a_flat_maximum(void **state)
+{
+    (void)state;
+    static const double mean[2] = {1, 0.4}, half_difference[2] = {1, 1.2};
+    for (double at = -1.5; at < 1.5; at += 0.1) {
+        cycle c = {.n = 2, .E = 1};
+        for (int i = 0; i < 2; i++) {
+            c.sxx[i] = mean[i] - half_difference[i] * cos(2 * at);
+            c.syy[i] = mean[i] + half_difference[i] * cos(2 * at);
+            c.txy[i] = half_difference[i] * sin(2 * at);
+        }
+        double angle;
+        assert_close(parameter_of(&c, SMITH_WATSON_TOPPER, &angle), 0.4, 1e-14);
+        assert_within(angle, at, 5e-4);
+    }
+}
+
 /* The header's way to plane stress: exx = (sxx - nu syy)/E. */
 static void plane_stress_by_other_constants(void **state)
 {
@@ -404,6 +424,7 @@ int main(void)
         cmocka_unit_test(uniaxial_cycle),
         cmocka_unit_test(torsion_cycle),
         cmocka_unit_test(out_of_phase_cycle),
+        cmocka_unit_test(a_flat_maximum),
         cmocka_unit_test(plane_stress_by_other_constants),
         cmocka_unit_test(harmless_cycles_have_none),
         cmocka_unit_test(units_and_order_do_not_matter),

@@ -44,7 +44,7 @@ wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octav
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
 # libFuzzer, Debian's gcc has none
-wish command:clang=clang command:clang-format=clang-format
+wish command:clang=clang command:clang-format-14=clang-format-14
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
 # another package's LAPACK with 64-bit integers, to be kept out
 wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
@@ -166,7 +166,7 @@ fi
 
 # Good reasons to skip: the processor, the rights that this machine gives, what its distribution has no package of, or no longer.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
-beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found"
+beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it"
 for need in $not_in_distribution; do
     beyond_us="$beyond_us|$(basename "${need#*:}")"
 done

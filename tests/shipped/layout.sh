@@ -30,5 +30,5 @@ if [ -n "$clang_format" ]; then
     tr '\n' '\0' <"$work/files" | xargs -0 "$clang_format" --dry-run --Werror || status=1
 fi
 [ $status = 0 ] || { echo "FAILED: the layout of the sources"; exit 1; }
-[ -n "$clang_format" ] || { echo "SKIPPED: no clang-format $version here, others lay out otherwise; the length of lines was checked"; exit 77; }
+[ -n "$clang_format" ] || { echo "SKIPPED: no clang-format-$version here, others lay out otherwise; the length of lines was checked"; exit 77; }
 echo "ok: $(wc -l <"$work/files") sources"

@@ -237,8 +237,8 @@ static void out_of_phase_cycle(void **state)
 }
 
 /* At the worst plane the second and third derivatives are 0 too: the product is (1 + c) (3 - c)/10,
- * c the cosine of twice the angle from it. The value is as good as ever; many planes have it but for
- * rounding. */
+ * c the cosine of twice the angle from it. The value is as good as ever; many planes have it, but
+ * for rounding. */
 static void a_flat_maximum(void **state)
 {
     (void)state;

@@ -108,8 +108,8 @@ static double panel_integral(const layer *l, double shallow, double deep)
     const panel p = {l, shallow, l->top - deep - l->corner_load, l->top - shallow - l->corner_load};
     /* of a panel's end that is meant to be the corner; the corner may be far above the load */
     const double rounding = rw_memory_tolerance(fmax(l->top, l->corner_load));
-    if (p.hi <= rounding || p.lo < -rounding ||
-        p.lo > deep - shallow) /* by rounding: panels are cut at the corner */
+    /* Panels are cut at the corner, so that none has it inside by more than rounding. */
+    if (p.hi <= rounding || NEVER(p.lo < -rounding) || p.lo > deep - shallow)
         return rw_integral(plain, &p, 0, deep - shallow);
     return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
 }

@@ -295,6 +295,25 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
+static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
+{
+    (void)state;
+    for (double f = 0.05; f < 0.5; f += 0.05) {
+        rwedge_contact *contact = create(0, f);
+        load(contact, 0.2, 0);
+        load(contact, 0.2, 0.08 * f);
+        load(contact, 0.2, 0.04 * f);
+        const double highest = (1 + 1e-12) / yield_factor(contact, 0.5, 1, NULL, NULL);
+        for (double r = 1; r > 1e-12; r *= 0.7)
+            for (int angle = 0; angle <= 12; angle++)
+                assert_true(root_J2(contact, 0.5, r * cos(angle * PI / 12),
+                                    r * fabs(sin(angle * PI / 12))) <= highest);
+        assert_true(root_J2(contact, 0.5, 0, 1e-9) <= highest);
+        rwedge_contact_destroy(contact);
+    }
+}
+
 static void a_factor_beyond_the_domain_is_refused(void **state)
 {
     (void)state;
@@ -324,6 +343,7 @@ int main(void)
         cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
+        cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
         cmocka_unit_test(nothing_has_no_size),
         cmocka_unit_test(sizes_end_with_the_domain),
         cmocka_unit_test(a_factor_beyond_the_domain_is_refused),

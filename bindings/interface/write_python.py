@@ -152,7 +152,7 @@ def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     for f in interface.functions:
         # EPATH is of the object, not of a point: its method asks first
         plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and (f.pointwise or not f.of("in array", "out array"))
-        of_object = f.of("handle") and f.inputs and not f.of("created") and plain
+        of_object = f.of("handle") and f.inputs and not f.of("created") and plain and f.result in ("value", "status")
         if is_ufunc(f) and f.result == "status" or of_object:
             many = next((g for g in interface.functions if g.array_of == f.name), f)
             rows.append(points(f, many))

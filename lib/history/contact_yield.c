@@ -147,7 +147,7 @@ static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
         y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
         /* by rounding: the place is the apex of a sharp wedge, which has no stress; beside it,
          * J2 is not high */
-        if (c->s->contact->geometry.a == 0 && x[i] == 0 && y[i] == 0)
+        if (c->s->contact->geometry.a == 0 && fabs(x[i]) + y[i] == 0)
             y[i] = 1e-3 * r;
     }
     evaluate(c->s, n, x, y, J2);

@@ -20,7 +20,8 @@ INSIDE = {  # an argument list inside each domain
     "max_tension": (0.25,), "elastic_limit": (0.25, 0.1, 0.3), "yield_point": (0.25, 0.1, 0.3),
     "subsurface_yield": (0.25, 0.1, 0.3), "surface_yield": (0.25, 0.1, 0.3), "critical_friction": (0.25, 0.3),
     "radius": (0.01, 2), "rounding": (0.01, 200), "half_width": (0.01, 2, 1.8e-5, 2000), "normal_load": (0.01, 2, 1.8e-5, 5),
-    "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300)}
+    "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300),
+    "permanent_stick": (0.01, 2, 1.8e-5, 0.3, 2000, 40, 20, 1, 2000, 40, 200, 3)}
 
 
 def results(name, *arguments):

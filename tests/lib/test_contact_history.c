@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses at many points through many loads. */
+#include "histories.h"
+
+#include <string.h>
+
+enum { LOADS = 24, POINTS = 77 };
+
+typedef struct {
+    double P[LOADS], M[LOADS], Q[LOADS], sigma[LOADS];
+    double x[POINTS], y[POINTS];
+    double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
+} history;
+
+static void fill(history *h, double M, double tension)
+{
+    for (int i = 0; i < LOADS; i++) {
+        h->P[i] = 0.5;
+        h->M[i] = M;
+        h->Q[i] = i == 0 ? 0 : 0.2 * sin(0.7 * i);
+        h->sigma[i] = i == 0 ? 0 : tension * sin(0.7 * i);
+    }
+    for (int i = 0; i < POINTS; i++) {
+        h->x[i] = 6.0 * i / POINTS - 3;
+        h->y[i] = i % 4 ? 0.1 * (i % 11) + 0.01 : 0;
+    }
+}
+
+static int32_t run(history *h, rwedge_contact *contact)
+{
+    return rwedge_contact_stress_history(contact, LOADS, h->P, h->M, h->Q, h->sigma, POINTS, h->x,
+                                         h->y, h->sxx, h->syy, h->txy);
+}
+
+static void gives_the_bits_of_single_calls(void **state)
+{
+    (void)state;
+    static history h;
+    static const double cases[][3] = {
+        {0.4, 0, 0}, {0.4, 0, 0.02}, {0.4, 0.1, 0.02}, {0, 0.1, 0.02}, {9, 0.1, 0}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        fill(&h, cases[k][1], cases[k][2]);
+        rwedge_contact *contact = create(cases[k][0], 0.5), *single = create(cases[k][0], 0.5);
+        assert_int_equal(run(&h, contact), RWEDGE_OK);
+        for (int i = 0; i < LOADS; i++) {
+            double sxx[POINTS], syy[POINTS], txy[POINTS];
+            assert_int_equal(rwedge_contact_apply(single, h.P[i], h.M[i], h.Q[i], h.sigma[i]),
+                             RWEDGE_OK);
+            assert_int_equal(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy),
+                             RWEDGE_OK);
+            assert_memory_equal(sxx, h.sxx + i * POINTS, sizeof sxx);
+            assert_memory_equal(syy, h.syy + i * POINTS, sizeof syy);
+            assert_memory_equal(txy, h.txy + i * POINTS, sizeof txy);
+        }
+        assert_true(rwedge_contact_stick_half_width(contact) ==
+                    rwedge_contact_stick_half_width(single));
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(single);
+    }
+}
+
+static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
+{
+    (void)state;
+    static history h, before;
+    fill(&h, 0.1, 0.02);
+    h.Q[LOADS - 1] = 0.3;
+    before = h;
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(run(&h, contact), RWEDGE_ESLIDING);
+    h.Q[LOADS - 1] = 0;
+    h.y[3] = -1;
+    assert_int_equal(run(&h, contact), RWEDGE_EDOMAIN);
+    assert_memory_equal(h.sxx, before.sxx, sizeof h.sxx);
+    assert_true(rwedge_contact_half_width(contact) == 0);
+    assert_int_equal(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL, 0, NULL,
+                                                   NULL, NULL, NULL, NULL),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stress_history(NULL, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL,
+                                                   NULL, NULL, NULL),
+                     RWEDGE_ENULL);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gives_the_bits_of_single_calls),
+        cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
+    };
+    return RUN_CLAIMS("contact_history", tests);
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact as numbers. */
+#include "histories.h"
+
+enum { MOST = 4096 };
+
+static size_t state_of(const rwedge_contact *contact, double numbers[MOST])
+{
+    const size_t n = rwedge_contact_state_size(contact);
+    assert_true(n <= MOST);
+    assert_int_equal(rwedge_contact_state(contact, n, numbers), RWEDGE_OK);
+    return n;
+}
+
+static rwedge_contact *restore(size_t n, const double numbers[])
+{
+    rwedge_contact *restored;
+    assert_int_equal(rwedge_contact_restore(n, numbers, &restored), RWEDGE_OK);
+    return restored;
+}
+
+static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
+{
+    static double first[MOST], second[MOST];
+    const size_t n = state_of(one, first);
+    assert_int_equal(state_of(other, second), n);
+    assert_memory_equal(first, second, n * sizeof *first);
+}
+
+/* Random histories, saved after each load. */
+static void a_restored_contact_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    static double numbers[MOST];
+    for (int number = 0; number < 40; number++) {
+        random_history history, of_restored;
+        rwedge_contact *contact = begin(&history, number);
+        for (int i = 0; i < 6; i++) {
+            rwedge_contact *restored = restore(state_of(contact, numbers), numbers);
+            assert_same(contact, restored);
+            of_restored = history;
+            go_on(&of_restored, restored);
+            go_on(&history, contact);
+            assert_same(contact, restored);
+            const double x = 0.7 * rwedge_contact_half_width(contact);
+            assert_true(shear(contact, x) == shear(restored, x) &&
+                        slip(contact, x) == slip(restored, x));
+            rwedge_contact_destroy(restored);
+        }
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void moment_and_tension_are_in_it(void **state)
+{
+    (void)state;
+    static double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    const double loads[][4] = {{0.5, 0.1, 0, 0}, {0.5, 0.1, 0.15, 0.02}, {0.45, 0.09, 0.15, 0.02}};
+    for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
+        assert_int_equal(
+            rwedge_contact_apply(contact, loads[i][0], loads[i][1], loads[i][2], loads[i][3]),
+            RWEDGE_OK);
+        rwedge_contact *restored = restore(state_of(contact, numbers), numbers);
+        assert_same(contact, restored);
+        double P, M, Q, sigma;
+        assert_int_equal(rwedge_contact_loads(restored, &P, &M, &Q, &sigma), RWEDGE_OK);
+        assert_true(P == loads[i][0] && M == loads[i][1] && Q == loads[i][2] &&
+                    sigma == loads[i][3]);
+        rwedge_contact_destroy(restored);
+    }
+    rwedge_contact_destroy(contact);
+}
+
+/* Each number, changed; each length but the right one. */
+static void damage_is_noticed(void **state)
+{
+    (void)state;
+    static double numbers[MOST];
+    random_history history;
+    rwedge_contact *contact = begin(&history, 3), *untouched = NULL;
+    for (int i = 0; i < 5; i++)
+        go_on(&history, contact);
+    const size_t n = state_of(contact, numbers);
+    for (size_t i = 0; i < n; i++) {
+        const double kept = numbers[i];
+        numbers[i] = isfinite(kept) ? nextafter(kept, 7) : 0;
+        assert_int_equal(rwedge_contact_restore(n, numbers, &untouched), RWEDGE_EDOMAIN);
+        numbers[i] = kept;
+        assert_int_equal(rwedge_contact_restore(i, numbers, &untouched), RWEDGE_EDOMAIN);
+    }
+    assert_null(untouched);
+    assert_int_equal(rwedge_contact_restore(n, NULL, &untouched), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_restore(n, numbers, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_state(contact, n + 1, numbers), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_state(NULL, n, numbers), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_state_size(NULL), 0);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_restored_contact_goes_on_to_the_same_bits),
+        cmocka_unit_test(moment_and_tension_are_in_it),
+        cmocka_unit_test(damage_is_noticed),
+    };
+    return RUN_CLAIMS("contact_state", tests);
+}

@@ -142,7 +142,7 @@ static void off_centre(const sample *s)
     const int32_t status =
         rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, N, x, y, r[0], r[1], r[2]);
     for (int k = 0; k < 3; k++)
-        give_all(s, "stress history", status, LOADS * N, r[k]);
+        give_all(s, "history of stresses", status, LOADS * N, r[k]);
     give(s, "apply", rwedge_contact_apply(contact, 1000, 200 * s->u, 100, 0));
     give(s, "obstacle", *rwedge_contact_obstacle(contact, 1000, 200 * s->u, 100, 50));
     give(s, "largest tension", rwedge_contact_largest_tension_step(contact, 300 * s->v));

@@ -298,7 +298,8 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
  * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
  * RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
- * two points of the history per load, and of them only those that no later load has wiped out. */
+ * two points of the history per load, and of them only those that its tractions or its slip still
+ * depend on. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
 /* The next point of the history with a moment and a bulk tension, reached in a straight line of all
@@ -396,8 +397,10 @@ RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
  *                                                                                  Eq. (25); new */
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
 
-/* How many points of its history the contact remembers; 0 when separated, and for NULL. The time
- * of its functions grows in proportion, for each point of the half-plane. */
+/* How many points of its history the contact remembers: those that its tractions depend on, and
+ * those that its slip is measured from. At most two per load; 0 when separated, and for NULL. The
+ * memory it takes grows in proportion; so does the time of its functions, at most, for each point of
+ * the half-plane. */
 RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q =

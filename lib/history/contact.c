@@ -66,7 +66,12 @@ int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M
 
 size_t rwedge_contact_memory(const rwedge_contact *contact)
 {
-    return contact ? contact->memory.count - 1 : 0;
+    if (!contact)
+        return 0;
+    const rw_memory *memory = &contact->memory;
+    /* what the present path has in common with the last one kept counts once */
+    const size_t shared = memory->shared > 0 ? memory->shared : 1;
+    return memory->count - shared + rw_slip_origins_corners(&contact->origins);
 }
 
 double rwedge_contact_dissipated_energy(const rwedge_contact *contact)

@@ -26,17 +26,17 @@ static double gap(double a, double s, double x)
 
 /* The displacement at x over f theta, but for that of the profile, of the corners first ...
  * count-1, with the slope `beyond` after the last. */
-static double displacement(const rwedge_contact *contact, const rw_memory *memory, size_t first,
+static double displacement(const rwedge_contact *contact, const rw_trail *path, size_t first,
                            size_t count, double beyond, double x)
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {
-        const double s = memory->corners[i].patch.right;
+        const rw_corner *corner = rw_trail_corner(path, i);
+        const double s = corner->patch.right;
         if (s >= x)
             continue;
-        const double step =
-            memory->corners[i].ratio - (i + 1 < count ? memory->corners[i + 1].ratio : beyond);
-        sum += step * gap(contact->geometry.a, s, x);
+        const double next = i + 1 < count ? rw_trail_corner(path, i + 1)->ratio : beyond;
+        sum += (corner->ratio - next) * gap(contact->geometry.a, s, x);
     }
     return sum;
 }
@@ -48,17 +48,18 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     if (ALWAYS(isnan(corner.patch.left))) /* it is no corner of the path, which would have one */
         corner.patch = rw_patch_under_tilt(&contact->geometry, corner.load, 0);
     const rw_memory alone = {.corners = &corner, .count = 1};
-    return displacement(contact, &alone, 0, 1, left->slip, x);
+    const rw_trail trail = rw_memory_trail(&alone);
+    return displacement(contact, &trail, 0, 1, left->slip, x);
 }
 
 /* The last corner, up to `count`, until which two paths are the same. */
-static size_t last_common(const rw_memory *one, const rw_memory *other, size_t count)
+static size_t last_common(const rw_memory *one, const rw_trail *other, size_t count)
 {
     size_t i = 0;
     /* always: the path reaches the load that count ends at */
     while (i + 1 < count && ALWAYS(i + 1 < one->count) &&
-           one->corners[i + 1].load == other->corners[i + 1].load &&
-           one->corners[i + 1].ratio == other->corners[i + 1].ratio)
+           one->corners[i + 1].load == rw_trail_corner(other, i + 1)->load &&
+           one->corners[i + 1].ratio == rw_trail_corner(other, i + 1)->ratio)
         i++;
     return i;
 }
@@ -72,17 +73,19 @@ static double slip_at(const rwedge_contact *contact, double x)
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
-    const rw_departure left = rw_slip_origin_departure(origin, u);
+    const rw_trail path = rw_memory_trail(now),
+                   base = rw_slip_origin_trail(&contact->origins, origin);
+    const rw_departure left = rw_slip_origin_departure(origin, &base, u);
     const size_t kept = left.kept;
-    const bool is_corner = left.corner.load == origin->base.corners[kept - 1].load;
+    const bool is_corner = left.corner.load == rw_trail_corner(&base, kept - 1)->load;
     const double after_kept = is_corner ? left.slip : left.corner.ratio;
-    const size_t common = last_common(now, &origin->base, kept);
+    const size_t common = last_common(now, &base, kept);
     const size_t first = common > 0 ? common : 1;
-    double w = displacement(contact, now, first, now->count, 0, x) -
-               displacement(contact, &origin->base, first, kept, after_kept, x);
+    double w = displacement(contact, &path, first, path.count, 0, x) -
+               displacement(contact, &base, first, kept, after_kept, x);
     if (!is_corner && left.slip != 0)
         w -= departure_displacement(contact, &left, x);
-    const double at_centre = kept > 1 ? origin->base.corners[1].ratio : after_kept;
+    const double at_centre = kept > 1 ? rw_trail_corner(&base, 1)->ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
     /* what is small last */
     return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
@@ -94,8 +97,9 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
     const rw_patch settled = contact->settled;
     if (contact->origins.count == 0 || x < settled.left || x > settled.right)
         return 0;
-    const double w = rw_path_displacement(&contact->memory, &contact->origins.all[0].base,
-                                          contact->geometry.a, x);
+    const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
+                            .count = contact->origins.all[0].corners};
+    const double w = rw_path_displacement(&contact->memory, &base, contact->geometry.a, x);
     return contact->f > 1 ? contact->f * w * contact->geometry.theta
                           : contact->geometry.theta * w * contact->f;
 }

@@ -11,7 +11,7 @@
 
 static const double VERSION = 1;
 
-enum { HEAD = 2, CORNER = 9, ORIGIN = 6 };
+enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
 
 /* Reads or writes one number after the other; `at` counts them. */
 typedef struct {
@@ -62,55 +62,82 @@ static bool is_corner_sound(const rw_corner *c, const rw_corner *before)
                    : c->load == 0 && c->patch.left == 0 && c->patch.right == 0);
 }
 
-static void pass_path(tape *t, rw_memory *memory)
+/* Corners in a row, after the one before them if there is one. */
+static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
-    const size_t limit = t->in ? t->size / CORNER : memory->count;
-    const size_t count = pass_count(t, memory->count, limit);
-    if (t->in) {
-        *memory = (rw_memory){0};
-        t->is_sound = t->is_sound && count > 0 && rw_memory_reserve(memory, count);
-        memory->count = t->is_sound ? count : 0;
-    }
-    for (size_t i = 0; i < memory->count; i++) {
-        rw_corner *corner = &memory->corners[i];
-        pass_corner(t, corner);
-        if (t->in && !is_corner_sound(corner, i > 0 ? corner - 1 : NULL)) {
+    for (size_t i = 0; i < count && t->is_sound; i++) {
+        pass_corner(t, &corners[i]);
+        if (t->in && !is_corner_sound(&corners[i], before))
             t->is_sound = false;
-            return;
-        }
+        before = &corners[i];
     }
 }
 
-static void pass_origin(tape *t, rw_slip_origin *o)
+static void pass_path(tape *t, rw_memory *memory)
+{
+    const size_t count = pass_count(t, memory->count, t->in ? t->size / CORNER : memory->count);
+    memory->shared = pass_count(t, memory->shared, count);
+    if (t->in) {
+        t->is_sound = t->is_sound && count > 0 && rw_memory_reserve(memory, count);
+        memory->count = t->is_sound ? count : 0;
+    }
+    pass_corners(t, memory->corners, memory->count, NULL);
+}
+
+/* The numbers of an origin, but for its own corners; how many it shares with the last is told. */
+static size_t pass_origin(tape *t, rw_slip_origin *o, size_t shared, size_t limit)
 {
     double *numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         pass(t, numbers[i]);
         t->is_sound = t->is_sound && isfinite(*numbers[i]);
     }
-    pass_path(t, &o->base);
+    o->corners = pass_count(t, o->corners, t->in ? t->size / CORNER + limit : o->corners);
+    return pass_count(t, shared, t->in ? (limit < o->corners ? limit : o->corners) : shared);
+}
+
+static void write_origins(tape *t, const rw_slip_origins *origins)
+{
+    for (size_t i = 0; i < origins->count; i++) {
+        rw_slip_origin origin = origins->all[i];
+        const rw_branch *branch = &origins->branches[i];
+        pass_origin(t, &origin, branch->shared, 0);
+        pass_corners(t, origins->own.corners + branch->first, origin.corners - branch->shared,
+                     NULL);
+    }
+}
+
+static void read_origin(tape *t, rw_slip_origins *origins)
+{
+    const rw_slip_origin *last = origins->count > 0 ? &origins->all[origins->count - 1] : NULL;
+    rw_slip_origin origin = {0};
+    const size_t shared = pass_origin(t, &origin, 0, last ? last->corners : 0);
+    const size_t more = origin.corners - shared;
+    if (!t->is_sound || origin.corners == 0 || more > (t->size - t->at) / CORNER ||
+        !rw_slip_origins_reserve(origins, 1, more)) {
+        t->is_sound = false;
+        return;
+    }
+    rw_trail trail;
+    if (last)
+        trail = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
+    /* the new ones are read to where they will be */
+    pass_corners(t, origins->own.corners + origins->own.count, more,
+                 shared > 0 ? rw_trail_corner(&trail, shared - 1) : NULL);
+    if (t->is_sound)
+        rw_slip_origins_keep(origins, origin, origins->own.corners + origins->own.count, shared);
 }
 
 static void pass_origins(tape *t, rw_slip_origins *origins)
 {
     pass(t, &origins->fresh);
-    const size_t limit = t->in ? t->size / ORIGIN : origins->count;
-    const size_t count = pass_count(t, origins->count, limit);
+    const size_t count = pass_count(t, origins->count, t->in ? t->size / ORIGIN : origins->count);
     if (!t->in) {
-        for (size_t i = 0; i < count; i++)
-            pass_origin(t, &origins->all[i]);
+        write_origins(t, origins);
         return;
     }
-    *origins = (rw_slip_origins){.fresh = origins->fresh};
-    if (!t->is_sound || count == 0)
-        return;
-    origins->all = calloc(count, sizeof *origins->all);
-    origins->capacity = origins->all ? count : 0;
-    t->is_sound = origins->all != NULL;
-    for (size_t i = 0; i < count && t->is_sound; i++) {
-        origins->count = i + 1;
-        pass_origin(t, &origins->all[i]);
-    }
+    for (size_t i = 0; i < count && t->is_sound; i++)
+        read_origin(t, origins);
 }
 
 static void pass_contact(tape *t, rwedge_contact *c)
@@ -163,13 +190,19 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
     return RWEDGE_OK;
 }
 
+static size_t shared_at_most(const rw_slip_origins *origins)
+{
+    return origins->count > 0 ? origins->all[origins->count - 1].corners : 0;
+}
+
 static bool is_contact_sound(const rwedge_contact *c)
 {
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
            rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
            rw_is_signed(c->touched_at) && !isless(c->energy, 0) && isfinite(c->energy_carry) &&
-           isfinite(c->settled.left) && isfinite(c->settled.right) && isfinite(c->origins.fresh);
+           isfinite(c->settled.left) && isfinite(c->settled.right) && isfinite(c->origins.fresh) &&
+           c->memory.shared <= shared_at_most(&c->origins);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)

@@ -48,8 +48,10 @@ bool rw_memory_copy(const rw_memory *memory, rw_memory *copy)
     *copy = (rw_memory){0};
     if (!rw_memory_reserve(copy, memory->count))
         return false;
-    memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
+    if (memory->count > 0)
+        memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
     copy->count = memory->count;
+    copy->shared = memory->shared;
     return true;
 }
 
@@ -72,6 +74,12 @@ bool rw_memory_reserve(rw_memory *memory, size_t more)
     memory->corners = corners;
     memory->capacity = capacity;
     return true;
+}
+
+rw_trail rw_memory_trail(const rw_memory *memory)
+{
+    static const rw_branch WHOLE = {0};
+    return (rw_trail){memory->corners, &WHOLE, 0, memory->count};
 }
 
 static double clipped(double ratio)
@@ -112,6 +120,13 @@ static double joint_ratio(const rw_memory *memory, double load, double shear, do
     return fabs(longer) == 1 ? longer : chord(from, load, shear);
 }
 
+/* The corners from this one on change. */
+static void alter(rw_memory *memory, size_t first)
+{
+    if (memory->shared > first)
+        memory->shared = first;
+}
+
 /* A new end of the path. */
 static void push(rw_memory *memory, rw_loading to, double ratio)
 {
@@ -128,30 +143,30 @@ static void push(rw_memory *memory, rw_loading to, double ratio)
     corner.ratio = joint_ratio(memory, load, shear, ratio);
     corner.least = least;
     corner.most = most;
+    alter(memory, memory->count - 1);
     *end = corner;
 }
 
-double rw_memory_shear(const rw_memory *memory, double load)
+double rw_trail_shear(const rw_trail *trail, double load)
 {
-    size_t low = 0, high = memory->count - 1;
+    size_t low = 0, high = trail->count - 1;
     while (low + 1 < high) { /* invariant: corners[low].load <= load <= corners[high].load */
         const size_t middle = low + (high - low) / 2;
-        if (memory->corners[middle].load <= load)
+        if (rw_trail_corner(trail, middle)->load <= load)
             low = middle;
         else
             high = middle;
     }
-    const rw_corner *after = &memory->corners[high];
+    const rw_corner *after = rw_trail_corner(trail, high);
     return after->shear - after->ratio * (after->load - load);
 }
 
 /* Which way the edge slips in the end on the way to (load, shear); 0 where it does not. */
-static int sign_of_slip(const rw_memory *memory, double load, double shear)
+static int sign_of_slip(const rw_trail *trail, double load, double shear)
 {
-    const rw_corner *end = rw_memory_end(memory);
+    const rw_corner *end = rw_trail_end(trail);
     const double tolerance = rw_memory_tolerance(fmax(load, end->load));
-    const double rise =
-        load < end->load ? shear - rw_memory_shear(memory, load) : shear - end->shear;
+    const double rise = load < end->load ? shear - rw_trail_shear(trail, load) : shear - end->shear;
     const double shell = fmax(0, load - end->load); /* takes as much without slip */
     if (fabs(rise) <= shell + tolerance)
         return 0;
@@ -185,42 +200,49 @@ static rw_corner between(const rw_corner *before, const rw_corner *after, double
 }
 
 /* Where a path that does not slip is cut off, or goes on from. */
-static rw_departure stuck_departure(const rw_memory *memory, rw_loading to)
+static rw_departure stuck_departure(const rw_trail *trail, rw_loading to)
 {
     const double load = to.load;
-    size_t last = memory->count - 1;
-    while (memory->corners[last].load > load)
+    size_t last = trail->count - 1;
+    while (rw_trail_corner(trail, last)->load > load)
         last--;
-    const rw_corner *before = &memory->corners[last];
-    if (last + 1 == memory->count || before->load == load)
+    const rw_corner *before = rw_trail_corner(trail, last);
+    if (last + 1 == trail->count || before->load == load)
         return (rw_departure){*before, last + 1, 0};
-    const rw_corner *after = before + 1;
+    const rw_corner *after = rw_trail_corner(trail, last + 1);
     const double fraction = (load - before->load) / (after->load - before->load);
     return (rw_departure){between(before, after, fraction, to.tilt), last + 1, 0};
 }
 
 rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to)
 {
+    const rw_trail trail = rw_memory_trail(memory);
+    return rw_trail_departure(&trail, to);
+}
+
+rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to)
+{
     const double load = to.load;
-    const int slip = sign_of_slip(memory, load, to.shear);
+    const int slip = sign_of_slip(trail, load, to.shear);
     if (slip == 0)
-        return stuck_departure(memory, to);
-    const double tolerance = rw_memory_tolerance(fmax(load, rw_memory_end(memory)->load));
-    size_t last = memory->count - 1; /* the last corner inside the line; the origin always is */
-    while (last > 0 && (memory->corners[last].load > load ||
-                        inside(&memory->corners[last], slip, to) < -tolerance))
+        return stuck_departure(trail, to);
+    const double tolerance = rw_memory_tolerance(fmax(load, rw_trail_end(trail)->load));
+    size_t last = trail->count - 1; /* the last corner inside the line; the origin always is */
+    while (last > 0 && (rw_trail_corner(trail, last)->load > load ||
+                        inside(rw_trail_corner(trail, last), slip, to) < -tolerance))
         last--;
-    const rw_corner *before = &memory->corners[last];
+    const rw_corner *before = rw_trail_corner(trail, last);
     const rw_departure at_corner = {*before, last + 1, slip};
     const double depth = inside(before, slip, to);
     /* never: the end of the path is outside the line, or nothing would slip */
-    if (NEVER(last + 1 == memory->count) || depth <= tolerance)
+    if (NEVER(last + 1 == trail->count) || depth <= tolerance)
         return at_corner;
-    const double beyond = inside(before + 1, slip, to);
+    const rw_corner *after = rw_trail_corner(trail, last + 1);
+    const double beyond = inside(after, slip, to);
     /* what is missing shrinks by 1 -+ D on the way; the line meets no slope that is its own */
-    const double shrinks = fmax(1 - slip * (before + 1)->ratio, DBL_EPSILON);
+    const double shrinks = fmax(1 - slip * after->ratio, DBL_EPSILON);
     const double tilt = before->tilt + rw_memory_missing_tilt(before, slip, to) / shrinks;
-    const rw_corner corner = between(before, before + 1, depth / (depth - beyond), tilt);
+    const rw_corner corner = between(before, after, depth / (depth - beyond), tilt);
     /* always: the line meets the path before it ends */
     return ALWAYS(corner.load < load) ? (rw_departure){corner, last + 1, slip} : at_corner;
 }
@@ -233,11 +255,13 @@ void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_load
     const rw_corner end = *rw_memory_end(memory);
     const int slip = departure->slip;
     memory->count = departure->kept;
+    alter(memory, memory->count);
     if (departure->corner.load > memory->corners[memory->count - 1].load)
         memory->corners[memory->count++] = departure->corner;
     if (slip != 0) {
         push(memory, to, slip);
     } else if (load < end.load && load > 0) {
+        alter(memory, memory->count - 1);
         memory->corners[memory->count - 1].load = load; /* to the last bit */
         memory->corners[memory->count - 1].tilt = to.tilt;
     } else if (load > end.load) {
@@ -251,6 +275,7 @@ void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio)
 {
     memory->corners[0] = origin(to.tilt, to.stretch);
     memory->count = 1;
+    alter(memory, 0);
     if (to.load > 0)
         push(memory, to, ratio);
 }

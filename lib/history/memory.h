@@ -40,11 +40,40 @@ typedef struct {
     rw_patch patch;
 } rw_corner;
 
-/* corners[0] is the origin. */
+/* corners[0] is the origin. The first `shared` of them are as they were when they were last kept:
+ * slip_origin.h. */
 typedef struct {
     rw_corner *corners;
     size_t count, capacity;
+    size_t shared;
 } rw_memory;
+
+/* How a path that is kept branches off one that was kept before. Its corners are that one's up to
+ * `shared`, and its own from there on, in a row. `before` is the nearest branch before it that
+ * shares less, `jump` one farther back, so that any corner is found in a few jumps. */
+typedef struct {
+    size_t shared, first; /* first: the place of its first own corner in the row of all */
+    size_t before, jump, depth;
+} rw_branch;
+
+/* A path to read: the present one, or one that was. */
+typedef struct {
+    const rw_corner *corners;
+    const rw_branch *branches;
+    size_t branch, count;
+} rw_trail;
+
+rw_trail rw_memory_trail(const rw_memory *memory);
+
+static inline const rw_corner *rw_trail_corner(const rw_trail *trail, size_t i)
+{
+    const rw_branch *branch = &trail->branches[trail->branch];
+    while (i < branch->shared) {
+        const rw_branch *far = &trail->branches[branch->jump];
+        branch = i < far->shared ? far : &trail->branches[branch->before];
+    }
+    return &trail->corners[branch->first + (i - branch->shared)];
+}
 
 /* The path of a contact without load. false where memory is short, and nothing is to be freed. */
 bool rw_memory_create(rw_memory *memory);
@@ -64,6 +93,7 @@ typedef struct {
 
 /* For a load with |shear| <= load. Without slip the path is only cut off, or extended. */
 rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to);
+rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to);
 
 /* Goes on to a load by way of the departure for it. There is room for two more corners. */
 void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to);
@@ -78,8 +108,13 @@ static inline const rw_corner *rw_memory_end(const rw_memory *memory)
     return &memory->corners[memory->count - 1];
 }
 
+static inline const rw_corner *rw_trail_end(const rw_trail *trail)
+{
+    return rw_trail_corner(trail, trail->count - 1);
+}
+
 /* The shear where the path has that load, 0 <= load <= that of its end. */
-double rw_memory_shear(const rw_memory *memory, double load);
+double rw_trail_shear(const rw_trail *trail, double load);
 
 /* What the tilt and the stretch of the front lack to those of the corner where the path is left:
  * 0, but for rounding, where the line meets the path at the corner. */

@@ -6,15 +6,12 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
-static void pop(rw_slip_origins *origins)
+bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corners)
 {
-    origins->count--;
-    rw_memory_destroy(&origins->all[origins->count].base);
-}
-
-static bool reserve(rw_slip_origins *origins, size_t more)
-{
+    if (!rw_memory_reserve(&origins->own, corners))
+        return false;
     if (origins->capacity - origins->count >= more)
         return true;
     if (NEVER(origins->count > SIZE_MAX / sizeof *origins->all / 2 - more)) /* memory ends before */
@@ -24,6 +21,10 @@ static bool reserve(rw_slip_origins *origins, size_t more)
     if (!grown)
         return false;
     origins->all = grown;
+    rw_branch *branches = realloc(origins->branches, capacity * sizeof *branches);
+    if (!branches)
+        return false;
+    origins->branches = branches;
     origins->capacity = capacity;
     return true;
 }
@@ -31,50 +32,100 @@ static bool reserve(rw_slip_origins *origins, size_t more)
 bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy)
 {
     *copy = (rw_slip_origins){.fresh = origins->fresh};
-    if (!reserve(copy, origins->count))
+    if (origins->count == 0)
+        return true;
+    if (!rw_slip_origins_reserve(copy, origins->count, origins->own.count)) {
+        rw_slip_origins_destroy(copy);
         return false;
-    for (; copy->count < origins->count; copy->count++) {
-        copy->all[copy->count] = origins->all[copy->count];
-        if (!rw_memory_copy(&origins->all[copy->count].base, &copy->all[copy->count].base)) {
-            rw_slip_origins_destroy(copy);
-            return false;
-        }
     }
+    memcpy(copy->all, origins->all, origins->count * sizeof *copy->all);
+    memcpy(copy->branches, origins->branches, origins->count * sizeof *copy->branches);
+    memcpy(copy->own.corners, origins->own.corners, origins->own.count * sizeof *copy->own.corners);
+    copy->count = origins->count;
+    copy->own.count = origins->own.count;
     return true;
 }
 
 void rw_slip_origins_destroy(rw_slip_origins *origins)
 {
-    while (origins->count > 0)
-        pop(origins);
     free(origins->all);
+    free(origins->branches);
+    rw_memory_destroy(&origins->own);
     *origins = (rw_slip_origins){0};
 }
 
+/* A branch next to the last. Jumps double in length where two of equal length meet. */
+static rw_branch branch_off(const rw_slip_origins *origins, size_t shared)
+{
+    const size_t itself = origins->count;
+    rw_branch branch = {shared, origins->own.count, itself, itself, 0};
+    if (shared == 0)
+        return branch;
+    const rw_branch *all = origins->branches;
+    size_t before = origins->count - 1;
+    while (all[before].shared >= shared)
+        before = all[before].before;
+    const size_t jump = all[before].jump, twice = all[jump].jump;
+    const bool is_even = all[before].depth - all[jump].depth == all[jump].depth - all[twice].depth;
+    branch.before = before;
+    branch.jump = is_even ? twice : before;
+    branch.depth = all[before].depth + 1;
+    return branch;
+}
+
+void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
+                          size_t shared)
+{
+    const size_t more = origin.corners - shared;
+    origins->branches[origins->count] = branch_off(origins, shared);
+    origins->all[origins->count++] = origin;
+    memmove(origins->own.corners + origins->own.count, own, more * sizeof *own);
+    origins->own.count += more;
+}
+
+/* The last one is not needed any more. */
+static void pop(rw_slip_origins *origins, rw_memory *memory)
+{
+    const rw_branch *last = &origins->branches[--origins->count];
+    origins->own.count = last->first;
+    if (memory->shared > last->shared)
+        memory->shared = last->shared;
+}
+
+size_t rw_slip_origins_corners(const rw_slip_origins *origins)
+{
+    size_t roots = 0;
+    for (size_t i = 0; i < origins->count; i++)
+        roots += origins->branches[i].shared == 0;
+    return origins->own.count - roots;
+}
+
 /* Points beyond the load have separated. */
-static void cut_off(rw_slip_origins *origins, double load)
+static void cut_off(rw_slip_origins *origins, rw_memory *memory, double load)
 {
     rw_slip_origin *all = origins->all;
     while (origins->count > 0 && (origins->count > 1 ? all[origins->count - 2].end : 0) >= load)
-        pop(origins);
+        pop(origins, memory);
     if (origins->count > 0)
         all[origins->count - 1].end = fmin(all[origins->count - 1].end, load);
     origins->fresh = fmin(origins->fresh, load);
 }
 
-bool rw_slip_origins_advance(rw_slip_origins *origins, const rw_memory *memory, bool slips,
-                             double load, double shear)
+bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool slips, double load,
+                             double shear)
 {
     const rw_corner *end = rw_memory_end(memory);
     if (slips && load > origins->fresh) {
-        rw_slip_origin origin = {fmax(end->load, load), {0}, end->load, end->shear, load, shear};
-        if (!reserve(origins, 1) || !rw_memory_copy(memory, &origin.base))
+        const rw_slip_origin origin = {fmax(end->load, load), end->load, end->shear, load, shear,
+                                       memory->count};
+        if (!rw_slip_origins_reserve(origins, 1, memory->count - memory->shared))
             return false;
-        origins->all[origins->count++] = origin;
+        rw_slip_origins_keep(origins, origin, memory->corners + memory->shared, memory->shared);
+        memory->shared = memory->count;
         origins->fresh = origin.end;
     }
     if (load < end->load)
-        cut_off(origins, load);
+        cut_off(origins, memory, load);
     return true;
 }
 
@@ -93,16 +144,22 @@ const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u
     return &origins->all[low];
 }
 
-rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, double u)
+rw_trail rw_slip_origin_trail(const rw_slip_origins *origins, const rw_slip_origin *origin)
+{
+    return (rw_trail){origins->own.corners, origins->branches, (size_t)(origin - origins->all),
+                      origin->corners};
+}
+
+rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_trail *trail, double u)
 {
     double shear;
     if (u <= origin->from_load) {
-        shear = rw_memory_shear(&origin->base, u);
+        shear = rw_trail_shear(trail, u);
     } else {
         const double fraction = (u - origin->from_load) / (origin->to_load - origin->from_load);
         shear = origin->from_shear + fraction * (origin->to_shear - origin->from_shear);
     }
-    const rw_corner *end = rw_memory_end(&origin->base);
+    const rw_corner *end = rw_trail_end(trail);
     const rw_loading to = {.load = u, .shear = shear, .stretch = end->stretch};
-    return rw_memory_departure(&origin->base, to);
+    return rw_trail_departure(trail, to);
 }

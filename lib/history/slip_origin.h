@@ -5,11 +5,15 @@
  * the contact is at them.
  *
  * A load that rises without slip adds points whose path is the present one. They have not
- * slipped, and nothing is kept for them. The first slip after that takes a copy of the path. The
- * copy serves all of these points, and those that the slipping step itself brings into contact:
- * the path of each of the latter is the copy, gone on along the step's straight line to the point.
- * A falling load takes its points off. So a load adds one origin at most, and only if the contact
- * grew since the origin before; a repeated cycle replaces its own. */
+ * slipped, and nothing is kept for them. The first slip after that keeps the path. It
+ * serves all of these points, and those that the slipping step itself brings into contact: the path
+ * of each of the latter is the one that was kept, gone on along the step's straight line to the
+ * point. A falling load takes its points off. So a load adds one origin at most, and only if the
+ * contact grew since the origin before; a repeated cycle replaces its own.
+ *
+ * A path that is kept has its first corners in common with the one kept before it, as many as no
+ * load has changed in between. Only the others are stored. Each load makes two new corners at most,
+ * so all paths together take memory in proportion to the loads. */
 #ifndef RW_SLIP_ORIGIN_H
 #define RW_SLIP_ORIGIN_H
 
@@ -19,29 +23,47 @@
  * path goes on along the straight line from (from_load, from_shear) to (to_load, to_shear). */
 typedef struct {
     double end;
-    rw_memory base;
     double from_load, from_shear, to_load, to_shear;
+    size_t corners; /* of its path */
 } rw_slip_origin;
 
 /* Points from `fresh` on have not slipped. */
 typedef struct {
     rw_slip_origin *all;
+    rw_branch *branches; /* as many: their paths */
     size_t count, capacity;
+    rw_memory own; /* all paths' own corners, in a row */
     double fresh;
 } rw_slip_origins;
 
 bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy);
 void rw_slip_origins_destroy(rw_slip_origins *origins);
 
+/* Makes room for that many more, with as many corners of their own. false where memory is short;
+ * all is as before. */
+bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corners);
+
 /* The step from the end of the path, before the path is told of it; slips: whether it does.
  * false where memory is short; all is as before. */
-bool rw_slip_origins_advance(rw_slip_origins *origins, const rw_memory *memory, bool slips,
-                             double load, double shear);
+bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool slips, double load,
+                             double shear);
+
+/* One more, whose path has its first corners in common with the last, `shared` of them, and goes on
+ * with its own. There is room. */
+void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
+                          size_t shared);
+
+/* How many corners beyond the origin of their path are kept. */
+size_t rw_slip_origins_corners(const rw_slip_origins *origins);
 
 /* The origin of the point u; NULL where it has not slipped. */
 const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u);
 
-/* Where the path of the point u leaves its origin's base. */
-rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, double u);
+/* The path it has kept. */
+rw_trail rw_slip_origin_trail(const rw_slip_origins *origins, const rw_slip_origin *origin);
+
+/* Where the path of the point u leaves its origin's. */
+rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_trail *trail,
+                                      double u);
 
 #endif

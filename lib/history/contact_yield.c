@@ -9,10 +9,19 @@
  * surface, between marks, the fields continue across it. So no maximum is narrower than about 1
  * in polar coordinates (ln r, angle) around its nearest mark.
  *
- * The grid around a mark has the steps 0.4 in ln r and pi/16 in angle. It reaches from 3 b, beyond
- * which J2 falls like r^-2, to 1e-9 of the distance to the next mark. The marks and the surface
- * are on it. Each maximum of the grid that is not far below the highest is then followed to its
- * top. */
+ * The grid around a mark has the steps 0.7 in ln r and pi/8 in angle. It reaches from 3 b, beyond
+ * which J2 falls like r^-2, inwards to 1e-14 of the distance to the next mark, or to where nothing
+ * can be higher than what is known. The marks and the surface are on it. Each maximum of the grid
+ * that may be the foot of the highest top is then followed to it.
+ *
+ * What cannot be higher. A contact is made of flat punches of half-widths t under loads P'(t) dt,
+ * and its shear traction of the same with the weight f D(t), |D| <= 1. The potential of a punch has
+ * the derivative z/(pi (z^2-t^2)^(3/2)). For Re z >= 0, |z+t| >= |z|, and so, whatever D is,
+ *     |G'| <= |z|^(-1/2) (1/pi) int P'(t) |z-t|^(-3/2) dt <= c B (|z| y)^(-1/2),
+ * with B = int (1+u^2)^(-3/4) du = 5.2442, and c = min(1, b/a), because P' <= pi c in theta/A. From
+ * a mark m up to the height r/4, across and down is a way to any point at the distance r <= |m|/4;
+ * on it G changes by at most 4 c B sqrt(r)/sqrt(3 |m|/4), and y |G'| is at most c B sqrt(r)/sqrt(3
+ * |m|/4). In terms of sqrt(J2), which is a norm of the stress, this is rise_to() below. */
 #include "history/contact.h"
 
 #include "base/always.h"
@@ -21,14 +30,15 @@
 
 #include <float.h>
 
-enum { ANGLES = 17, RADII = 64, LINE = 7, CLIMB_MAX = 60 }; /* ANGLES, LINE <= RW_BLOCK */
+enum { ANGLES = 9, RADII = 64, LINE = 7, CLIMB_MAX = 60, FEET = 64 };
 
-/* The ratio of neighbouring radii: RADII of them span 1e11. */
-static const double FALL = 0.67;
+/* The ratio of neighbouring radii. */
+static const double FALL = 0.5;
 
-/* A maximum of the grid is followed if it is above this fraction of the highest. The steps of the
- * grid cannot hide more. */
-static const double WORTHWHILE = 0.25;
+/* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
+ * B r, where B r is below J2 at the next mark's distance: a top farther in rises by less than 1e-14
+ * of it. */
+static const double INNERMOST = 1e-14;
 
 /* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
  * starts with FIRST. It ends at ROUGH when only the top must be told from others, and at LAST. */
@@ -40,54 +50,66 @@ static const double NO_GAIN = 4 * DBL_EPSILON;
 /* How well a rough climb knows a top: a fraction of J2, and of the distance from the mark. */
 static const double ROUGHLY = 0.05;
 
+/* In polar coordinates around a mark. */
+typedef struct {
+    double angle, log_radius;
+} polar;
+
+/* Where a climb begins: a maximum of the grid around a mark. */
+typedef struct {
+    double centre, innermost, outermost;
+    polar at;
+    double J2, hidden; /* hidden: what the steps of the grid may hide */
+} foot;
+
 /* The highest J2 so far, in (theta/A)^2, and where. */
 typedef struct {
     const rwedge_contact *contact;
     double kappa;
-    double tension; /* half the bulk tension */
+    double tension;  /* half the bulk tension */
+    bool is_centred; /* all patches are: at -x is what the opposite shear makes at x */
     double J2, x, y;
     /* the highest top climbed, and its distance from the mark; infinite before the first */
     double top_x, top_y, top_radius;
+    foot feet[FEET];
+    size_t count;
 } search;
 
-static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[])
+static double J2_of(search *s, rw_field normal, rw_field shear, double x, double y)
+{
+    const rw_stress_state state = rw_superpose(normal, shear);
+    const double difference = state.difference - s->tension, mean = state.mean + s->tension;
+    const double J2 = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
+    if (J2 > s->J2) {
+        s->J2 = J2;
+        s->x = x;
+        s->y = y;
+    }
+    return J2;
+}
+
+/* At n <= RW_BLOCK points, and at their mirror images if `mirrored` is not NULL. */
+static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[],
+                     double mirrored[])
 {
     rw_contact_fields fields;
     rw_contact_fields_at(s->contact, n, x, y, &fields);
+    const double f = s->contact->f;
     for (size_t i = 0; i < n; i++) {
-        const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
-        const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        const double difference = state.difference - s->tension, mean = state.mean + s->tension;
-        J2[i] = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
-        if (J2[i] > s->J2) {
-            s->J2 = J2[i];
-            s->x = x[i];
-            s->y = y[i];
-        }
+        J2[i] = J2_of(s, fields.normal[i], rw_field_multiple(f, fields.tangential[i]), x[i], y[i]);
+        if (mirrored)
+            mirrored[i] = J2_of(s, fields.normal[i], rw_field_multiple(-f, fields.tangential[i]),
+                                -x[i], y[i]);
     }
 }
 
 /* ---- The marks ---- */
 
-/* The parts of the surface whose edges are marks: the contact, the rounding as far as it is in
- * contact, and the patches inside from the widest to the narrowest. */
-static rw_patch marked(const rwedge_contact *contact, size_t i)
-{
-    const rw_corner *corners = contact->memory.corners;
-    const size_t last = contact->memory.count - 1;
-    const rw_patch patch = corners[i <= 1 ? last : last + 1 - i].patch;
-    const double a = contact->geometry.a;
-    return i == 1 ? (rw_patch){fmax(-a, patch.left), fmin(a, patch.right)} : patch;
-}
-
-/* First the centre, then the edges of each part. */
-static double mark(const rwedge_contact *contact, size_t i)
-{
-    if (i == 0)
-        return 0;
-    const rw_patch part = marked(contact, (i - 1) / 2);
-    return i % 2 ? part.right : part.left;
-}
+typedef struct {
+    double at;
+    double reach;   /* the outer radius of its grid */
+    double nearest; /* the distance to the nearest of all marks, but those at the same place */
+} mark;
 
 /* How far the contact reaches from the centre. */
 static double extent(const rwedge_contact *contact)
@@ -96,42 +118,69 @@ static double extent(const rwedge_contact *contact)
     return fmax(-patch.left, patch.right);
 }
 
-static size_t count_marks(const rwedge_contact *contact)
+static double edge(rw_patch patch, int side)
 {
-    return 1 + 2 * contact->memory.count;
+    return side > 0 ? patch.right : patch.left;
 }
 
-/* The outer radius of the grid around a mark: twice the distance to the nearest of the marks
- * before it. Their grids take over there. */
-static double reach(const rwedge_contact *contact, size_t i)
+/* The rounding as far as it is in contact. */
+static rw_patch rounding(const rwedge_contact *contact)
 {
-    double nearest = 1.5 * extent(contact);
-    for (size_t j = 0; j < i; j++)
-        nearest = fmin(nearest, fabs(mark(contact, i) - mark(contact, j)));
-    return 2 * nearest;
+    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
+    const double a = contact->geometry.a;
+    return (rw_patch){fmax(-a, patch.left), fmin(a, patch.right)};
 }
 
-/* The inner radius: well inside the distance to the nearest of all marks. Strong friction may put
- * the maximum b/f^2 from an edge, where p falls to 1/f: the radius is below that too. It is not
- * below the rounding of the mark itself. */
-static double innermost_radius(const rwedge_contact *contact, size_t i)
+static void look_to(mark *m, double other, bool is_before)
 {
-    double nearest = extent(contact);
-    for (size_t j = 0; j < count_marks(contact); j++) {
-        const double distance = fabs(mark(contact, i) - mark(contact, j));
-        if (distance > 0)
-            nearest = fmin(nearest, distance);
-    }
-    const double f = fmax(1, 1e-3 * contact->f);
-    return fmax(1e-9 * nearest / (f * f), 1e-18 * fabs(mark(contact, i)));
+    const double distance = fabs(m->at - other);
+    if (is_before)
+        m->reach = fmin(m->reach, 2 * distance);
+    if (distance > 0)
+        m->nearest = fmin(m->nearest, distance);
+}
+
+/* The edge of a patch. Its grid reaches twice the distance to the nearest of the marks before it,
+ * whose grids take over there. The patches come by halves: first every other of the coarsest
+ * `step`, at last each that is left, so that wide grids are far apart and narrow ones close. */
+static mark patch_mark(const rwedge_contact *contact, size_t i, size_t step, int side)
+{
+    const rw_corner *corners = contact->memory.corners;
+    const size_t last = contact->memory.count - 1;
+    const rw_patch parts[] = {corners[last].patch, rounding(contact)};
+    mark m = {edge(corners[i].patch, side), 3 * extent(contact), extent(contact)};
+    look_to(&m, 0, true);
+    look_to(&m, edge(corners[i].patch, -side), side < 0);
+    for (int k = 0; k < 2; k++)
+        for (int of = -1; of <= 1; of += 2)
+            look_to(&m, edge(parts[k], of), true);
+    look_to(&m, edge(corners[i - 1].patch, side), false);
+    look_to(&m, edge(corners[i + 1].patch, side), false);
+    if (i > step)
+        look_to(&m, edge(corners[i - step].patch, side), true);
+    if (i + step < last)
+        look_to(&m, edge(corners[i + step].patch, side), true);
+    return m;
+}
+
+/* The centre, the edges of the contact, and those of the rounding, in this order. */
+static mark main_mark(const rwedge_contact *contact, int part, int side)
+{
+    const rw_corner *corners = contact->memory.corners;
+    const size_t last = contact->memory.count - 1;
+    const rw_patch parts[] = {{0, 0}, corners[last].patch, rounding(contact)};
+    mark m = {edge(parts[part], side), 3 * extent(contact), extent(contact)};
+    for (int k = 0; k < 3; k++)
+        for (int of = -1; of <= 1; of += 2)
+            if (k != part || of != side)
+                look_to(&m, edge(parts[k], of), k < part || (k == part && side < of));
+    for (size_t i = 1; i < last; i++)
+        for (int of = -1; of <= 1; of += 2)
+            look_to(&m, edge(corners[i].patch, of), false);
+    return m;
 }
 
 /* ---- Climbing ---- */
-
-/* In polar coordinates around a mark. */
-typedef struct {
-    double angle, log_radius;
-} polar;
 
 typedef struct {
     search *s;
@@ -154,7 +203,7 @@ static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
         if (c->s->contact->geometry.a == 0 && fabs(x[i]) + y[i] == 0)
             y[i] = 1e-3 * r;
     }
-    evaluate(c->s, n, x, y, J2);
+    evaluate(c->s, n, x, y, J2, NULL);
 }
 
 /* To the highest place along a line, both ways. While the highest of its points is at an end, the
@@ -222,84 +271,192 @@ static void climb_to_top(climb *c)
     }
 }
 
-/* ---- The grid around one mark ---- */
-
-/* As many radii as are kept at a time: those of one annulus, rows of them. */
-typedef struct {
-    double centre;
-    int rows;
-    double radius[RADII], cosine[ANGLES], sine[ANGLES];
-    double J2[RADII][ANGLES];
-} polar_grid;
-
-static void fill(search *s, polar_grid *grid, double centre, double outermost, double innermost)
+/* The highest first, as long as what the grid may hide can make one the highest. */
+static void climb_all(search *s)
 {
-    grid->centre = centre;
-    for (int j = 0; j < ANGLES; j++) {
-        grid->cosine[j] = cos(j * RW_PI / (ANGLES - 1));
-        grid->sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
+    while (s->count > 0) {
+        size_t best = 0;
+        for (size_t i = 1; i < s->count; i++)
+            if (s->feet[i].J2 > s->feet[best].J2)
+                best = i;
+        const foot from = s->feet[best];
+        s->feet[best] = s->feet[--s->count];
+        if (from.J2 + from.hidden < s->J2)
+            continue;
+        climb c = {s, from.centre, from.innermost, from.outermost, from.at, from.J2};
+        climb_to_top(&c);
     }
-    double radius = outermost;
-    int i = 0;
-    for (; i < RADII && radius > innermost; i++) {
-        double x[ANGLES], y[ANGLES];
-        for (int j = 0; j < ANGLES; j++) {
-            x[j] = centre + radius * grid->cosine[j];
-            y[j] = radius * grid->sine[j];
-        }
-        evaluate(s, ANGLES, x, y, grid->J2[i]);
-        grid->radius[i] = radius;
-        radius *= FALL;
-    }
-    grid->rows = i;
 }
 
-/* On a plateau, the first of its points. */
-static bool is_maximum(const polar_grid *grid, int i, int j)
+static void note(search *s, const foot *found)
 {
-    for (int k = i > 0 ? i - 1 : 0; k <= i + 1 && k < grid->rows; k++)
-        for (int l = j > 0 ? j - 1 : 0; l <= j + 1 && l < ANGLES; l++)
-            if (grid->J2[k][l] > grid->J2[i][j] ||
-                (grid->J2[k][l] == grid->J2[i][j] && (k < i || (k == i && l < j))))
+    if (found->J2 + found->hidden < s->J2)
+        return;
+    if (s->count == FEET)
+        climb_all(s);
+    s->feet[s->count++] = *found;
+}
+
+/* ---- The grid around one mark ---- */
+
+/* As many radii as are kept at a time: those of one annulus, rows of them. On both sides: [1] is
+ * the mirror image. */
+typedef struct {
+    double centre, floor;
+    int rows;
+    double radius[RADII], cosine[ANGLES], sine[ANGLES];
+    double J2[2][RADII * ANGLES];
+} polar_grid;
+
+static void fill(search *s, polar_grid *grid, double outermost, double innermost)
+{
+    double radius = outermost;
+    int rows = 0;
+    for (; rows < RADII && radius > innermost; rows++, radius *= FALL)
+        grid->radius[rows] = radius;
+    grid->rows = rows;
+    const bool both = s->is_centred && grid->centre != 0;
+    for (int first = 0; first < rows * ANGLES; first += RW_BLOCK) {
+        const int n = rows * ANGLES - first < RW_BLOCK ? rows * ANGLES - first : RW_BLOCK;
+        double x[RW_BLOCK], y[RW_BLOCK];
+        for (int i = 0; i < n; i++) {
+            const double r = grid->radius[(first + i) / ANGLES];
+            x[i] = grid->centre + r * grid->cosine[(first + i) % ANGLES];
+            y[i] = r * grid->sine[(first + i) % ANGLES];
+        }
+        evaluate(s, (size_t)n, x, y, grid->J2[0] + first, both ? grid->J2[1] + first : NULL);
+    }
+}
+
+/* Whether no neighbour is higher; on a plateau, the first of its points. The lowest neighbour. */
+static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest)
+{
+    const double here = *lowest = J2[i * ANGLES + j];
+    for (int k = i > 0 ? i - 1 : 0; k <= i + 1 && k < rows; k++)
+        for (int l = j > 0 ? j - 1 : 0; l <= j + 1 && l < ANGLES; l++) {
+            const double there = J2[k * ANGLES + l];
+            if (there > here || (there == here && (k < i || (k == i && l < j))))
                 return false;
+            *lowest = fmin(*lowest, there);
+        }
     return true;
 }
 
-/* From the rows first ... end-1. */
-static void climb_from_grid(search *s, const polar_grid *grid, int first, int end)
+/* The maxima of the rows first ... end-1. A top between the points of a grid with the step h is at
+ * most h/2 away; a parabola falls by 8 times as much to the neighbour on the other side as it rises
+ * to its top. As much again is allowed. */
+static void note_feet(search *s, const polar_grid *grid, int side, int first, int end)
 {
-    climb c = {.s = s,
-               .centre = grid->centre,
-               .innermost = 0.1 * grid->radius[end - 1],
-               .outermost = 10 * grid->radius[0]};
+    const double *J2 = grid->J2[side];
     for (int i = first; i < end; i++)
-        for (int j = 0; j < ANGLES; j++)
-            if (grid->J2[i][j] >= WORTHWHILE * s->J2 && is_maximum(grid, i, j)) {
-                c.top = (polar){j * RW_PI / (ANGLES - 1), log(grid->radius[i])};
-                c.J2 = grid->J2[i][j];
-                climb_to_top(&c);
-            }
+        for (int j = 0; j < ANGLES; j++) {
+            double lowest;
+            if (!is_maximum(J2, grid->rows, i, j, &lowest))
+                continue;
+            const double here = J2[i * ANGLES + j];
+            const int angle = side ? ANGLES - 1 - j : j;
+            const foot found = {side ? -grid->centre : grid->centre,
+                                0.1 * grid->floor,
+                                10 * grid->radius[0],
+                                {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
+                                here,
+                                here - lowest};
+            note(s, &found);
+        }
 }
 
-static void search_around(search *s, size_t i)
+static void note_both(search *s, const polar_grid *grid, int first, int end)
 {
-    const double outermost = reach(s->contact, i), innermost = innermost_radius(s->contact, i);
-    const double centre = mark(s->contact, i), surface = 0;
-    double J2;
-    if (centre != 0 || s->contact->geometry.a > 0)
-        evaluate(s, 1, &centre, &surface, &J2);
-    if (outermost <= innermost) /* the same as another mark, to rounding */
+    note_feet(s, grid, 0, first, end);
+    if (s->is_centred && grid->centre != 0)
+        note_feet(s, grid, 1, first, end);
+}
+
+/* How fast the root of J2 may rise from a mark m in a centred contact: by this times sqrt(r/|m|).
+ * The deviator of the stress is -y G_N' + y G_T' + G_T and half its trace Im G_N - Re G_T, with
+ * |G_T| changing by f times what G_N may. */
+static double rise_to(const search *s)
+{
+    const rwedge_contact *contact = s->contact;
+    const double a = contact->geometry.a, b = extent(contact), f = contact->f;
+    const double unit = 5.2442 / sqrt(0.75) * (a > b ? b / a : 1);
+    return unit * hypot(5 * f + 1, sqrt(s->kappa) * 4 * (1 + f));
+}
+
+/* J2 at a mark, on both sides. */
+static double J2_at_mark(search *s, double at)
+{
+    const double surface = 0;
+    double J2, mirrored = 0;
+    evaluate(s, 1, &at, &surface, &J2, s->is_centred ? &mirrored : NULL);
+    return fmax(J2, mirrored);
+}
+
+/* The inner radius of a grid. Around the centre of a rounded wedge all is smooth. */
+static double innermost_radius(const search *s, const mark *m, double J2)
+{
+    if (m->at == 0 && s->contact->geometry.a > 0)
+        return 0.05 * m->nearest;
+    const double floor = fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
+    if (!s->is_centred || m->at == 0)
+        return floor;
+    const double lacking = sqrt(s->J2) - sqrt(J2);
+    const double part = lacking / rise_to(s);
+    return fmax(floor, fmin(0.25, part * part) * fabs(m->at));
+}
+
+static void search_around(search *s, const mark *m)
+{
+    const bool is_apex = m->at == 0 && s->contact->geometry.a == 0;
+    const double innermost = innermost_radius(s, m, is_apex ? 0 : J2_at_mark(s, m->at));
+    if (m->reach <= innermost) /* nothing is higher, or it is another mark to rounding */
         return;
-    polar_grid grid;
-    fill(s, &grid, centre, outermost, innermost);
+    polar_grid grid = {.centre = m->at, .floor = fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at))};
+    for (int j = 0; j < ANGLES; j++) {
+        grid.cosine[j] = cos(j * RW_PI / (ANGLES - 1));
+        grid.sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
+    }
+    fill(s, &grid, m->reach, innermost);
     int first = 0;
     /* the next annulus repeats the last two rows, so that each row has both its neighbours once */
     while (grid.rows == RADII) {
-        climb_from_grid(s, &grid, first, RADII - 1);
-        fill(s, &grid, centre, grid.radius[RADII - 2], innermost);
+        note_both(s, &grid, first, RADII - 1);
+        fill(s, &grid, grid.radius[RADII - 2], innermost);
         first = 1;
     }
-    climb_from_grid(s, &grid, first, grid.rows);
+    note_both(s, &grid, first, grid.rows);
+}
+
+/* ---- All marks ---- */
+
+static bool are_centred(const rw_memory *memory)
+{
+    for (size_t i = 1; i < memory->count; i++)
+        if (rw_patch_middle(memory->corners[i].patch) != 0)
+            return false;
+    return true;
+}
+
+static void search_all(search *s)
+{
+    const rwedge_contact *contact = s->contact;
+    const size_t last = contact->memory.count - 1;
+    const int to = s->is_centred ? 1 : -1;
+    for (int part = 0; part < 3; part++)
+        for (int side = 1; side >= (part > 0 ? to : 1); side -= 2) {
+            const mark m = main_mark(contact, part, side);
+            search_around(s, &m);
+        }
+    size_t step = 1;
+    while (2 * step < last)
+        step *= 2;
+    for (; step > 0; step /= 2)
+        for (size_t i = step; i < last; i += 2 * step)
+            for (int side = 1; side >= to; side -= 2) {
+                const mark m = patch_mark(contact, i, step, side);
+                search_around(s, &m);
+            }
+    climb_all(s);
 }
 
 /* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the
@@ -322,11 +479,11 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
                 .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
+                .is_centred = are_centred(&contact->memory),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
-        for (size_t i = 0; i < count_marks(contact); i++)
-            search_around(&s, i);
+        search_all(&s);
         if (NEVER(!(s.J2 > 0))) /* the grid has points with stress */
             return RWEDGE_ERANGE;
         found = k / (rw_unit_stress(&contact->geometry) * sqrt(s.J2));

@@ -64,15 +64,16 @@ static void make_series(rw_eccentric *p)
 void rw_eccentric_init(rw_eccentric *p, double a, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch);
+    p->is_centred = rw_patch_middle(patch) == 0;
+    if (p->is_centred) { /* all it takes, and quick */
+        rw_potential_init_patch(&p->centred, a, s);
+        return;
+    }
     *p = (rw_eccentric){.patch = patch,
                         .middle = rw_patch_middle(patch),
                         .half_width = s,
                         .per_half_width = 1 / s,
                         .a = a};
-    rw_potential_init_patch(&p->centred, a, s);
-    p->is_centred = p->middle == 0;
-    if (p->is_centred)
-        return;
     if (patch.left >= -a && patch.right <= a) {
         p->view[0] = plain_view(p, 1);
         p->view[1] = plain_view(p, -1);

@@ -216,7 +216,8 @@ static double work_at(double x, const void *context)
 {
     const annulus *w = context;
     const double slip = rw_path_displacement(w->after, w->before, w->a, x);
-    return fabs(slip * rw_eccentric_at(w->contact, x, 0).G_im);
+    const double sign = rw_memory_end(w->after)->ratio; /* of slip, at all points: one_way.h */
+    return fmax(0, sign * slip * rw_eccentric_at(w->contact, x, 0).G_im);
 }
 
 /* Between two marks: the integrand is smooth but for roots and logarithms at the ends, which the

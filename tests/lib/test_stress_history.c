@@ -88,5 +88,5 @@ int main(void)
         cmocka_unit_test(gives_the_bits_of_single_calls),
         cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
     };
-    return RUN_CLAIMS("contact_history", tests);
+    return RUN_CLAIMS("stress_history", tests);
 }

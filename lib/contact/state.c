@@ -3,7 +3,7 @@
  * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
  * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
  * the original would. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/logarithm.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: whether it is allowed, and what it does. */
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "history/dissipation.h"
 #include "history/off_centre.h"
 

@@ -2,7 +2,7 @@
 /* Stresses at many points through many loads. The loads come first: what each leaves is noted as a
  * list of weighted patches. Then the points, block by block: a patch that is in the lists of one
  * load and the next is evaluated once for both. */
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "stress/stress.h"
 
 #include <stdlib.h>

@@ -13,7 +13,7 @@
  * which J2 falls like r^-2, to 1e-9 of the distance to the next mark. The marks and the surface
  * are on it. Each maximum of the grid that is not far below the highest is then followed to its
  * top. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/always.h"
 #include "stress/stress.h"

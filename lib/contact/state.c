@@ -18,15 +18,15 @@ typedef struct {
     double *out;      /* NULL when reading or counting */
     const double *in; /* NULL when writing or counting */
     size_t at, size;
-    bool is_sound;
+    bool is_sound, is_short; /* of memory */
 } tape;
 
 static void pass(tape *t, double *value)
 {
-    if (t->in && t->at >= t->size)
-        t->is_sound = false;
-    else if (t->in)
-        *value = t->in[t->at];
+    const bool is_over = t->in && t->at >= t->size;
+    t->is_sound = t->is_sound && !is_over;
+    if (t->in)
+        *value = is_over ? 0 : t->in[t->at];
     else if (t->out)
         t->out[t->at] = *value;
     t->at++;
@@ -44,22 +44,29 @@ static size_t pass_count(tape *t, size_t count, size_t limit)
     return (size_t)value;
 }
 
+static void pass_finite(tape *t, size_t count, double *const numbers[])
+{
+    for (size_t i = 0; i < count; i++) {
+        pass(t, numbers[i]);
+        t->is_sound = t->is_sound && isfinite(*numbers[i]);
+    }
+}
+
 static void pass_corner(tape *t, rw_corner *c)
 {
-    double *numbers[CORNER] = {&c->load,  &c->shear, &c->tilt,       &c->stretch,    &c->ratio,
-                               &c->least, &c->most,  &c->patch.left, &c->patch.right};
-    for (int i = 0; i < CORNER; i++)
-        pass(t, numbers[i]);
+    double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
+                              &c->ratio, &c->patch.left, &c->patch.right};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->least); /* infinite where nothing bounds the slope */
+    pass(t, &c->most);
 }
 
 /* What a path must be for the functions that read it to come to an end. */
 static bool is_corner_sound(const rw_corner *c, const rw_corner *before)
 {
-    return isfinite(c->load) && isfinite(c->shear) && isfinite(c->tilt) && isfinite(c->stretch) &&
-           !isnan(c->least) && !isnan(c->most) && isfinite(c->patch.left) &&
-           isfinite(c->patch.right) && islessequal(fabs(c->ratio), 1) &&
-           (before ? c->load > before->load && c->patch.left < c->patch.right
-                   : c->load == 0 && c->patch.left == 0 && c->patch.right == 0);
+    const double width = c->patch.right - c->patch.left;
+    return !isnan(c->least) && !isnan(c->most) && fabs(c->ratio) <= 1 &&
+           (before ? c->load > before->load && width > 0 : c->load == 0 && width == 0);
 }
 
 static void pass_path(tape *t, rw_memory *memory)
@@ -68,32 +75,29 @@ static void pass_path(tape *t, rw_memory *memory)
     const size_t count = pass_count(t, memory->count, limit);
     if (t->in) {
         *memory = (rw_memory){0};
-        t->is_sound = t->is_sound && count > 0 && rw_memory_reserve(memory, count);
-        memory->count = t->is_sound ? count : 0;
+        t->is_sound = t->is_sound && count > 0;
+        t->is_short = t->is_short || (t->is_sound && !rw_memory_reserve(memory, count));
+        memory->count = t->is_sound && !t->is_short ? count : 0;
     }
     for (size_t i = 0; i < memory->count; i++) {
         rw_corner *corner = &memory->corners[i];
         pass_corner(t, corner);
-        if (t->in && !is_corner_sound(corner, i > 0 ? corner - 1 : NULL)) {
+        if (t->in && !is_corner_sound(corner, i > 0 ? corner - 1 : NULL))
             t->is_sound = false;
-            return;
-        }
     }
 }
 
 static void pass_origin(tape *t, rw_slip_origin *o)
 {
-    double *numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        pass(t, numbers[i]);
-        t->is_sound = t->is_sound && isfinite(*numbers[i]);
-    }
+    double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
+    pass_finite(t, sizeof numbers / sizeof *numbers, numbers);
     pass_path(t, &o->base);
 }
 
 static void pass_origins(tape *t, rw_slip_origins *origins)
 {
-    pass(t, &origins->fresh);
+    double *const fresh[] = {&origins->fresh};
+    pass_finite(t, 1, fresh);
     const size_t limit = t->in ? t->size / ORIGIN : origins->count;
     const size_t count = pass_count(t, origins->count, limit);
     if (!t->in) {
@@ -102,12 +106,12 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
         return;
     }
     *origins = (rw_slip_origins){.fresh = origins->fresh};
-    if (!t->is_sound || count == 0)
+    if (!t->is_sound || t->is_short || count == 0)
         return;
     origins->all = calloc(count, sizeof *origins->all);
-    origins->capacity = origins->all ? count : 0;
-    t->is_sound = origins->all != NULL;
-    for (size_t i = 0; i < count && t->is_sound; i++) {
+    t->is_short = !origins->all;
+    origins->capacity = t->is_short ? 0 : count;
+    for (size_t i = 0; i < origins->capacity; i++) {
         origins->count = i + 1;
         pass_origin(t, &origins->all[i]);
     }
@@ -115,12 +119,12 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 
 static void pass_contact(tape *t, rwedge_contact *c)
 {
-    double *numbers[] = {&c->geometry.theta, &c->geometry.a, &c->geometry.A,   &c->f,
-                         &c->loads.P,        &c->loads.M,    &c->loads.Q,      &c->loads.sigma,
-                         &c->touched_at,     &c->energy,     &c->energy_carry, &c->settled.left,
-                         &c->settled.right};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        pass(t, numbers[i]);
+    double *const finite[] = {
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,    &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,       &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right, &c->energy_carry};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->energy); /* NaN where it is not known */
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
@@ -168,8 +172,7 @@ static bool is_contact_sound(const rwedge_contact *c)
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
            rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && isfinite(c->energy_carry) &&
-           isfinite(c->settled.left) && isfinite(c->settled.right) && isfinite(c->origins.fresh);
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)
@@ -183,9 +186,9 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
         return RWEDGE_ENOMEM;
     tape t = {.in = state, .at = HEAD, .size = n, .is_sound = true};
     pass_contact(&t, restored);
-    if (!t.is_sound || t.at != n || !is_contact_sound(restored)) {
+    if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);
-        return RWEDGE_EDOMAIN;
+        return t.is_short ? RWEDGE_ENOMEM : RWEDGE_EDOMAIN;
     }
     *contact = restored;
     return RWEDGE_OK;

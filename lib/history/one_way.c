@@ -9,10 +9,10 @@
  * the pressure that N_(i+1) has more than N_i, which falls with the distance, and a constant.
  *
  * From the edge of N_j to that of N_(j+1), w is therefore a concave function, the sum of all i < j,
- * and c_j gap(x; N_j). A concave function is not below the smaller of its values at two points,
- * anywhere between them. If the sum is positive at the contact's edge, w is positive in the j-th
- * interval, because it is at its beginning. Otherwise the interval is halved until both parts are
- * bounded well enough. */
+ * and c_j gap(x; N_j), which rises. A concave function is nowhere between two points below the
+ * smaller of its values there. So w is positive up to a point if it is at the beginning, and if the
+ * concave part there and the gap at the beginning have a positive sum. If they have not, the
+ * interval is halved. */
 #include "history/one_way.h"
 
 #include "history/off_centre.h"
@@ -69,19 +69,18 @@ static bool is_negative(estimate concave, estimate rising)
     return concave.value + rising.value < -(concave.error + rising.error);
 }
 
-/* w between two points of the j-th interval; `far` is nearer to the contact's edge. */
+/* w between two points of the j-th interval, at the nearer of which it is positive; `far` is
+ * nearer to the contact's edge. */
 static bool is_positive_between(const zone *z, size_t j, double near, double far, int halvings)
 {
-    estimate at_near = {0, 0}, at_far = {0, 0}, rising_near = {0, 0}, rising_far = {0, 0};
-    for (size_t i = 0; i < j; i++) {
-        add_layer(z, i, near, &at_near);
-        add_layer(z, i, far, &at_far);
-    }
+    estimate concave = {0, 0}, rising_near = {0, 0}, rising_far = {0, 0};
+    for (size_t i = 0; i < j; i++)
+        add_layer(z, i, far, &concave);
     add_gap(z, j, weight_of(z, j), near, &rising_near);
     add_gap(z, j, weight_of(z, j), far, &rising_far);
-    if (!is_negative(at_near, rising_near) && !is_negative(at_far, rising_near))
+    if (!is_negative(concave, rising_near))
         return true;
-    if (is_negative(at_near, rising_near) || is_negative(at_far, rising_far) || halvings == 0)
+    if (is_negative(concave, rising_far) || halvings == 0)
         return false;
     const double middle = near / 2 + far / 2;
     return is_positive_between(z, j, near, middle, halvings - 1) &&

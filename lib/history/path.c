@@ -40,7 +40,7 @@ static double length_of(const rw_geometry *g, double P)
 
 rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
 {
-    if (M != 0 && P > 0)
+    if (M != 0)
         return rw_patch_of_moment(g->a, length_of(g, P), length_of(g, M));
     const double b = rw_half_width(g, P);
     return (rw_patch){-b, b};
@@ -48,7 +48,7 @@ rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
 
 rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
 {
-    if (tilt != 0 && P > 0)
+    if (tilt != 0)
         return fabs(tilt) < 1 ? rw_patch_of_tilt(g->a, length_of(g, P), tilt)
                               : (rw_patch){NAN, NAN};
     const double b = rw_half_width(g, P);
@@ -100,10 +100,13 @@ static bool adds_everywhere(double load, range tilt, rw_patch patch, double tole
 static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_departure *d)
 {
     const rw_memory *memory = s->memory;
+    const double most = fmax(to.load, rw_memory_end(memory)->load);
+    if (to.load - d->slip * to.shear <= rw_memory_tolerance(most)) {
+        *d = (rw_departure){memory->corners[0], 1, d->slip};
+        return true;
+    }
     const rw_corner *before = &memory->corners[d->kept - 1];
     const bool is_corner = d->corner.load == before->load;
-    if (is_corner && d->kept == 1)
-        return true;
     if (!is_corner)
         d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
     else if (fabs(rw_memory_missing_tilt(before, d->slip, to)) > tilt_tolerance(memory, to))
@@ -215,12 +218,13 @@ typedef struct {
     rw_patch stuck; /* the last front that was known */
 } station;
 
-/* What sticks at first: all but a ring that slipped before. */
+/* What sticks at first: all but a ring that slipped before. A contact that slides cannot go on to
+ * slip that way. */
 static station first_station(const rw_step *s, int slip)
 {
     const size_t count = s->memory->count;
     const rw_corner *end = rw_memory_end(s->memory);
-    const bool has_slipped = end->ratio == slip && count > 2;
+    const bool has_slipped = end->ratio == slip;
     const rw_corner *front = has_slipped ? end - 1 : end;
     return (station){.t = 0,
                      .contact = end->patch,

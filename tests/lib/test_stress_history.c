@@ -82,11 +82,40 @@ static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* One argument at a time. */
+static void what_is_missing_is_said(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0.1, 0.02);
+    rwedge_contact *contact = create(0.4, 0.5);
+    for (int i = 0; i < 9; i++) {
+        const double *in[6] = {h.P, h.M, h.Q, h.sigma, h.x, h.y};
+        double *out[3] = {h.sxx, h.syy, h.txy};
+        if (i < 6)
+            in[i] = NULL;
+        else
+            out[i - 6] = NULL;
+        assert_int_equal(rwedge_contact_stress_history(contact, LOADS, in[0], in[1], in[2], in[3],
+                                                       POINTS, in[4], in[5], out[0], out[1],
+                                                       out[2]),
+                         RWEDGE_ENULL);
+        if (i >= 6) /* no load gives no stress */
+            assert_int_equal(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL,
+                                                           POINTS, h.x, h.y, out[0], out[1],
+                                                           out[2]),
+                             RWEDGE_OK);
+    }
+    assert_true(rwedge_contact_half_width(contact) == 0);
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gives_the_bits_of_single_calls),
         cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
+        cmocka_unit_test(what_is_missing_is_said),
     };
     return RUN_CLAIMS("stress_history", tests);
 }

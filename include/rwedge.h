@@ -222,7 +222,7 @@ RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
  * added at the end. */
 enum {
     RWEDGE_DOUBT_ANGLE = 1,    /* theta above 0.1 rad: the wedge is hardly a half-plane */
-    RWEDGE_DOUBT_COUPLING = 2, /* dissimilar bodies with friction, which are taken for similar ones */
+    RWEDGE_DOUBT_COUPLING = 2, /* dissimilar bodies with friction, whose coupling is neglected */
     RWEDGE_DOUBT_YIELD = 4,    /* a load above that of first yield */
     RWEDGE_DOUBT_ROUNDING = 8, /* a/b below 0.01 or above 10000: mixed units? */
     RWEDGE_DOUBT_STRENGTH = 16 /* k/E below 0.00001 or above 0.1: mixed units? */

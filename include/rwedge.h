@@ -217,6 +217,35 @@ RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, doubl
  * like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
+/* ---- Validity -------------------------------------------------------------------------------- */
+
+/* What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
+ * added at the end. */
+enum {
+    RWEDGE_DOUBT_ANGLE = 1,    /* theta above 0.1 rad: the wedge is hardly a half-plane */
+    RWEDGE_DOUBT_COUPLING = 2, /* dissimilar bodies with friction, whose coupling is neglected */
+    RWEDGE_DOUBT_YIELD = 4,    /* a load above that of first yield */
+    RWEDGE_DOUBT_ROUNDING = 8, /* a/b below 0.01 or above 10000: mixed units? */
+    RWEDGE_DOUBT_STRENGTH = 16 /* k/E below 0.00001 or above 0.1: mixed units? */
+};
+
+/* What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+ * says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+ * is not known; nor from a 0, but of safety.                                                    new
+ *   theta     any number; the angle between flank and surface, rad
+ *   alpha     any number; a/b under the load; 0 is the sharp wedge
+ *   beta      any number; rwedge_dundurs_beta()
+ *   f         any number; the coefficient of friction
+ *   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+ *   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor() */
+RWEDGE_API int32_t rwedge_validity(double theta, double alpha, double beta, double f,
+                                   double k_over_E, double safety);
+
+/* What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+ * such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+ *   doubt  any integer */
+RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
+
 /* ---- Dimensional quantities ------------------------------------------------------------------ */
 
 /* From here to the series, any consistent set of units. Arguments that return:
@@ -263,8 +292,8 @@ RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, 
 /* One contact and what it remembers of its loads (P, Q). It is exact for any history: see
  * lib/README.md, "Load histories". Lengths are not in b here: x and y are in the unit of a,
  * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and
- * _copy() make a handle, rwedge_contact_destroy() frees it. Only these and rwedge_contact_load()
- * use the heap. Different handles are independent. One handle may be read by many threads at a
+ * _copy() make a handle, rwedge_contact_destroy() frees it. Only what may return RWEDGE_ENOMEM
+ * uses the heap. Different handles are independent. One handle may be read by many threads at a
  * time. While one thread loads it, no other may use it.
  *
  * Accuracy. The half-width b has a relative error below 1e-14. A remembered load has the rounding
@@ -296,9 +325,10 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  *      P
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
- * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
- * RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
- * two points of the history per load, and of them only those that no later load has wiped out. */
+ * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+ * after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
+ * RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+ * of them only those that no later load has wiped out. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
 /* The next point of the history with a moment and a bulk tension, reached in a straight line of all
@@ -315,12 +345,11 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
  * of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
  * closed form, nor those that end with the front of slip between two patches of the memory at one
- * edge and between two others at the other: lib/README.md, "Moment and bulk tension". Without
- * friction, f = 0, all are exact.
- * RWEDGE_EPATH where there is no closed form: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+ * edge and between two others at the other, or with a part beyond the front that sticks:
+ * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+ * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
- * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
- * */
+ * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 

@@ -23,14 +23,16 @@ module rwedge
     private
 
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
-        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, rwedge_epath = 9
+        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, rwedge_epath = 9, &
+        rwedge_doubt_angle = 1, rwedge_doubt_coupling = 2, rwedge_doubt_yield = 4, rwedge_doubt_rounding = 8, &
+        rwedge_doubt_strength = 16
 
     public :: rwedge_version, rwedge_error_text
     public :: rwedge_compliance, rwedge_dundurs_beta, rwedge_load, rwedge_a_over_b, rwedge_pressure, rwedge_peak_pressure, &
         rwedge_transition_pressure, rwedge_coefficient, rwedge_stick_width, rwedge_shear_ratio, rwedge_shear, rwedge_stress, &
         rwedge_stresses, rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_yield_point, &
-        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_radius, rwedge_rounding, &
-        rwedge_half_width, rwedge_normal_load, rwedge_yield_load, rwedge_permanent_stick
+        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_validity, rwedge_validity_text, &
+        rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load, rwedge_permanent_stick
 
     ! One contact and what it remembers of its loads.
     type, public :: rwedge_contact
@@ -234,6 +236,18 @@ module rwedge
             import :: c_double
             real(c_double), value :: alpha, nu
             real(c_double) :: value
+        end function
+
+        pure function c_validity(theta, alpha, beta, f, k_over_E, safety) bind(C, name="rwedge_validity") result(value)
+            import :: c_double, c_int32_t
+            real(c_double), value :: theta, alpha, beta, f, k_over_E, safety
+            integer(c_int32_t) :: value
+        end function
+
+        function c_validity_text(doubt) bind(C, name="rwedge_validity_text") result(value)
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: doubt
+            type(c_ptr) :: value
         end function
 
         pure function c_radius(theta, a) bind(C, name="rwedge_radius") result(value)
@@ -941,6 +955,32 @@ contains
         value = c_critical_friction(alpha, nu)
     end function
 
+    ! ---- Validity -----------------------------------------------------------------------------------------------------
+
+    !> What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+    !> says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+    !> is not known; nor from a 0, but of safety.   new
+    !>   theta     any number; the angle between flank and surface, rad
+    !>   alpha     any number; a/b under the load; 0 is the sharp wedge
+    !>   beta      any number; rwedge_dundurs_beta()
+    !>   f         any number; the coefficient of friction
+    !>   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+    !>   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor()
+    elemental function rwedge_validity(theta, alpha, beta, f, k_over_E, safety) result(value)
+        real(c_double), intent(in) :: theta, alpha, beta, f, k_over_E, safety
+        integer(c_int32_t) :: value
+        value = c_validity(theta, alpha, beta, f, k_over_E, safety)
+    end function
+
+    !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+    !> such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+    !>   doubt  any integer
+    function rwedge_validity_text(doubt) result(text)
+        integer(c_int32_t), intent(in) :: doubt
+        character(:), allocatable :: text
+        text = text_of(c_validity_text(doubt))
+    end function
+
     ! ---- Dimensional quantities ---------------------------------------------------------------------------------------
 
     !> Radius of the rounding, R = a/theta, length.   Sec. 2
@@ -1030,9 +1070,10 @@ contains
     !>      P
     !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
     !> peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
-    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
-    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
-    !> two points of the history per load, and of them only those that no later load has wiped out.
+    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+    !> after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
+    !> RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+    !> of them only those that no later load has wiped out.
     subroutine contact_load(this, P, Q, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, Q
@@ -1056,12 +1097,11 @@ contains
     !> one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
     !> of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
     !> closed form, nor those that end with the front of slip between two patches of the memory at one
-    !> edge and between two others at the other: lib/README.md, "Moment and bulk tension". Without
-    !> friction, f = 0, all are exact.
-    !> RWEDGE_EPATH where there is no closed form: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+    !> edge and between two others at the other, or with a part beyond the front that sticks:
+    !> lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+    !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
     !> surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
-    !>
     subroutine contact_apply(this, P, M, Q, sigma, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, M, Q, sigma

@@ -76,7 +76,8 @@ static void pass_path(tape *t, rw_memory *memory)
     if (t->in) {
         *memory = (rw_memory){0};
         t->is_sound = t->is_sound && count > 0;
-        t->is_short = t->is_short || (t->is_sound && !rw_memory_reserve(memory, count));
+        if (t->is_sound && !rw_memory_reserve(memory, count))
+            t->is_short = true;
         memory->count = t->is_sound && !t->is_short ? count : 0;
     }
     for (size_t i = 0; i < memory->count; i++) {

@@ -156,6 +156,10 @@ static void damage_that_is_signed_does_no_harm(void **state)
         }
         assert_refused_or_usable(n + 1, numbers);
     }
+    const size_t n = state_of(none, numbers);
+    numbers[2] = 1e-50; /* theta */
+    numbers[4] = 1e50;  /* A: each is in the domain, theta/A is not */
+    assert_refused_or_usable(n, numbers);
     rwedge_contact_destroy(centred);
     rwedge_contact_destroy(tilted);
     rwedge_contact_destroy(none);

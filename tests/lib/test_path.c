@@ -776,6 +776,12 @@ static void slip_has_one_origin_or_none(void **state)
     const double x = 0;
     double w;
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    load(contact, 0, 0);
+    apply(contact, 0, 0, 0, 0);
+    load(contact, 0.5, 0);
+    load(contact, 0.6, 0.2); /* the ring slips at once */
+    apply(contact, 0.6, 0, 0.25, 0.01);
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
     rwedge_contact_destroy(contact);
 }
 
@@ -796,6 +802,11 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
     apply(contact, 0.6, 0.12, -0.1, -0.01);
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
     apply(contact, 0, 0, 0, 0); /* all is forgotten */
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.1, 0.01);
+    apply(contact, 0.52, 0.104, 0.15, 0.01); /* the ring slips at once */
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    apply(contact, 0, 0, 0, 0);
     apply(contact, 0.5, 0.1, 0, 0);
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_OK);
     rwedge_contact_destroy(contact);

@@ -2,6 +2,7 @@
 /* Stresses at many points through many loads. */
 #include "histories.h"
 
+#include <float.h>
 #include <string.h>
 
 enum { LOADS = 24, POINTS = 77 };
@@ -82,6 +83,66 @@ static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Random histories of P and Q. */
+static void gives_the_bits_of_single_calls_along_random_histories(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0, 0);
+    for (int number = 0; number < 60; number++) {
+        random_history random;
+        rwedge_contact *single = begin(&random, number), *contact;
+        assert_int_equal(rwedge_contact_copy(single, &contact), RWEDGE_OK);
+        double last[3][POINTS];
+        for (int i = 0; i < LOADS; i++) {
+            go_on(&random, single);
+            h.P[i] = random.P;
+            h.Q[i] = random.Q;
+        }
+        if (single->geometry.a == 0)
+            h.x[POINTS / 2] = 0.01; /* not the apex */
+        assert_int_equal(
+            rwedge_contact_stresses(single, POINTS, h.x, h.y, last[0], last[1], last[2]),
+            RWEDGE_OK);
+        assert_int_equal(run(&h, contact), RWEDGE_OK);
+        assert_memory_equal(last[0], h.sxx + (LOADS - 1) * POINTS, sizeof last[0]);
+        assert_memory_equal(last[1], h.syy + (LOADS - 1) * POINTS, sizeof last[1]);
+        assert_memory_equal(last[2], h.txy + (LOADS - 1) * POINTS, sizeof last[2]);
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(single);
+    }
+}
+
+/* Steps of slope f, each to rounding, leave corners with the same slope on both sides. */
+static void corners_of_one_slope_add_nothing(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0, 0);
+    rwedge_contact *single = create(0.1, 0.5), *contact;
+    double P = 0.1, ratio = 0;
+    load(single, P, 0);
+    for (int i = 0; i < 400; i++) {
+        P += 1e-4;
+        ratio += 1e-4 + (i < 200 ? -2 : 2) * DBL_EPSILON * P;
+        load(single, P, 0.5 * ratio);
+    }
+    assert_int_equal(rwedge_contact_copy(single, &contact), RWEDGE_OK);
+    for (int i = 0; i < LOADS; i++) {
+        h.P[i] = P;
+        h.Q[i] = 0.5 * ratio;
+    }
+    double sxx[POINTS], syy[POINTS], txy[POINTS];
+    load(single, P, 0.5 * ratio);
+    assert_int_equal(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy), RWEDGE_OK);
+    assert_int_equal(run(&h, contact), RWEDGE_OK);
+    assert_memory_equal(sxx, h.sxx, sizeof sxx);
+    assert_memory_equal(syy, h.syy + POINTS, sizeof syy);
+    assert_memory_equal(txy, h.txy + 2 * POINTS, sizeof txy);
+    rwedge_contact_destroy(single);
+    rwedge_contact_destroy(contact);
+}
+
 /* One argument at a time. */
 static void what_is_missing_is_said(void **state)
 {
@@ -114,7 +175,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gives_the_bits_of_single_calls),
+        cmocka_unit_test(gives_the_bits_of_single_calls_along_random_histories),
         cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
+        cmocka_unit_test(corners_of_one_slope_add_nothing),
         cmocka_unit_test(what_is_missing_is_said),
     };
     return RUN_CLAIMS("stress_history", tests);

@@ -5,7 +5,7 @@
 #     abi.sh SOURCE BUILD           compares
 #     abi.sh SOURCE BUILD --store   stores it anew, after an addition. A change that breaks raises RWEDGE_ABI first.
 set -eu
-source=$1 build=$2 store=${3:-}
+source=$(cd "$1" && pwd) build=$2 store=${3:-}
 here=$source/tests/package/abi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

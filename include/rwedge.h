@@ -216,6 +216,35 @@ RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, doubl
  * like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
+/* ---- Validity -------------------------------------------------------------------------------- */
+
+/* What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
+ * added at the end. */
+enum {
+    RWEDGE_DOUBT_ANGLE = 1,    /* theta above 0.1 rad: the wedge is hardly a half-plane */
+    RWEDGE_DOUBT_COUPLING = 2, /* dissimilar bodies with friction, whose coupling is neglected */
+    RWEDGE_DOUBT_YIELD = 4,    /* a load above that of first yield */
+    RWEDGE_DOUBT_ROUNDING = 8, /* a/b below 0.01 or above 10000: mixed units? */
+    RWEDGE_DOUBT_STRENGTH = 16 /* k/E below 0.00001 or above 0.1: mixed units? */
+};
+
+/* What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+ * says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+ * is not known; nor from a 0, but of safety.                                                    new
+ *   theta     any number; the angle between flank and surface, rad
+ *   alpha     any number; a/b under the load; 0 is the sharp wedge
+ *   beta      any number; rwedge_dundurs_beta()
+ *   f         any number; the coefficient of friction
+ *   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+ *   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor() */
+RWEDGE_API int32_t rwedge_validity(double theta, double alpha, double beta, double f,
+                                   double k_over_E, double safety);
+
+/* What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+ * such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+ *   doubt  any integer */
+RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
+
 /* ---- Dimensional quantities ------------------------------------------------------------------ */
 
 /* From here to the series, any consistent set of units. Arguments that return:

@@ -125,6 +125,10 @@ Private Declare PtrSafe Function c_surface_yield Lib "rwedge.dll" Alias "rwedge_
     ByVal alpha As Double, ByVal f As Double, ByVal nu As Double, ByRef limit As Double, ByRef x As Double) As Long
 Private Declare PtrSafe Function c_critical_friction Lib "rwedge.dll" Alias "rwedge_critical_friction" ( _
     ByVal alpha As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_validity Lib "rwedge.dll" Alias "rwedge_validity" ( _
+    ByVal theta As Double, ByVal alpha As Double, ByVal beta As Double, ByVal f As Double, ByVal k_over_E As Double, _
+    ByVal safety As Double) As Long
+Private Declare PtrSafe Function c_validity_text Lib "rwedge.dll" Alias "rwedge_validity_text" (ByVal doubt As Long) As LongPtr
 Private Declare PtrSafe Function c_radius Lib "rwedge.dll" Alias "rwedge_radius" ( _
     ByVal theta As Double, ByVal a As Double) As Double
 Private Declare PtrSafe Function c_rounding Lib "rwedge.dll" Alias "rwedge_rounding" ( _
@@ -670,6 +674,47 @@ Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at
         RWEDGE_CRITICAL_FRICTION = finite(c_critical_friction(alpha, nu))
     Else
         RWEDGE_CRITICAL_FRICTION = failure(status)
+    End If
+End Function
+
+' ---- Validity ----------------------------------------------------------------------------------
+
+' What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
+' added at the end.
+
+' What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+' says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+' is not known; nor from a 0, but of safety.                                                    new
+'   theta     any number; the angle between flank and surface, rad
+'   alpha     any number; a/b under the load; 0 is the sharp wedge
+'   beta      any number; rwedge_dundurs_beta()
+'   f         any number; the coefficient of friction
+'   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+'   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor()
+Public Function RWEDGE_VALIDITY( _
+        ByVal theta As Double, ByVal alpha As Double, ByVal beta As Double, ByVal f As Double, _
+        ByVal k_over_E As Double, ByVal safety As Double) As Variant
+Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text() says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what is not known; nor from a 0, but of safety."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VALIDITY = c_validity(theta, alpha, beta, f, k_over_E, safety)
+    Else
+        RWEDGE_VALIDITY = failure(status)
+    End If
+End Function
+
+' What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+' such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+'   doubt  any integer
+Public Function RWEDGE_VALIDITY_TEXT(ByVal doubt As Long) As Variant
+Attribute RWEDGE_VALIDITY_TEXT.VB_Description = "What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VALIDITY_TEXT = text_at(c_validity_text(doubt))
+    Else
+        RWEDGE_VALIDITY_TEXT = failure(status)
     End If
 End Function
 

@@ -85,6 +85,8 @@ contains
             r = [s]
         case ('critical_friction')
             r = [rwedge_critical_friction(v(1)%x(1), v(2)%x(1))]
+        case ('validity')
+            r = [real(rwedge_validity(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), v(5)%x(1), v(6)%x(1)), c_double)]
         case ('radius')
             r = [rwedge_radius(v(1)%x(1), v(2)%x(1))]
         case ('rounding')

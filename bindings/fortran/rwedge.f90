@@ -23,14 +23,16 @@ module rwedge
     private
 
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
-        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8
+        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, &
+        rwedge_doubt_angle = 1, rwedge_doubt_coupling = 2, rwedge_doubt_yield = 4, rwedge_doubt_rounding = 8, &
+        rwedge_doubt_strength = 16
 
     public :: rwedge_version, rwedge_error_text
     public :: rwedge_compliance, rwedge_dundurs_beta, rwedge_load, rwedge_a_over_b, rwedge_pressure, rwedge_peak_pressure, &
         rwedge_transition_pressure, rwedge_coefficient, rwedge_stick_width, rwedge_shear_ratio, rwedge_shear, rwedge_stress, &
         rwedge_stresses, rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_yield_point, &
-        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_radius, rwedge_rounding, &
-        rwedge_half_width, rwedge_normal_load, rwedge_yield_load
+        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_validity, rwedge_validity_text, &
+        rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load
 
     ! One contact and what it remembers of its loads.
     type, public :: rwedge_contact
@@ -222,6 +224,18 @@ module rwedge
             import :: c_double
             real(c_double), value :: alpha, nu
             real(c_double) :: value
+        end function
+
+        pure function c_validity(theta, alpha, beta, f, k_over_E, safety) bind(C, name="rwedge_validity") result(value)
+            import :: c_double, c_int32_t
+            real(c_double), value :: theta, alpha, beta, f, k_over_E, safety
+            integer(c_int32_t) :: value
+        end function
+
+        function c_validity_text(doubt) bind(C, name="rwedge_validity_text") result(value)
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: doubt
+            type(c_ptr) :: value
         end function
 
         pure function c_radius(theta, a) bind(C, name="rwedge_radius") result(value)
@@ -820,6 +834,32 @@ contains
         real(c_double), intent(in) :: alpha, nu
         real(c_double) :: value
         value = c_critical_friction(alpha, nu)
+    end function
+
+    ! ---- Validity -----------------------------------------------------------------------------------------------------
+
+    !> What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+    !> says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+    !> is not known; nor from a 0, but of safety.   new
+    !>   theta     any number; the angle between flank and surface, rad
+    !>   alpha     any number; a/b under the load; 0 is the sharp wedge
+    !>   beta      any number; rwedge_dundurs_beta()
+    !>   f         any number; the coefficient of friction
+    !>   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+    !>   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor()
+    elemental function rwedge_validity(theta, alpha, beta, f, k_over_E, safety) result(value)
+        real(c_double), intent(in) :: theta, alpha, beta, f, k_over_E, safety
+        integer(c_int32_t) :: value
+        value = c_validity(theta, alpha, beta, f, k_over_E, safety)
+    end function
+
+    !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+    !> such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+    !>   doubt  any integer
+    function rwedge_validity_text(doubt) result(text)
+        integer(c_int32_t), intent(in) :: doubt
+        character(:), allocatable :: text
+        text = text_of(c_validity_text(doubt))
     end function
 
     ! ---- Dimensional quantities ---------------------------------------------------------------------------------------

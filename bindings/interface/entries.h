@@ -2,8 +2,8 @@
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
- * free. */
+ * object, as a call of one form; and those that give a text for a number. Not here are
+ * rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -234,6 +234,18 @@ static const entry_argument critical_friction_arguments[] = {
 static const entry_result critical_friction_results[] = {
     {"value", {-1, -1}}};
 
+ENTRY(validity, r[0][0] = (double)rwedge_validity(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
+      v[5][0]); return RWEDGE_OK)
+static const entry_argument validity_arguments[] = {
+    {"theta", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"alpha", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"beta", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"f", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_E", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"safety", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result validity_results[] = {
+    {"value", {-1, -1}}};
+
 ENTRY(radius, r[0][0] = rwedge_radius(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument radius_arguments[] = {
     {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
@@ -455,6 +467,8 @@ static const entry entries[] = {
      NULL, 3, 2, 0, surface_yield_arguments, surface_yield_results, NULL},
     {"critical_friction", "", entry_critical_friction, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, critical_friction_arguments, critical_friction_results, NULL},
+    {"validity", "", entry_validity, 0, 0, 0, 0, 0, 0x0,
+     NULL, 6, 1, 0, validity_arguments, validity_results, NULL},
     {"radius", "", entry_radius, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, radius_arguments, radius_results, NULL},
     {"rounding", "", entry_rounding, 0, 0, 0, 0, 0, 0x0,
@@ -505,5 +519,14 @@ static const entry entries[] = {
      NULL, 3, 3, 0, series_stress_arguments, series_stress_results, NULL},
 };
 enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };
+
+static const struct {
+    const char *name;
+    const char *(*text)(int32_t number);
+} text_entries[] = {
+    {"strerror", rwedge_strerror},
+    {"validity_text", rwedge_validity_text},
+};
+enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };
 
 #endif

@@ -104,6 +104,8 @@ def statements(f, name, handle):
     lines += [f"If status = RWEDGE_OK Then status = read_list({x}, {x}_list, {n})" for x, n in sizes.items()]
     if f.returns == "double":
         result = f"finite({call})"
+    elif f.result in ("value", "text"):
+        result = call if f.result == "value" else f"text_at({call})"
     elif several:
         count = " * ".join(f.of("out array")[0].size)
         arrays = ", ".join(f"{x}(0 To {count} - 1)" for x in several)
@@ -121,8 +123,8 @@ def statements(f, name, handle):
 
 def fits_cells(f: Function) -> bool:
     outputs = f.outputs
-    return not (f.returns not in ("double", "int32_t") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs))
+    return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
+            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result in ("value", "text") or outputs))
 
 
 def cell_name(f):

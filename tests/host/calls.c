@@ -60,6 +60,7 @@ static bool is_of_kind(char kind, double v)
         return isfinite(v);
     case 'z': /* a status */
     case 'r': /* a tangential force over f P: it may be refused */
+    case 'v': /* any number */
         return true;
     default: /* 'x', a coordinate */
         return is_magnitude(fabs(v));
@@ -297,6 +298,20 @@ static int32_t texts(const double v[], double out[])
     return RWEDGE_OK;
 }
 
+/* ---- Validity ---- */
+
+static int32_t validity(const double v[], double out[])
+{
+    return value(rwedge_validity(v[0], v[1], v[2], v[3], v[4], v[5]), out);
+}
+
+static int32_t validity_text(const double v[], double out[])
+{
+    const char *text = rwedge_validity_text((int32_t)v[0]);
+    out[0] = text != NULL && strlen(text) < 100 ? 0 : NAN;
+    return RWEDGE_OK;
+}
+
 /* ---- Stresses and strength ---- */
 
 static int32_t stress(const double v[], double out[])
@@ -481,6 +496,8 @@ const public_call public_calls[] = {
     BY_STATUS(subsurface_yield, "tfn", 3, BIT(RWEDGE_EABSENT), NULL),
     BY_STATUS(surface_yield, "tfn", 2, BIT(RWEDGE_EABSENT), NULL),
     FORMULA(critical_friction, "tn", NULL),
+    FORMULA(validity, "vvvvvv", NULL),
+    FORMULA(validity_text, "z", NULL),
     FORMULA(radius, "hw", has_radius),
     FORMULA(rounding, "hw", has_rounding),
     FORMULA(half_width, "hw+w", has_half_width),

@@ -53,6 +53,8 @@ static void formulas(const sample *s)
     give(s, "ratio", rwedge_shear_ratio(alpha, v));
     give(s, "shear", rwedge_shear(alpha, v, v / 2));
     give(s, "tension", rwedge_max_tension(alpha));
+    give(s, "validity", rwedge_validity(theta, alpha, v - 0.5, w, v / 5, 2 * w));
+    give(s, "validity text", rwedge_validity_text((int32_t)(20 * w))[0]);
     give(s, "radius", rwedge_radius(theta, alpha));
     give(s, "rounding", rwedge_rounding(theta, 1 + v));
     give(s, "half_width", rwedge_half_width(theta, alpha, 1e-5, 1000 * v + 1));

@@ -17,7 +17,7 @@ PLACES = {  # what a function needs there, and which files may have it
 # Without a number whose error could be measured.
 WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
                     "series_create", "series_fit", "series_destroy", "series_terms", "contact_apply", "contact_obstacle",
-                    "contact_loads", "contact_state_size", "contact_state", "contact_restore"}
+                    "contact_loads", "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text"}
 # Held against 30 digits (tests/data/eccentric.csv, off_centre.csv), or the bits of functions that have a row.
 AGAINST_TABLES = {"contact_edges", "contact_stick_zone", "contact_tilt", "contact_edge_asymptotes", "permanent_stick",
                   "contact_largest_tension_step", "contact_stress_history"}

@@ -24,8 +24,8 @@ IN_GENERAL = ((r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.", ""), (r
 BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_half_width", "contact_stick_half_width",
            "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
            "contact_yield_factor", "contact_loads", "contact_state_size", "contact_state", "contact_restore", "series_create",
-           "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure", "series_potential", "series_stress", "stresses", "elastic_limits", "version",
-           "strerror"}
+           "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure",
+           "series_potential", "series_stress", "stresses", "elastic_limits", "version", "strerror"}
 
 
 def one_line(text: str) -> str:
@@ -39,8 +39,8 @@ def replaced(text: str, pairs: tuple) -> str:
 
 
 def is_ufunc(f: Function) -> bool:
-    """Does it take and give nothing but numbers?"""
-    return f.result in ("value", "status") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
+    """Does it take and give nothing but doubles, and take whole numbers too?"""
+    return (f.result == "status" or f.returns == "double") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
 
 
 def is_general(f: Function) -> bool:
@@ -151,8 +151,9 @@ def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     rows = []
     for f in interface.functions:
         # EPATH is of the object, not of a point: its method asks first
-        plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and (f.pointwise or not f.of("in array", "out array"))
-        of_object = f.of("handle") and f.inputs and not f.of("created") and plain
+        plain = (set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and
+                 (f.pointwise or not f.of("in array", "out array")))
+        of_object = f.of("handle") and f.inputs and not f.of("created") and plain and f.result in ("value", "status")
         if is_ufunc(f) and f.result == "status" or of_object:
             many = next((g for g in interface.functions if g.array_of == f.name), f)
             rows.append(points(f, many))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formulas/patch.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "base/logarithm.h"
 #include "rwedge.h"
@@ -91,7 +92,7 @@ static double tilt_of(const rw_corners *k, double half)
 rw_pressing rw_patch_pressing(double a, rw_patch patch)
 {
     const double m = rw_patch_middle(patch), s = rw_patch_half_width(patch);
-    if (patch.left >= -a && patch.right <= a && a > 0) { /* Hertz */
+    if (patch.left >= -a && patch.right <= a) { /* Hertz */
         const double load = RW_HALF_PI * s * (s / a);
         return (rw_pressing){load, m * load, m / a};
     }
@@ -125,7 +126,8 @@ static double load_excess(double right, const void *context)
 static double right_edge(const search *at)
 {
     double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;
-    while (load_excess(at->left + width, at) < 0 && width < LARGEST) {
+    /* always: the load grows with the width */
+    while (load_excess(at->left + width, at) < 0 && ALWAYS(width < LARGEST)) {
         lo = at->left + width;
         width *= 2;
     }

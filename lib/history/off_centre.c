@@ -12,6 +12,7 @@
  * rounding, and beyond x = a the slope is 1 - delta - G. */
 #include "history/off_centre.h"
 
+#include "base/always.h"
 #include "base/integral.h"
 #include "base/logarithm.h"
 #include "stress/eccentric.h"
@@ -168,16 +169,14 @@ double rw_patch_gap(double a, rw_patch patch, double x)
 
 /* ---- Displacement ---- */
 
-static bool is_same_patch(rw_patch one, rw_patch other)
-{
-    return one.left == other.left && one.right == other.right;
-}
-
+/* The first corner in which two paths differ: it is a front inside the layer of the other one, or
+ * its layer has another slope. */
 static size_t count_common(const rw_memory *one, const rw_memory *other)
 {
     size_t i = 1;
-    while (i < one->count && i < other->count &&
-           is_same_patch(one->corners[i].patch, other->corners[i].patch) &&
+    /* always: they differ before one of them ends, because one has slipped where the other has not */
+    while (ALWAYS(i + 1 < one->count && i + 1 < other->count) &&
+           one->corners[i].load == other->corners[i].load &&
            one->corners[i].ratio == other->corners[i].ratio)
         i++;
     return i;
@@ -191,10 +190,8 @@ static double displacement(const rw_memory *path, size_t first, double a, double
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
         sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
     }
-    if (first > 1 && first < path->count + 1) {
-        const double next = first < path->count ? path->corners[first].ratio : 0;
-        sum -= next * rw_patch_gap(a, path->corners[first - 1].patch, x);
-    }
+    if (first > 1)
+        sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
     return sum;
 }
 
@@ -216,7 +213,8 @@ static double work_at(double x, const void *context)
 {
     const annulus *w = context;
     const double slip = rw_path_displacement(w->after, w->before, w->a, x);
-    return fabs(slip * rw_eccentric_at(w->contact, x, 0).G_im);
+    const double sign = rw_memory_end(w->after)->ratio; /* of slip, at all points: one_way.h */
+    return fmax(0, sign * slip * rw_eccentric_at(w->contact, x, 0).G_im);
 }
 
 /* Between two marks: the integrand is smooth but for roots and logarithms at the ends, which the

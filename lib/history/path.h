@@ -8,7 +8,8 @@
 #include "formulas/size.h"
 #include "history/memory.h"
 
-/* The patch of a load P >= 0 and a moment M, or a tilt in theta. NaN where the tilt is 1. */
+/* The patch of a load P >= 0 and a moment M, or a tilt in theta, which are 0 where P is. NaN where
+ * the tilt is 1. */
 rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
 rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
 

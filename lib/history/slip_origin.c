@@ -92,6 +92,11 @@ static void pop(rw_slip_origins *origins, rw_memory *memory)
         memory->shared = last->shared;
 }
 
+size_t rw_slip_origins_last_corners(const rw_slip_origins *origins)
+{
+    return origins->count > 0 ? origins->all[origins->count - 1].corners : 0;
+}
+
 size_t rw_slip_origins_corners(const rw_slip_origins *origins)
 {
     size_t roots = 0;

@@ -53,6 +53,9 @@ bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool s
 void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
                           size_t shared);
 
+/* Of the path that was kept last; 0 where none is. */
+size_t rw_slip_origins_last_corners(const rw_slip_origins *origins);
+
 /* How many corners beyond the origin of their path are kept. */
 size_t rw_slip_origins_corners(const rw_slip_origins *origins);
 

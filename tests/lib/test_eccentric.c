@@ -127,6 +127,24 @@ static void a_centred_patch_has_the_bits_of_the_contact(void **state)
     }
 }
 
+/* P/(pi z), the field of a force. */
+static void far_away_it_is_that_of_a_force(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNT; i++) {
+        rw_eccentric p;
+        rw_eccentric_init(&p, CASES[i].a, CASES[i].patch);
+        const double P = rw_patch_pressing(CASES[i].a, CASES[i].patch).load;
+        static const double points[][2] = {{1e12, 0}, {-1e12, 2e11}, {0, 1e13}};
+        for (int k = 0; k < 3; k++) {
+            const double x = points[k][0], y = points[k][1], r2 = x * x + y * y;
+            const rw_field is = rw_eccentric_at(&p, x, y);
+            assert_within(is.G_re, P / PI * x / r2, 1e-10 * P / sqrt(r2));
+            assert_within(is.G_im, -P / PI * y / r2, 1e-10 * P / sqrt(r2));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +152,7 @@ int main(void)
         cmocka_unit_test(is_slope_and_pressure_on_the_surface),
         cmocka_unit_test(is_the_integral_of_the_pressure),
         cmocka_unit_test(a_batch_has_the_bits_of_its_points),
+        cmocka_unit_test(far_away_it_is_that_of_a_force),
         cmocka_unit_test(a_centred_patch_has_the_bits_of_the_contact),
     };
     return RUN_CLAIMS("eccentric", tests);

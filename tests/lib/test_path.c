@@ -337,6 +337,184 @@ static void what_has_no_closed_form_is_refused(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* The front ends inside the first step's at both edges, but at the left there is a part beyond it
+ * that sticks. */
+static rwedge_contact *contact_with_two_fronts(void)
+{
+    rwedge_contact *contact = create(0.46, 0.45);
+    apply(contact, .4779, 0, 0, 0);
+    apply(contact, .4779, 0, -.1494, -.0994);
+    apply(contact, .4779, 0, -.1029, -.0537);
+    return contact;
+}
+
+static void what_sticks_between_two_fronts_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = contact_with_two_fronts();
+    refuse(contact, .4779, 0, -.1845, -.0204, RWEDGE_EPATH);
+    apply(contact, .4779, 0, -.2008, -.0137);
+    rwedge_contact_destroy(contact);
+}
+
+/* The least slip of a step, in its direction, next to the left edge: where the old front was. */
+static double least_slip(const rwedge_contact *before, const rwedge_contact *after)
+{
+    const rw_patch whole = edges(after), stick = stick_zone(after);
+    const double reach = stick.left - whole.left,
+                 at_edge = slip(after, whole.left) - slip(before, whole.left);
+    double least = HUGE_VAL;
+    for (double t = 0; t < 0.9; t += 0.001) {
+        const double x = whole.left + t * reach;
+        least = fmin(least, (slip(after, x) - slip(before, x)) / at_edge);
+    }
+    return least;
+}
+
+/* Between the refused load and the next one that is not, the limit is where slip vanishes at one
+ * point. */
+static void the_limit_is_where_slip_vanishes(void **state)
+{
+    (void)state;
+    rwedge_contact *before = contact_with_two_fronts();
+    double refused = 0, accepted = 1, least = 0;
+    while (accepted - refused > 1e-12) {
+        const double t = (accepted + refused) / 2;
+        rwedge_contact *after;
+        assert_int_equal(rwedge_contact_copy(before, &after), RWEDGE_OK);
+        const int32_t status = rwedge_contact_apply(after, .4779, 0, -.1845 + t * (-.2008 + .1845),
+                                                    -.0204 + t * (-.0137 + .0204));
+        if (status == RWEDGE_OK) {
+            accepted = t;
+            least = least_slip(before, after);
+            assert_true(least > 0);
+        } else {
+            assert_int_equal(status, RWEDGE_EPATH);
+            refused = t;
+        }
+        rwedge_contact_destroy(after);
+    }
+    assert_true(refused > 0 && accepted < 1 && least < 1e-3);
+    rwedge_contact_destroy(before);
+}
+
+/* Q returns to that of a corner, sigma does not. */
+static void a_corner_with_another_tilt_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.2, 0.02);
+    apply(contact, 0.5, 0.1, -0.1, -0.03);
+    refuse(contact, 0.5, 0.1, 0.2, 0.025, RWEDGE_EPATH);
+    apply(contact, 0.5, 0.1, 0.2, 0.02);
+    rwedge_contact_destroy(contact);
+}
+
+/* The ring that is added has one D only where the tilt stays as it is. */
+static void rings_with_shear_need_a_constant_tilt(void **state)
+{
+    (void)state;
+    rwedge_contact *hertz = create(6, F), *centred = create(0.4, F);
+    apply(hertz, 0.5, 0.5, 0, 0);
+    refuse(hertz, 0.6, 0.59, 0.03, 0, RWEDGE_EPATH);
+    refuse(hertz, 0.6, 0.6, 0.03, 0.001, RWEDGE_EPATH);
+    apply(hertz, 0.6, 0.6, 0.03, 0);
+    assert_true(stick_zone(hertz).left == edges(hertz).left);
+    refuse(hertz, 0.55, 0.54, 0.015, 0, RWEDGE_EPATH);
+    apply(hertz, 0.55, 0.55, 0.015, 0); /* along the same line */
+    assert_true(stick_zone(hertz).left == edges(hertz).left);
+    apply(centred, 0.5, 0, 0, 0);
+    apply(centred, 0.5, 0, 0.1, 0.01);
+    apply(centred, 0.6, 0, 0.12, 0.01);
+    refuse(centred, 0.7, 0.001, 0.13, 0.01, RWEDGE_EPATH);
+    apply(centred, 0.62, 0, 0.2, 0.012); /* and slips */
+    rwedge_contact_destroy(hertz);
+    rwedge_contact_destroy(centred);
+    hertz = create(6, F);
+    apply(hertz, 0.5, 0.5, 0.1, 0); /* from the first touch on */
+    assert_close(shear(hertz, 1), 0.4 * F * pressure(hertz, 1), 1e-14);
+    rwedge_contact_destroy(hertz);
+}
+
+/* What recedes leaves patches of the history at both edges at once, or not at all. */
+static void recession_is_refused_where_it_passes_a_patch_at_one_edge(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.1, 0.01);
+    apply(contact, 0.6, 0.12, 0.1, 0.01);
+    refuse(contact, 0.45, 0.09, 0.075, 0.01, RWEDGE_EPATH); /* past a corner */
+    refuse(contact, 0.45, 0.09, 0.1, 0.01, RWEDGE_EPATH);
+    refuse(contact, 0.51, 0.06, 0.1, 0.01, RWEDGE_EPATH); /* at one edge */
+    apply(contact, 0.55, 0.1, 0.1, 0.01);
+    apply(contact, 0.5, 0.1, 0.1, 0.01); /* to the corner, and on */
+    apply(contact, 0.45, 0.09, 0.1, 0.01);
+    apply(contact, 0.2, 0.03, 0.04, 0.01);
+    rwedge_contact_destroy(contact);
+}
+
+/* In shorter steps the front goes the same way. */
+static void long_steps_lead_where_short_ones_do(void **state)
+{
+    (void)state;
+    static const double from[] = {0.5, 0.1, 0.1, 0.01}, to[][4] = {{0.15, 0.03, 0.03, 0.003},
+                                                                   {0.9, 0.19, 0.35, 0.02},
+                                                                   {0.3, 0.06, -0.1, 0.005},
+                                                                   {0.3, 0.06, 0.1, 0.01}};
+    for (size_t i = 0; i < sizeof to / sizeof *to; i++) {
+        rwedge_contact *one = create(0.4, F), *many = create(0.4, F);
+        apply(one, 0.5, 0.1, 0, 0);
+        apply(one, from[0], from[1], from[2], from[3]);
+        apply(one, to[i][0], to[i][1], to[i][2], to[i][3]);
+        apply(many, 0.5, 0.1, 0, 0);
+        apply(many, from[0], from[1], from[2], from[3]);
+        for (int k = 1; k <= 8; k++) {
+            double at[4];
+            for (int j = 0; j < 4; j++)
+                at[j] = from[j] + k / 8.0 * (to[i][j] - from[j]);
+            apply(many, at[0], at[1], at[2], at[3]);
+        }
+        assert_within(stick_zone(one).left, stick_zone(many).left, 1e-13);
+        assert_within(stick_zone(one).right, stick_zone(many).right, 1e-13);
+        rwedge_contact_destroy(one);
+        rwedge_contact_destroy(many);
+    }
+}
+
+static void a_tilted_contact_slides(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.25, 0.01);
+    double x = 0.2, w;
+    assert_int_equal(rwedge_contact_stick_zone(contact, &x, &w), RWEDGE_EABSENT);
+    assert_close(shear(contact, x), F * pressure(contact, x), 1e-15);
+    assert_nan(rwedge_contact_dissipated_energy(contact));
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    apply(contact, 0.5, 0.1, 0.1, 0.005);
+    apply(contact, 0.5, 0.1, 0.25, 0.005); /* slides again, over a front */
+    assert_int_equal(rwedge_contact_memory(contact), 1);
+    rwedge_contact_destroy(contact);
+}
+
+static void a_moment_may_be_taken_away(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F), *fresh = create(0.4, F);
+    apply(contact, 0.5, 0.05, 0, 0);
+    apply(contact, 0.4, 0, 0, 0);
+    apply(contact, 0.4, 0, 0.1, 0);
+    apply(fresh, 0.4, 0, 0, 0);
+    apply(fresh, 0.4, 0, 0.1, 0);
+    assert_true(edges(contact).left == edges(fresh).left);
+    assert_within(stick_zone(contact).left, stick_zone(fresh).left, 1e-14);
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(fresh);
+}
+
 /* Without friction the history leaves nothing, and M may do what it will. */
 static void without_friction_all_is_exact(void **state)
 {
@@ -350,6 +528,8 @@ static void without_friction_all_is_exact(void **state)
     assert_true(edges(contact).left == edges(fresh).left);
     assert_int_equal(rwedge_contact_memory(contact), 1);
     assert_true(rwedge_contact_largest_tension_step(contact, 0) == HUGE_VAL);
+    assert_string_equal(rwedge_contact_obstacle(contact, 0.2, 0.3, 0, 5), "");
+    apply(contact, 0, 0, 0, 0);
     rwedge_contact_destroy(contact);
     rwedge_contact_destroy(fresh);
 }
@@ -465,6 +645,54 @@ static void what_never_slips_is_what_cycles_leave(void **state)
     rwedge_contact_destroy(contact);
 }
 
+static void what_never_slips_is_the_same_on_the_way_back(void **state)
+{
+    (void)state;
+    double left, right, l, r;
+    assert_int_equal(rwedge_permanent_stick(THETA, 0.4, A, F, 0.5, 0.1, -0.1, -0.03, 0.6, 0.1, 0.2,
+                                            0.02, &left, &right),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_permanent_stick(THETA, 0.4, A, F, 0.6, 0.1, 0.2, 0.02, 0.5, 0.1, -0.1,
+                                            -0.03, &l, &r),
+                     RWEDGE_OK);
+    assert_true(l == left && r == right);
+}
+
+static void cycles_without_a_permanent_stick_zone_say_why(void **state)
+{
+    (void)state;
+    static const struct {
+        double f, v[8]; /* P, M, Q, sigma twice */
+        int32_t status;
+    } cases[] = {
+        {0, {0.5, 0, 0, 0, 0.6, 0, 0, 1}, RWEDGE_EABSENT},
+        {0, {0.5, 0, 0, 0, 0.6, 0, 0.1, 0}, RWEDGE_ESLIDING},
+        {0, {0.5, 0, 0.1, 0, 0.6, 0, 0, 0}, RWEDGE_ESLIDING},
+        {0.5, {0.5, 0, 0.3, 0, 0.6, 0, 0, 0}, RWEDGE_ESLIDING},
+        {0.5, {0.5, 0, 0, 0, 0.6, 0, 0.4, 0}, RWEDGE_ESLIDING},
+        {0.5, {-0.5, 0, 0, 0, 0.6, 0, 0.1, 0}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0, 0, 0, -0.6, 0, 0.1, 0}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0, NAN, 0, 0.6, 0, 0.1, 0}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0, 0, NAN, 0.6, 0, 0.1, 0}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0, 0, 0, 0.6, 0, NAN, 0}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0, 0, 0, 0.6, 0, 0.1, NAN}, RWEDGE_EDOMAIN},
+        {0.5, {0.5, 0.3, 0, 0, 0.6, -0.3, 0.01, 0}, RWEDGE_EPATH},
+        {0.5, {0.9, 0.3, 0, 0, 0.2, 0, 0.01, 0}, RWEDGE_EPATH},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double *v = cases[i].v;
+        double left = 7, right = 7;
+        assert_int_equal(rwedge_permanent_stick(THETA, 0.4, A, cases[i].f, v[0], v[1], v[2], v[3],
+                                                v[4], v[5], v[6], v[7], &left, &right),
+                         cases[i].status);
+        assert_true(left == 7 && right == 7);
+    }
+    double left, right;
+    assert_int_equal(
+        rwedge_permanent_stick(-1, 0.4, A, F, 0.5, 0, 0, 0, 0.5, 0, 0.1, 0, &left, &right),
+        RWEDGE_EDOMAIN);
+}
+
 /* ---- Slip and energy ---- */
 
 /* The loop of Q and sigma: each cycle dissipates as much, and twice as much as the slip at its ends
@@ -515,6 +743,48 @@ static void slip_is_continuous_in_the_moment(void **state)
     rwedge_contact_destroy(other);
 }
 
+/* For the same Q/f and sigma/f. */
+static void slip_is_proportional_to_friction(void **state)
+{
+    (void)state;
+    rwedge_contact *rough = create(0.4, 2), *other = create(0.4, F);
+    apply(rough, 0.5, 0.1, 0, 0);
+    apply(other, 0.5, 0.1, 0, 0);
+    assert_true(slip(other, edges(other).left) == 0);
+    apply(rough, 0.5, 0.1, 0.4, 0.04);
+    apply(other, 0.5, 0.1, 0.1, 0.01);
+    const rw_patch whole = edges(other);
+    for (double x = whole.left; x <= whole.right; x += 0.05)
+        assert_within(slip(rough, x), 4 * slip(other, x), 1e-15 * THETA);
+    apply(other, 0.6, 0.12, 0.1, 0.01); /* the ring has not slipped */
+    assert_true(slip(other, edges(other).left) == 0 && slip(other, edges(other).right) == 0);
+    assert_true(slip(other, whole.right) != 0);
+    rwedge_contact_destroy(rough);
+    rwedge_contact_destroy(other);
+}
+
+/* Slip began twice, at points that had come into contact at different times. */
+static void slip_has_one_origin_or_none(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 0.5, 0);
+    load(contact, 0.5, 0.1);
+    load(contact, 0.6, 0.1);
+    load(contact, 0.6, 0.2);
+    apply(contact, 0.6, 0, 0.25, 0.01);
+    const double x = 0;
+    double w;
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    load(contact, 0, 0);
+    apply(contact, 0, 0, 0, 0);
+    load(contact, 0.5, 0);
+    load(contact, 0.6, 0.2); /* the ring slips at once */
+    apply(contact, 0.6, 0, 0.25, 0.01);
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    rwedge_contact_destroy(contact);
+}
+
 /* Where the contact falls with moment and tension, the energy has no single integral; where rings
  * come into contact that slip at once, neither has the slip an origin. */
 static void energy_and_slip_say_where_they_are_not_known(void **state)
@@ -533,6 +803,11 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
     apply(contact, 0, 0, 0, 0); /* all is forgotten */
     apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.1, 0.01);
+    apply(contact, 0.52, 0.104, 0.15, 0.01); /* the ring slips at once */
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    apply(contact, 0, 0, 0, 0);
+    apply(contact, 0.5, 0.1, 0, 0);
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_OK);
     rwedge_contact_destroy(contact);
 }
@@ -550,12 +825,24 @@ int main(void)
         cmocka_unit_test(results_are_continuous_in_moment_and_tension),
         cmocka_unit_test(tension_before_contact_only_adds),
         cmocka_unit_test(what_has_no_closed_form_is_refused),
+        cmocka_unit_test(what_sticks_between_two_fronts_is_refused),
+        cmocka_unit_test(the_limit_is_where_slip_vanishes),
+        cmocka_unit_test(a_corner_with_another_tilt_is_refused),
+        cmocka_unit_test(rings_with_shear_need_a_constant_tilt),
+        cmocka_unit_test(recession_is_refused_where_it_passes_a_patch_at_one_edge),
+        cmocka_unit_test(long_steps_lead_where_short_ones_do),
+        cmocka_unit_test(a_tilted_contact_slides),
+        cmocka_unit_test(a_moment_may_be_taken_away),
         cmocka_unit_test(without_friction_all_is_exact),
         cmocka_unit_test(random_loads_are_finite_or_refused),
         cmocka_unit_test(the_pressure_rises_as_its_asymptote_says),
         cmocka_unit_test(the_slip_length_is_that_of_the_asymptotes),
         cmocka_unit_test(what_never_slips_is_what_cycles_leave),
+        cmocka_unit_test(what_never_slips_is_the_same_on_the_way_back),
+        cmocka_unit_test(cycles_without_a_permanent_stick_zone_say_why),
         cmocka_unit_test(energy_is_friction_times_slip),
+        cmocka_unit_test(slip_is_proportional_to_friction),
+        cmocka_unit_test(slip_has_one_origin_or_none),
         cmocka_unit_test(slip_is_continuous_in_the_moment),
         cmocka_unit_test(energy_and_slip_say_where_they_are_not_known),
     };

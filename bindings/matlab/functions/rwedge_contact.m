@@ -68,10 +68,10 @@ classdef rwedge_contact < handle
         %        P
         %   rwedge:sliding where |Q| > f P. rwedge:domain. rwedge:range where the half-width, a/b, the
         %   peak pressure or the energy leaves the domain. rwedge:range too where P is not 0 but below
-        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
-        %   rwedge:handle; rwedge:memory. After an error the contact is as before; of
-        %   vectors, the loads before the one that is refused stay. It remembers at most
-        %   two points of the history per load, and of them only those that no later load has wiped out.
+        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+        %   after a moment or another tension, as rwedge_contact.apply(). rwedge:handle; rwedge:memory. Unless
+        %   RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+        %   of them only those that no later load has wiped out.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
@@ -94,12 +94,11 @@ classdef rwedge_contact < handle
         %   one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
         %   of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
         %   closed form, nor those that end with the front of slip between two patches of the memory at one
-        %   edge and between two others at the other: lib/README.md, "Moment and bulk tension". Without
-        %   friction, f = 0, all are exact.
-        %   RWEDGE_EPATH where there is no closed form: rwedge_contact.obstacle() says why. rwedge:domain
+        %   edge and between two others at the other, or with a part beyond the front that sticks:
+        %   lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+        %   RWEDGE_EPATH where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
         %   surface. rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory: as rwedge_contact.load().
-        %
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end

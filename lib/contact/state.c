@@ -3,7 +3,7 @@
  * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
  * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
  * the original would. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/logarithm.h"
 
@@ -18,15 +18,15 @@ typedef struct {
     double *out;      /* NULL when reading or counting */
     const double *in; /* NULL when writing or counting */
     size_t at, size;
-    bool is_sound;
+    bool is_sound, is_short; /* of memory */
 } tape;
 
 static void pass(tape *t, double *value)
 {
-    if (t->in && t->at >= t->size)
-        t->is_sound = false;
-    else if (t->in)
-        *value = t->in[t->at];
+    const bool is_over = t->in && t->at >= t->size;
+    t->is_sound = t->is_sound && !is_over;
+    if (t->in)
+        *value = is_over ? 0 : t->in[t->at];
     else if (t->out)
         t->out[t->at] = *value;
     t->at++;
@@ -44,28 +44,35 @@ static size_t pass_count(tape *t, size_t count, size_t limit)
     return (size_t)value;
 }
 
+static void pass_finite(tape *t, size_t count, double *const numbers[])
+{
+    for (size_t i = 0; i < count; i++) {
+        pass(t, numbers[i]);
+        t->is_sound = t->is_sound && isfinite(*numbers[i]);
+    }
+}
+
 static void pass_corner(tape *t, rw_corner *c)
 {
-    double *numbers[CORNER] = {&c->load,  &c->shear, &c->tilt,       &c->stretch,    &c->ratio,
-                               &c->least, &c->most,  &c->patch.left, &c->patch.right};
-    for (int i = 0; i < CORNER; i++)
-        pass(t, numbers[i]);
+    double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
+                              &c->ratio, &c->patch.left, &c->patch.right};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->least); /* infinite where nothing bounds the slope */
+    pass(t, &c->most);
 }
 
 /* What a path must be for the functions that read it to come to an end. */
 static bool is_corner_sound(const rw_corner *c, const rw_corner *before)
 {
-    return isfinite(c->load) && isfinite(c->shear) && isfinite(c->tilt) && isfinite(c->stretch) &&
-           !isnan(c->least) && !isnan(c->most) && isfinite(c->patch.left) &&
-           isfinite(c->patch.right) && islessequal(fabs(c->ratio), 1) &&
-           (before ? c->load > before->load && c->patch.left < c->patch.right
-                   : c->load == 0 && c->patch.left == 0 && c->patch.right == 0);
+    const double width = c->patch.right - c->patch.left;
+    return !isnan(c->least) && !isnan(c->most) && fabs(c->ratio) <= 1 &&
+           (before ? c->load > before->load && width > 0 : c->load == 0 && width == 0);
 }
 
 /* Corners in a row, after the one before them if there is one. */
 static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
-    for (size_t i = 0; i < count && t->is_sound; i++) {
+    for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
         if (t->in && !is_corner_sound(&corners[i], before))
             t->is_sound = false;
@@ -75,79 +82,81 @@ static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_co
 
 static void pass_path(tape *t, rw_memory *memory)
 {
-    const size_t count = pass_count(t, memory->count, t->in ? t->size / CORNER : memory->count);
+    const size_t limit = t->in ? t->size / CORNER : memory->count;
+    const size_t count = pass_count(t, memory->count, limit);
     memory->shared = pass_count(t, memory->shared, count);
     if (t->in) {
-        t->is_sound = t->is_sound && count > 0 && rw_memory_reserve(memory, count);
-        memory->count = t->is_sound ? count : 0;
+        t->is_sound = t->is_sound && count > 0;
+        if (t->is_sound && !rw_memory_reserve(memory, count))
+            t->is_short = true;
+        memory->count = t->is_sound && !t->is_short ? count : 0;
     }
     pass_corners(t, memory->corners, memory->count, NULL);
 }
 
-/* The numbers of an origin, but for its own corners; how many it shares with the last is told. */
-static size_t pass_origin(tape *t, rw_slip_origin *o, size_t shared, size_t limit)
+/* An origin but for its corners: how many they are, and how many it shares with the last. */
+static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
 {
-    double *numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        pass(t, numbers[i]);
-        t->is_sound = t->is_sound && isfinite(*numbers[i]);
-    }
-    o->corners = pass_count(t, o->corners, t->in ? t->size / CORNER + limit : o->corners);
-    return pass_count(t, shared, t->in ? (limit < o->corners ? limit : o->corners) : shared);
+    double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
+    pass_finite(t, sizeof numbers / sizeof *numbers, numbers);
+    *shared = pass_count(t, *shared, most_shared);
+    o->corners =
+        *shared + pass_count(t, o->corners - *shared, t->in ? t->size / CORNER : o->corners);
 }
 
-static void write_origins(tape *t, const rw_slip_origins *origins)
+static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
 {
-    for (size_t i = 0; i < origins->count; i++) {
-        rw_slip_origin origin = origins->all[i];
-        const rw_branch *branch = &origins->branches[i];
-        pass_origin(t, &origin, branch->shared, 0);
-        pass_corners(t, origins->own.corners + branch->first, origin.corners - branch->shared,
-                     NULL);
-    }
+    rw_slip_origin origin = origins->all[i];
+    size_t shared = origins->branches[i].shared;
+    pass_origin(t, &origin, &shared, shared);
+    pass_corners(t, origins->own.corners + origins->branches[i].first, origin.corners - shared,
+                 NULL);
 }
 
+/* Its corners are read to where they will be. */
 static void read_origin(tape *t, rw_slip_origins *origins)
 {
-    const rw_slip_origin *last = origins->count > 0 ? &origins->all[origins->count - 1] : NULL;
-    rw_slip_origin origin = {0};
-    const size_t shared = pass_origin(t, &origin, 0, last ? last->corners : 0);
-    const size_t more = origin.corners - shared;
-    if (!t->is_sound || origin.corners == 0 || more > (t->size - t->at) / CORNER ||
-        !rw_slip_origins_reserve(origins, 1, more)) {
-        t->is_sound = false;
+    const size_t last = rw_slip_origins_last_corners(origins);
+    rw_slip_origin origin = {.corners = 0};
+    size_t shared = 0;
+    pass_origin(t, &origin, &shared, last);
+    t->is_sound = t->is_sound && origin.corners > 0;
+    if (!t->is_sound)
         return;
+    t->is_short = !rw_slip_origins_reserve(origins, 1, origin.corners - shared);
+    if (t->is_short)
+        return;
+    rw_corner *own = origins->own.corners + origins->own.count;
+    const rw_corner *before = NULL;
+    if (shared > 0) {
+        const rw_trail trail = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
+        before = rw_trail_corner(&trail, shared - 1);
     }
-    rw_trail trail;
-    if (last)
-        trail = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
-    /* the new ones are read to where they will be */
-    pass_corners(t, origins->own.corners + origins->own.count, more,
-                 shared > 0 ? rw_trail_corner(&trail, shared - 1) : NULL);
-    if (t->is_sound)
-        rw_slip_origins_keep(origins, origin, origins->own.corners + origins->own.count, shared);
+    pass_corners(t, own, origin.corners - shared, before);
+    rw_slip_origins_keep(origins, origin, own, shared);
 }
 
 static void pass_origins(tape *t, rw_slip_origins *origins)
 {
-    pass(t, &origins->fresh);
-    const size_t count = pass_count(t, origins->count, t->in ? t->size / ORIGIN : origins->count);
-    if (!t->in) {
-        write_origins(t, origins);
-        return;
-    }
-    for (size_t i = 0; i < count && t->is_sound; i++)
-        read_origin(t, origins);
+    double *const fresh[] = {&origins->fresh};
+    pass_finite(t, 1, fresh);
+    const size_t limit = t->in ? t->size / ORIGIN : origins->count;
+    const size_t count = pass_count(t, origins->count, limit);
+    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++)
+        if (t->in)
+            read_origin(t, origins);
+        else
+            write_origin(t, origins, i);
 }
 
 static void pass_contact(tape *t, rwedge_contact *c)
 {
-    double *numbers[] = {&c->geometry.theta, &c->geometry.a, &c->geometry.A,   &c->f,
-                         &c->loads.P,        &c->loads.M,    &c->loads.Q,      &c->loads.sigma,
-                         &c->touched_at,     &c->energy,     &c->energy_carry, &c->settled.left,
-                         &c->settled.right};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        pass(t, numbers[i]);
+    double *const finite[] = {
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,    &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,       &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right, &c->energy_carry};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->energy); /* NaN where it is not known */
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
@@ -190,19 +199,13 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
     return RWEDGE_OK;
 }
 
-static size_t shared_at_most(const rw_slip_origins *origins)
-{
-    return origins->count > 0 ? origins->all[origins->count - 1].corners : 0;
-}
-
 static bool is_contact_sound(const rwedge_contact *c)
 {
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
            rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && isfinite(c->energy_carry) &&
-           isfinite(c->settled.left) && isfinite(c->settled.right) && isfinite(c->origins.fresh) &&
-           c->memory.shared <= shared_at_most(&c->origins);
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) &&
+           c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)
@@ -216,9 +219,9 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
         return RWEDGE_ENOMEM;
     tape t = {.in = state, .at = HEAD, .size = n, .is_sound = true};
     pass_contact(&t, restored);
-    if (!t.is_sound || t.at != n || !is_contact_sound(restored)) {
+    if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);
-        return RWEDGE_EDOMAIN;
+        return t.is_short ? RWEDGE_ENOMEM : RWEDGE_EDOMAIN;
     }
     *contact = restored;
     return RWEDGE_OK;

@@ -22,7 +22,7 @@ struct rwedge_contact {
     double energy, energy_carry; /* NaN where it is not known */
     rw_memory memory;            /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
-    bool is_origin_known; /* of the slip that then is: see contact_slip.c */
+    bool is_origin_known; /* of the slip that then is: see slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
     rw_slip_origins origins;
 };

@@ -22,7 +22,7 @@
  * a mark m up to the height r/4, across and down is a way to any point at the distance r <= |m|/4;
  * on it G changes by at most 4 c B sqrt(r)/sqrt(3 |m|/4), and y |G'| is at most c B sqrt(r)/sqrt(3
  * |m|/4). In terms of sqrt(J2), which is a norm of the stress, this is rise_to() below. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/always.h"
 #include "stress/stress.h"

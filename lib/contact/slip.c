@@ -10,7 +10,7 @@
  * A rising load adds to the path beyond u, a falling one cuts it off there. The slip is therefore
  * w of the present path less w of the path when the point came into contact (slip_origin.h). What
  * both paths have in common is left out of both sums, because it would cancel. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/always.h"
 #include "history/gap.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a contact ends and sticks: its edges, the pressure and the shear there, and what never
  * slips in a cycle. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 static int32_t give_edges(rw_patch patch, double *left, double *right)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "stress/batch.h"
 #include "stress/stress.h"
 

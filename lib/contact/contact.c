@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact with a load history: its life, and what it knows of itself. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include <stdlib.h>
 

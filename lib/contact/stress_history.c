@@ -2,10 +2,11 @@
 /* Stresses at many points through many loads. The loads come first: what each leaves is noted as a
  * list of weighted patches. Then the points, block by block: a patch that is in the lists of one
  * load and the next is evaluated once for both. */
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "stress/stress.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct {
     rw_patch patch;
@@ -78,7 +79,7 @@ static const rw_fields *fields_of(reel *kept, rw_patch patch, size_t load, int n
     for (size_t i = 0; i < kept->count; i++) {
         frame *f = &kept->frames[i];
         const bool is_kept = f->last_used > 0 && f->last_used + 1 >= load;
-        if (is_kept && f->patch.left == patch.left && f->patch.right == patch.right) {
+        if (is_kept && memcmp(&f->patch, &patch, sizeof patch) == 0) {
             f->last_used = load;
             return &f->fields;
         }

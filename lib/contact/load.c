@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: whether it is allowed, and what it does. */
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "history/dissipation.h"
 #include "history/off_centre.h"
 
@@ -122,8 +122,8 @@ static double share_off_centre(const rwedge_contact *contact, const rw_memory *b
     const rw_memory *after = &contact->memory;
     if (slip == 0)
         return 0;
-    const bool slides = after->count == 2 && slip != 0;
-    if (step->to_P != step->from_P || step->to_M != step->from_M || slides)
+    const bool slides = after->count == 2;
+    if (step->to_P != step->from_P || slides)
         return NAN;
     return contact->f * g->theta * (contact->f * g->theta / g->A) *
            rw_annuli_work(before, after, g->a);
@@ -140,7 +140,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].tilt = step->to.tilt;
     if (contact->f == 0)
         rw_memory_restart(memory, step->to, 0);
-    else if (departure->slip != 0 && departure->corner.load == 0 && departure->kept == 1)
+    else if (departure->slip != 0 && departure->corner.load == 0)
         rw_memory_restart(memory, step->to, departure->slip); /* it slides */
     else
         rw_memory_advance(memory, departure, step->to);
@@ -179,8 +179,7 @@ static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *s
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
 {
     return contact->f > 0 && step->to.load > 0 &&
-           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to)) &&
-           !(contact->memory.count == 1 && step->to.tilt == 0);
+           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to));
 }
 
 /* One origin serves for all points that slipped, where they had touched before the first slip: no
@@ -217,8 +216,6 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
                                  ? contact->settled
                                  : rw_memory_end(&before)->patch;
-    const bool is_plain = rw_path_is_plain(&before, step->to);
-    const double plain_share = is_plain ? energy_of(contact, step->to.load, step->to.shear) : 0;
     if (!rw_memory_reserve(&contact->memory, 2) ||
         !rw_slip_origins_advance(&contact->origins, &contact->memory, slip != 0, step->to.load,
                                  step->to.shear)) {
@@ -230,8 +227,7 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     contact->was_off_centre = true;
     contact->settled = common_part(settled, step->patch);
     contact->is_origin_known = is_known && !slides;
-    const double share = contact->energy_carry +
-                         (is_plain ? plain_share : share_off_centre(contact, &before, step, slip));
+    const double share = contact->energy_carry + share_off_centre(contact, &before, step, slip);
     const double energy = contact->energy + share; /* NaN if one of them is */
     contact->energy_carry = isnan(energy) ? 0 : share - (energy - contact->energy);
     contact->energy = energy;
@@ -277,12 +273,11 @@ static const char *text_of(rw_obstacle obstacle)
                "that dM/dP stays within a quarter of the contact's width from its middle";
     case RW_SLIPS_BOTH_WAYS:
         return "the two edges would slip in opposite directions: change sigma by less, or Q by "
-               "more, "
-               "or in a load of its own at constant P and M";
+               "more, or in a load of its own at constant P and M";
     case RW_FRONTS_PART:
-        return "slip or the edges would end between different patches of the history at the left "
-               "and "
-               "at the right: go on until both have passed, or separate the bodies first";
+        return "slip or the edges would have passed a patch of the history at one side only, or "
+               "leave a part between that sticks: go on until all has slipped, or separate the "
+               "bodies first";
     case RW_GROWS_UNEVENLY:
         return "the contact would grow with a shear that does not keep to its tilt: change P and M "
                "first, under constant Q and sigma, then Q and sigma";

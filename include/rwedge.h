@@ -127,8 +127,8 @@ RWEDGE_API double rwedge_transition_pressure(double alpha);
 /* Coefficient b_n of the paper's series p = -sqrt(1-x^2) sum b_n U_2n(x).
  *                                                                       Eq. (29), (31) with E1; new
  *   n  index of the coefficient, >= 0
- * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Relative error below 1e-14 for every n;
- * where alpha is within 1e-9 (relatively) of a zero of b_n, below 1e-22 of the values around. */
+ * NaN outside the domain; 0 for alpha >= 1 and n >= 1. Error below the larger of 1e-14,
+ * relatively, and 1e-22 of the values around: this counts next to a zero of b_n. */
 RWEDGE_API double rwedge_coefficient(double alpha, int32_t n);
 
 /* ---- Partial slip ---------------------------------------------------------------------------- */
@@ -322,7 +322,7 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  *   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
  *      the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
  *   Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
- *      P
+ *      P, or the largest P since it slides: a ramp may be interpolated in any number of steps
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
  * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
@@ -421,7 +421,8 @@ RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, doub
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
 /* Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
- * |p|. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+ * |p|. So it is in a ring that came into contact with |dQ| = f dP, to rounding, though it has not
+ * slipped. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
  *                                                                                  Eq. (25); new */
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
 
@@ -517,8 +518,8 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  *           apex of the sharp wedge
  *   x, y    where the maximum is, length; each may be NULL
  * The search is for the global maximum, around each remembered edge of slip, at every scale. It
- * takes a millisecond for a first load, and its time grows with the square of
- * rwedge_contact_memory(). RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
+ * takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
+ * rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
  * RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);

@@ -17,6 +17,7 @@ struct rwedge_contact {
     rw_geometry geometry;
     double f;
     rw_loads loads;
+    double slid_from;  /* the largest load since it slides; 0 where it does not */
     double touched_at; /* the bulk tension at which the bodies touched */
     /* their sum; the carry is what rounding left out of a long history */
     double energy, energy_carry; /* NaN where it is not known */

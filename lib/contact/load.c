@@ -7,7 +7,8 @@
 #include <float.h>
 
 /* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller
- * interpolates between two loads, they are rounded like the larger. */
+ * interpolates between two loads, they are rounded like the larger. The larger may be many steps
+ * back: it is the largest since the contact slides. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
 /* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP)
@@ -21,8 +22,9 @@ static const double LARGEST_TILT = 1 - 1e-9;
 static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
 {
     const double limit = contact->f * P, magnitude = fabs(Q);
-    const double last = rw_memory_end(&contact->memory)->load;
-    const double rounding = P > 0 ? SLIDING_ROUNDING * contact->f * fmax(P, last) : 0;
+    const double last = fmax(rw_memory_end(&contact->memory)->load, contact->slid_from);
+    const double largest = fmax(P, fmin(last, P / STEEPEST_FALL));
+    const double rounding = SLIDING_ROUNDING * contact->f * largest;
     if (magnitude > limit + rounding)
         return RWEDGE_ESLIDING;
     if (magnitude >= limit - rounding)
@@ -149,6 +151,8 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].stretch = step->to.stretch;
     }
     measure_new_corners(contact);
+    const bool slides = rw_memory_slides(memory);
+    contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
 }
 
 static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,

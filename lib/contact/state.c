@@ -152,9 +152,9 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
-        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,    &c->f,
-        &c->loads.P,        &c->loads.M,      &c->loads.Q,       &c->loads.sigma,
-        &c->touched_at,     &c->settled.left, &c->settled.right, &c->energy_carry};
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,  &c->f,          &c->loads.P,
+        &c->loads.M,        &c->loads.Q,      &c->loads.sigma, &c->touched_at, &c->settled.left,
+        &c->settled.right,  &c->energy_carry, &c->slid_from};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
     pass(t, &c->energy); /* NaN where it is not known */
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;

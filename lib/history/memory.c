@@ -266,9 +266,15 @@ void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_load
         memory->corners[memory->count - 1].tilt = to.tilt;
     } else if (load > end.load) {
         const double rise = shear - end.shear, run = load - end.load;
-        const bool steepest = fabs(fabs(rise) - run) <= rw_memory_tolerance(load);
+        /* a ring of rounding alone, without shear, is not */
+        const bool steepest = fabs(fabs(rise) - run) <= fmin(rw_memory_tolerance(load), run / 2);
         push(memory, to, steepest ? (rise > 0 ? 1 : -1) : clipped(rise / run));
     }
+}
+
+bool rw_memory_slides(const rw_memory *memory)
+{
+    return memory->count == 2 && fabs(memory->corners[1].ratio) == 1;
 }
 
 void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio)

@@ -120,6 +120,9 @@ double rw_trail_shear(const rw_trail *trail, double load);
  * 0, but for rounding, where the line meets the path at the corner. */
 double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to);
 
+/* Whether friction is exhausted all over: the path is one line of the slope +-1. */
+bool rw_memory_slides(const rw_memory *memory);
+
 /* Differences of loads below this are rounding errors. */
 double rw_memory_tolerance(double load);
 

@@ -340,6 +340,45 @@ static void an_interpolated_load_may_slide(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* In many steps all are rounded like the first: once refused, or a ring of rounding stuck. */
+static void a_ramp_between_two_sliding_loads_slides(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int number = 0; number < 200; number++) {
+        const double f = 0.05 + random_fraction(&seed), from = 0.1 + random_fraction(&seed),
+                     to = from * 0.2 * random_fraction(&seed) + 1e-4, sign = number % 2 ? 1 : -1;
+        rwedge_contact *contact = create(0.1, f);
+        load(contact, from, sign * f * from);
+        for (int i = 1; i <= 49; i++) {
+            const double t = i / 49.0;
+            load(contact, from + t * (to - from), sign * (f * from + t * (f * to - f * from)));
+            assert_true(rwedge_contact_stick_half_width(contact) == 0);
+        }
+        /* what does not slide is not taken for it: the rounding of the first load is over */
+        load(contact, to, 0);
+        load(contact, to, sign * f * to * (1 - 1e-14));
+        assert_true(rwedge_contact_stick_half_width(contact) > 0);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* A ring that grows by roundings, with less shear than makes it slip: each of its steps alone might
+ * be as steep as friction. */
+static void a_ring_that_grows_by_roundings_does_not_slip(void **state)
+{
+    (void)state;
+    const double f = 0.5;
+    rwedge_contact *contact = create(0.1, f);
+    load(contact, 1, 0);
+    load(contact, 1, 0.2 * f);
+    for (int i = 1; i <= 3000; i++)
+        load(contact, 1 + 2 * i * DBL_EPSILON, (0.2 + 0.6 * i * DBL_EPSILON) * f);
+    assert_close(rw_memory_end(&contact->memory)->ratio, 0.3, 0.02);
+    assert_true(rwedge_contact_stick_half_width(contact) == rwedge_contact_half_width(contact));
+    rwedge_contact_destroy(contact);
+}
+
 static void far_points_have_no_stress(void **state)
 {
     (void)state;
@@ -535,6 +574,8 @@ int main(void)
         cmocka_unit_test(a_refused_load_changes_nothing),
         cmocka_unit_test(equality_is_full_sliding_to_rounding),
         cmocka_unit_test(an_interpolated_load_may_slide),
+        cmocka_unit_test(a_ramp_between_two_sliding_loads_slides),
+        cmocka_unit_test(a_ring_that_grows_by_roundings_does_not_slip),
         cmocka_unit_test(far_points_have_no_stress),
         cmocka_unit_test(without_friction_there_is_no_tangential_load),
         cmocka_unit_test(bad_arguments_are_refused),

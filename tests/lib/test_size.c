@@ -281,6 +281,95 @@ static void no_scale_hides_a_higher_point(void **state)
     }
 }
 
+/* With moment and bulk tension: along the surface, in the depth, and around every edge. */
+static void no_point_is_nearer_to_yield_off_the_centre(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    int tilted = 0;
+    for (int number = 0; number < 60; number++) {
+        const double f = 0.1 + 0.8 * random_fraction(&seed), nu = number % 2 ? 0.3 : 0.45;
+        rwedge_contact *contact = create(0.05 + 0.5 * random_fraction(&seed), f);
+        const double P = 0.1 + 0.2 * random_fraction(&seed),
+                     M = 0.1 * P * (2 * random_fraction(&seed) - 1);
+        assert_int_equal(rwedge_contact_apply(contact, P, M, 0, 0), RWEDGE_OK);
+        double sigma = 0;
+        for (int step = 0; step < 3; step++) {
+            const double Q = 0.9 * f * P * (2 * random_fraction(&seed) - 1);
+            const double to = sigma + rwedge_contact_largest_tension_step(contact, Q) *
+                                          (2 * random_fraction(&seed) - 1);
+            if (rwedge_contact_apply(contact, P, M, Q, to) == RWEDGE_OK)
+                sigma = to;
+        }
+        tilted += contact->memory.count > 2 && sigma != 0;
+        double x, y, left, right;
+        const double highest = (1 + 1e-13) / yield_factor(contact, nu, 1, &x, &y);
+        assert_close(root_J2(contact, nu, x, y), highest, 1e-12);
+        assert_int_equal(rwedge_contact_edges(contact, &left, &right), RWEDGE_OK);
+        const double width = right - left;
+        for (int i = -20; i <= 120; i++)
+            for (int j = 0; j <= 30; j++)
+                assert_true(root_J2(contact, nu, left + width * i / 100, width * j * j / 900) <=
+                            highest);
+        for (int i = 0; i <= 2000; i++)
+            assert_true(root_J2(contact, nu, left + width * i / 2000, 0) <= highest);
+        for (size_t i = 1; i < contact->memory.count; i++)
+            for (int side = 0; side < 2; side++) {
+                const rw_patch patch = contact->memory.corners[i].patch;
+                const double mark = side ? patch.left : patch.right;
+                for (double r = width; r > 1e-11 * width; r *= 0.6)
+                    for (int angle = 0; angle <= 12; angle++)
+                        assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
+                                            r * fabs(sin(angle * PI / 12))) <= highest);
+            }
+        rwedge_contact_destroy(contact);
+    }
+    assert_true(tilted > 30);
+}
+
+/* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
+static void a_maximum_next_to_the_edge_is_not_missed(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.01, 3, 0.001, 84.04542447034143, &contact), RWEDGE_OK);
+    load(contact, 5.88, -187.525);
+    load(contact, 5.88, -37.718);
+    load(contact, 5.88, -145.33);
+    assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
+    rwedge_contact_destroy(contact);
+}
+
+/* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
+static void many_corners_hide_no_higher_point(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 2; kind++)
+        for (int n = 30; n <= 120; n += 45) {
+            const double f = kind ? 0.3 : 0.7;
+            rwedge_contact *contact = create(0.05, f);
+            load(contact, 0.2, 0);
+            for (int i = 1; i < n; i++) {
+                const double t = 1.5 * i / n;
+                if (kind)
+                    load(contact, 0.2 + 0.05 * sin(t), 0.03 * (1 - cos(t)));
+                else
+                    load(contact, 0.2, (i % 2 ? 0.9 : -0.9) * f * 0.2 * (1 - i / (n + 1.0)));
+            }
+            const double b = rwedge_contact_half_width(contact),
+                         highest = (1 + 1e-13) / yield_factor(contact, 0.3, 1, NULL, NULL);
+            for (size_t i = 1; i < contact->memory.count; i++)
+                for (int side = -1; side <= 1; side += 2) {
+                    const double mark = side * contact->memory.corners[i].patch.right;
+                    for (double r = b; r > 1e-7 * b; r *= 0.5)
+                        for (int angle = 0; angle <= 8; angle++)
+                            assert_true(root_J2(contact, 0.3, mark + r * cos(angle * PI / 8),
+                                                r * fabs(sin(angle * PI / 8))) <= highest);
+                }
+            rwedge_contact_destroy(contact);
+        }
+}
+
 static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
 {
     (void)state;
@@ -342,6 +431,9 @@ int main(void)
         cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
         cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
         cmocka_unit_test(no_scale_hides_a_higher_point),
+        cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
+        cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
+        cmocka_unit_test(many_corners_hide_no_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
         cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
         cmocka_unit_test(nothing_has_no_size),

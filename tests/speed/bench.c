@@ -207,6 +207,35 @@ static double fatemi_socie(long n)
     return out[0][0] + out[1][n - 1];
 }
 
+/* The yield factor of a contact that remembers as many reversals, each smaller than all before. */
+static double yield_factors(int corners, long n)
+{
+    rwedge_contact *contact;
+    double sum = 0, factor = NAN;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK)
+        return NAN;
+    rwedge_contact_load(contact, 20000, 0);
+    for (int i = 1; i < corners; i++)
+        rwedge_contact_load(contact, 20000,
+                            (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1.0)));
+    for (long i = 0; i < n; i++) {
+        rwedge_contact_yield_factor(contact, 0.3, 100, &factor, NULL, NULL);
+        sum += factor;
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
+static double yield_factors_of_one_load(long n)
+{
+    return yield_factors(2, n);
+}
+
+static double yield_factors_of_251(long n)
+{
+    return yield_factors(251, n);
+}
+
 /* ---- What is printed ---- */
 
 static void print_calls(double series, double search)
@@ -226,6 +255,8 @@ static void print_calls(double series, double search)
         {"half-width from the load", inverses, POINTS, 0},
         {"pressure", pressures, POINTS, 0},
         {"load step and 100 stress points", load_steps, 1000, 0},
+        {"yield factor, one load", yield_factors_of_one_load, 100, 0},
+        {"yield factor, 251 corners", yield_factors_of_251, 1, 0},
         {"Smith-Watson-Topper of 40 loads", smith_watson_topper, CYCLES, 0},
         {"Fatemi-Socie of 40 loads", fatemi_socie, CYCLES, 0},
     };

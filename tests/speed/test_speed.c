@@ -156,6 +156,75 @@ static void limits_beat_the_search(void **state)
     assert_ratio("search / elastic limit", searched_limits, 3, limits, LIMITS, 200);
 }
 
+/* A contact that remembers as many reversals, each smaller than all before; kept for all calls. */
+static rwedge_contact *worn(int corners)
+{
+    static rwedge_contact *made[2];
+    rwedge_contact **contact = &made[corners > 2];
+    if (*contact)
+        return *contact;
+    assert_int_equal(rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(*contact, 20000, 0), RWEDGE_OK);
+    for (int i = 1; i < corners; i++)
+        assert_int_equal(
+            rwedge_contact_load(*contact, 20000,
+                                (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1.0))),
+            RWEDGE_OK);
+    return *contact;
+}
+
+static double yield_factors(int corners, long n)
+{
+    double sum = 0;
+    for (long i = 0; i < n; i++) {
+        double factor;
+        assert_int_equal(rwedge_contact_yield_factor(worn(corners), 0.3, 100, &factor, NULL, NULL),
+                         RWEDGE_OK);
+        sum += factor;
+    }
+    return sum;
+}
+
+static double yield_factors_of_one_load(long n)
+{
+    return yield_factors(2, n);
+}
+
+static double yield_factors_of_250(long n)
+{
+    return yield_factors(250, n);
+}
+
+static double points_of(int corners, long n)
+{
+    assert_int_equal(rwedge_contact_stresses(worn(corners), (size_t)n, x, y, sxx, syy, txy),
+                     RWEDGE_OK);
+    return sxx[0] + syy[n - 1] + txy[n / 2];
+}
+
+static double points_of_one_load(long n)
+{
+    return points_of(2, n);
+}
+
+static double points_of_250(long n)
+{
+    return points_of(250, n);
+}
+
+/* How many stresses at a point take the time of one factor. Seen: 3000 and 10000, once 15000 and
+ * 470000. */
+static void yield_factors_take_few_points(void **state)
+{
+    (void)state;
+    assert_ratio("6000 points / a yield factor, one load", points_of_one_load, 6000,
+                 yield_factors_of_one_load, 20, 1.0 / 6000);
+    assert_ratio("20000 points / a yield factor, 250 corners", points_of_250, 2000,
+                 yield_factors_of_250, 1, 1.0 / 20000);
+    rwedge_contact_destroy(worn(2));
+    rwedge_contact_destroy(worn(250));
+}
+
 int main(void)
 {
     if (!OPTIMISED_BUILD || IS_SANITIZED) {
@@ -172,6 +241,7 @@ int main(void)
         cmocka_unit_test(single_points_beat_the_series),
         cmocka_unit_test(time_grows_linearly),
         cmocka_unit_test(limits_beat_the_search),
+        cmocka_unit_test(yield_factors_take_few_points),
     };
     return RUN_CLAIMS("speed", tests);
 }

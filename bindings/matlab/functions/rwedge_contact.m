@@ -65,13 +65,13 @@ classdef rwedge_contact < handle
         %     P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
         %        the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
         %     Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
-        %        P
+        %        P, or the largest P since it slides: a ramp may be interpolated in any number of steps
         %   rwedge:sliding where |Q| > f P. rwedge:domain. rwedge:range where the half-width, a/b, the
         %   peak pressure or the energy leaves the domain. rwedge:range too where P is not 0 but below
         %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
         %   after a moment or another tension, as rwedge_contact.apply(). rwedge:handle; rwedge:memory. Unless
         %   RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
-        %   of them only those that no later load has wiped out.
+        %   of them only those that its tractions or its slip still depend on.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
@@ -190,15 +190,18 @@ classdef rwedge_contact < handle
         function value = stick_half_width(contact)
         %STICK_HALF_WIDTH  value = contact.stick_half_width()
         %   Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
-        %   |p|. c is b where all sticks, 0 in full sliding and when separated.
+        %   |p|. So it is in a ring that came into contact with |dQ| = f dP, to rounding, though it has not
+        %   slipped. c is b where all sticks, 0 in full sliding and when separated.
         %      Eq. (25); new
             value = rwedge_mex('contact_stick_half_width', contact.number);
         end
 
         function value = memory(contact)
         %MEMORY  value = contact.memory()
-        %   How many points of its history the contact remembers; 0 when separated. The time
-        %   of its functions grows in proportion, for each point of the half-plane.
+        %   How many points of its history the contact remembers: those that its tractions depend on, and
+        %   those that its slip is measured from. At most two per load; 0 when separated. The
+        %   memory it takes grows in proportion; so does the time of its functions, at most, for each point of
+        %   the half-plane.
             value = rwedge_mex('contact_memory', contact.number);
         end
 
@@ -308,8 +311,8 @@ classdef rwedge_contact < handle
         %             apex of the sharp wedge
         %     x, y    where the maximum is, length
         %   The search is for the global maximum, around each remembered edge of slip, at every scale. It
-        %   takes a millisecond for a first load, and its time grows with the square of
-        %   rwedge_contact.memory(). rwedge:absent when separated: there is no stress. rwedge:domain;
+        %   takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
+        %   rwedge_contact.memory() is 250. rwedge:absent when separated: there is no stress. rwedge:domain;
         %   rwedge:handle; rwedge:range where the factor leaves the domain. Relative error below 1e-12.
         %     k  yield stress in pure shear, stress, finite, > 0
             if nargin < 3

@@ -2,8 +2,8 @@
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
- * free. */
+ * object, as a call of one form; and those that give a text for a number. Not here are
+ * rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -16,7 +16,7 @@
 enum {
     ENTRY_ARGUMENTS = 6, /* the most that a function has */
     ENTRY_RESULTS = 3,
-    ENTRY_SIZES = 1
+    ENTRY_SIZES = 2
 };
 
 /* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
@@ -234,6 +234,18 @@ static const entry_argument critical_friction_arguments[] = {
 static const entry_result critical_friction_results[] = {
     {"value", {-1, -1}}};
 
+ENTRY(validity, r[0][0] = (double)rwedge_validity(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
+      v[5][0]); return RWEDGE_OK)
+static const entry_argument validity_arguments[] = {
+    {"theta", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"alpha", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"beta", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"f", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_E", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"safety", "any number", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result validity_results[] = {
+    {"value", {-1, -1}}};
+
 ENTRY(radius, r[0][0] = rwedge_radius(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument radius_arguments[] = {
     {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
@@ -355,6 +367,105 @@ static const entry_result contact_yield_factor_results[] = {
     {"x", {-1, -1}},
     {"y", {-1, -1}}};
 
+ENTRY(von_mises, r[0][0] = rwedge_von_mises(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
+static const entry_argument von_mises_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result von_mises_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(out_of_plane_stress, r[0][0] = rwedge_out_of_plane_stress(v[0][0], v[1][0], v[2][0]); return
+      RWEDGE_OK)
+static const entry_argument out_of_plane_stress_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result out_of_plane_stress_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(largest_shear, r[0][0] = rwedge_largest_shear(v[0][0], v[1][0], v[2][0], v[3][0]); return
+      RWEDGE_OK)
+static const entry_argument largest_shear_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result largest_shear_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(principal_stresses, return rwedge_principal_stresses(v[0][0], v[1][0], v[2][0], r[0], r[1],
+      r[2]))
+static const entry_argument principal_stresses_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result principal_stresses_results[] = {
+    {"s1", {-1, -1}},
+    {"s2", {-1, -1}},
+    {"angle", {-1, -1}}};
+
+ENTRY(smith_watson_topper, return rwedge_smith_watson_topper(n[0], v[0], v[1], v[2], v[3][0],
+      v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_results[] = {
+    {"value", {-1, -1}},
+    {"angle", {-1, -1}}};
+static const entry_size smith_watson_topper_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(smith_watson_topper_field, return rwedge_smith_watson_topper_field(n[0], n[1], v[0], v[1],
+      v[2], v[3][0], v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_field_results[] = {
+    {"value", {1, -1}},
+    {"angle", {1, -1}}};
+static const entry_size smith_watson_topper_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
+
+ENTRY(fatemi_socie, return rwedge_fatemi_socie(n[0], v[0], v[1], v[2], v[3][0], v[4][0], v[5][0],
+      r[0], r[1]))
+static const entry_argument fatemi_socie_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}}};
+static const entry_result fatemi_socie_results[] = {
+    {"value", {-1, -1}},
+    {"angle", {-1, -1}}};
+static const entry_size fatemi_socie_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(fatemi_socie_field, return rwedge_fatemi_socie_field(n[0], n[1], v[0], v[1], v[2], v[3][0],
+      v[4][0], v[5][0], r[0], r[1]))
+static const entry_argument fatemi_socie_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}}};
+static const entry_result fatemi_socie_field_results[] = {
+    {"value", {1, -1}},
+    {"angle", {1, -1}}};
+static const entry_size fatemi_socie_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
+
 ENTRY(series_create, return rwedge_series_create(v[0][0], (int32_t)v[1][0], (rwedge_series **)made))
 static const entry_argument series_create_arguments[] = {
     {"alpha", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
@@ -455,6 +566,8 @@ static const entry entries[] = {
      NULL, 3, 2, 0, surface_yield_arguments, surface_yield_results, NULL},
     {"critical_friction", "", entry_critical_friction, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, critical_friction_arguments, critical_friction_results, NULL},
+    {"validity", "", entry_validity, 0, 0, 0, 0, 0, 0x0,
+     NULL, 6, 1, 0, validity_arguments, validity_results, NULL},
     {"radius", "", entry_radius, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, radius_arguments, radius_results, NULL},
     {"rounding", "", entry_rounding, 0, 0, 0, 0, 0, 0x0,
@@ -487,6 +600,22 @@ static const entry entries[] = {
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
     {"contact_yield_factor", "contact", entry_contact_yield_factor, 1, 0, 0, 1, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},
+    {"von_mises", "", entry_von_mises, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, von_mises_arguments, von_mises_results, NULL},
+    {"out_of_plane_stress", "", entry_out_of_plane_stress, 0, 0, 0, 0, 0, 0x0,
+     NULL, 3, 1, 0, out_of_plane_stress_arguments, out_of_plane_stress_results, NULL},
+    {"largest_shear", "", entry_largest_shear, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, largest_shear_arguments, largest_shear_results, NULL},
+    {"principal_stresses", "", entry_principal_stresses, 0, 0, 0, 1, 0, 0x6,
+     NULL, 3, 3, 0, principal_stresses_arguments, principal_stresses_results, NULL},
+    {"smith_watson_topper", "", entry_smith_watson_topper, 0, 0, 0, 1, 0, 0xe,
+     NULL, 5, 2, 1, smith_watson_topper_arguments, smith_watson_topper_results, smith_watson_topper_sizes},
+    {"smith_watson_topper_field", "", entry_smith_watson_topper_field, 0, 0, 0, 1, 0, 0xe,
+     NULL, 5, 2, 2, smith_watson_topper_field_arguments, smith_watson_topper_field_results, smith_watson_topper_field_sizes},
+    {"fatemi_socie", "", entry_fatemi_socie, 0, 0, 0, 1, 0, 0xe,
+     NULL, 6, 2, 1, fatemi_socie_arguments, fatemi_socie_results, fatemi_socie_sizes},
+    {"fatemi_socie_field", "", entry_fatemi_socie_field, 0, 0, 0, 1, 0, 0xe,
+     NULL, 6, 2, 2, fatemi_socie_field_arguments, fatemi_socie_field_results, fatemi_socie_field_sizes},
     {"series_create", "series", entry_series_create, 0, 0, 1, 1, 0, 0x2e,
      NULL, 2, 0, 0, series_create_arguments, NULL, NULL},
     {"series_fit", "series", entry_series_fit, 0, 0, 1, 1, 0, 0xbe,
@@ -505,5 +634,14 @@ static const entry entries[] = {
      NULL, 3, 3, 0, series_stress_arguments, series_stress_results, NULL},
 };
 enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };
+
+static const struct {
+    const char *name;
+    const char *(*text)(int32_t number);
+} text_entries[] = {
+    {"strerror", rwedge_strerror},
+    {"validity_text", rwedge_validity_text},
+};
+enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };
 
 #endif

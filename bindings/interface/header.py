@@ -131,6 +131,7 @@ class Function:
 class Interface:
     introduction: list[str]
     statuses: dict[str, int]
+    bits: dict[str, int]  # of other enumerations
     functions: list[Function]
 
     def __getitem__(self, name: str) -> Function:
@@ -173,7 +174,7 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
     """The conditions on one argument in the line that it shares with others."""
     domain = Domain(text, finite="HUGE_VAL" not in text)
     for clause in clauses(text):
-        if clause in ("finite", "any integer") or clause.startswith("not "):
+        if clause in ("finite", "any integer", "any number") or clause.startswith("not "):
             pass
         elif match := WITHIN.fullmatch(clause):
             if match[3] in others:
@@ -209,7 +210,7 @@ class Reader:
 
     def __init__(self, path: Path) -> None:
         self.path, self.lines = path, path.read_text(encoding="ascii").split("\n")
-        self.interface = Interface([], {}, [])
+        self.interface = Interface([], {}, {}, [])
         self.section = ""
         self.shared: dict[bool, dict[str, tuple[str, set[str]]]] = {False: {}, True: {}}
         self.dimensional, self.until = False, ""
@@ -239,7 +240,7 @@ class Reader:
                         self.refuse(first, "a declaration without an end")
                 self.take_declaration(" ".join(" ".join(self.lines[first - 1:i + 1]).split()), first)
             elif line == "enum {":
-                i = self.take_statuses(i + 1)
+                i = self.take_numbers(i + 1)
             elif not line:
                 self.leave_alone()
             elif re.match(r"# *define +\w+\(", line):
@@ -275,12 +276,13 @@ class Reader:
                 self.refuse(first, 'a second list of arguments must say for what it holds: "From here to the ..."')
             self.shared[self.dimensional] = self.listed(lines)[0]
 
-    def take_statuses(self, i: int) -> int:
+    def take_numbers(self, i: int) -> int:
+        found = self.interface.statuses if self.section == "Status" else self.interface.bits
         while not self.lines[i].startswith("}"):
-            match = re.match(r"    (RWEDGE_[A-Z]+) = (\d+)(?:,|$|  )", self.lines[i])
+            match = re.match(r"    (RWEDGE_[A-Z_]+) = (\d+)(?:,|$| )", self.lines[i])
             if not match:
-                self.refuse(i + 1, f"not a status with its value: {self.lines[i].strip()}")
-            self.interface.statuses[match[1]] = int(match[2])
+                self.refuse(i + 1, f"not a name with its value: {self.lines[i].strip()}")
+            found[match[1]] = int(match[2])
             i += 1
         return i
 

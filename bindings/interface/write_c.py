@@ -13,8 +13,8 @@ TOP = """\
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
- * free. */
+ * object, as a call of one form; and those that give a text for a number. Not here are
+ * rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -149,6 +149,13 @@ def tables(f: Function) -> str:
                                        ("size", [size(p) for p in f.of("size")])) if items)
 
 
+def text_entries(interface: Interface) -> list[str]:
+    texts = [f for f in interface.functions if f.result == "text" and [p.declared.split()[0] for p in f.parameters] == ["int32_t"]]
+    return ["static const struct {", "    const char *name;", "    const char *(*text)(int32_t number);", "} text_entries[] = {",
+            *(f'    {{"{f.name}", rwedge_{f.name}}},' for f in texts), "};",
+            "enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };"]
+
+
 def entries(interface: Interface) -> list[Function]:
     return [f for f in interface.functions if f.result in ("value", "status")]
 
@@ -159,4 +166,4 @@ def entries_h(interface: Interface) -> str:
             "sizes": max(len(f.of("size")) for f in listed)}
     return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
                       "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", "#endif", ""])
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "", "#endif", ""])

@@ -33,11 +33,9 @@ static double stick_width(const figure_case *of)
                : 0;
 }
 
-static double von_mises(double nu, double sxx, double syy, double txy)
+static double sqrt_J2(double nu, double sxx, double syy, double txy)
 {
-    const double mean = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy),
-                 out_of_plane = (1 - 2 * nu) * mean;
-    return sqrt(half * half + txy * txy + out_of_plane * out_of_plane / 3);
+    return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
 static int32_t compute_field(const figure_case *of, dataset *rows)
@@ -55,7 +53,7 @@ static int32_t compute_field(const figure_case *of, dataset *rows)
             else if (status != RWEDGE_OK)
                 return status;
             dataset_add(rows,
-                        (data_row){.number = {x, y, sxx, syy, txy, von_mises(nu, sxx, syy, txy)}});
+                        (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2(nu, sxx, syy, txy)}});
         }
     return RWEDGE_OK;
 }

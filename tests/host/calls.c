@@ -56,10 +56,13 @@ static bool is_of_kind(char kind, double v)
         return is_positive(v) || v == INFINITY;
     case 'i': /* the number of a coefficient */
         return v >= 0;
+    case 'g': /* a given stress */
+        return isfinite(v) && fabs(v) <= 1e60;
     case 's': /* the factor of a sample */
         return isfinite(v);
     case 'z': /* a status */
     case 'r': /* a tangential force over f P: it may be refused */
+    case 'v': /* any number */
         return true;
     default: /* 'x', a coordinate */
         return is_magnitude(fabs(v));
@@ -202,6 +205,9 @@ FORMULA_2(radius)
 FORMULA_2(rounding)
 FORMULA_4(half_width)
 FORMULA_4(normal_load)
+FORMULA_4(von_mises)
+FORMULA_3(out_of_plane_stress)
+FORMULA_4(largest_shear)
 
 static int32_t coefficient(const double v[], double out[])
 {
@@ -294,6 +300,20 @@ static int32_t texts(const double v[], double out[])
 {
     const char *text = rwedge_strerror((int32_t)v[0]);
     out[0] = text != NULL && text[0] != '\0' ? 0 : NAN;
+    return RWEDGE_OK;
+}
+
+/* ---- Validity ---- */
+
+static int32_t validity(const double v[], double out[])
+{
+    return value(rwedge_validity(v[0], v[1], v[2], v[3], v[4], v[5]), out);
+}
+
+static int32_t validity_text(const double v[], double out[])
+{
+    const char *text = rwedge_validity_text((int32_t)v[0]);
+    out[0] = text != NULL && strlen(text) < 100 ? 0 : NAN;
     return RWEDGE_OK;
 }
 
@@ -398,6 +418,60 @@ static int32_t yield_factor(const double v[], double out[])
     return status;
 }
 
+/* ---- Measures of a stress ---- */
+
+static int32_t principal_stresses(const double v[], double out[])
+{
+    return rwedge_principal_stresses(v[0], v[1], v[2], &out[0], &out[1], &out[2]);
+}
+
+enum { LOADS = 3 };
+
+/* v: one stress, as if it came to and fro and with its components exchanged. At two points the
+ * loads are the same, in another order. */
+typedef struct {
+    double sxx[2 * LOADS], syy[2 * LOADS], txy[2 * LOADS];
+} cycle;
+
+static cycle cycle_of(const double v[], int points)
+{
+    cycle c;
+    for (int i = 0; i < LOADS; i++)
+        for (int j = 0; j < points; j++) {
+            const int load = (i + j) % LOADS;
+            c.sxx[i * points + j] = load == 0 ? v[0] : load == 1 ? -v[0] : v[1];
+            c.syy[i * points + j] = load == 0 ? v[1] : load == 1 ? -v[1] : v[2];
+            c.txy[i * points + j] = load == 0 ? v[2] : load == 1 ? -v[2] : v[0];
+        }
+    return c;
+}
+
+static int32_t smith_watson_topper(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 1);
+    return rwedge_smith_watson_topper(LOADS, c.sxx, c.syy, c.txy, v[3], v[4], &out[0], &out[1]);
+}
+
+static int32_t smith_watson_topper_field(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 2);
+    return rwedge_smith_watson_topper_field(LOADS, 2, c.sxx, c.syy, c.txy, v[3], v[4], &out[0],
+                                            &out[2]);
+}
+
+static int32_t fatemi_socie(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 1);
+    return rwedge_fatemi_socie(LOADS, c.sxx, c.syy, c.txy, v[3], v[4], v[5], &out[0], &out[1]);
+}
+
+static int32_t fatemi_socie_field(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 2);
+    return rwedge_fatemi_socie_field(LOADS, 2, c.sxx, c.syy, c.txy, v[3], v[4], v[5], &out[0],
+                                     &out[2]);
+}
+
 /* ---- The series ---- */
 
 /* The pressure, potential and stress, and then the residual and two coefficients. */
@@ -481,6 +555,8 @@ const public_call public_calls[] = {
     BY_STATUS(subsurface_yield, "tfn", 3, BIT(RWEDGE_EABSENT), NULL),
     BY_STATUS(surface_yield, "tfn", 2, BIT(RWEDGE_EABSENT), NULL),
     FORMULA(critical_friction, "tn", NULL),
+    FORMULA(validity, "vvvvvv", NULL),
+    FORMULA(validity_text, "z", NULL),
     FORMULA(radius, "hw", has_radius),
     FORMULA(rounding, "hw", has_rounding),
     FORMULA(half_width, "hw+w", has_half_width),
@@ -491,6 +567,14 @@ const public_call public_calls[] = {
     BY_STATUS(yield_factor, "hw+fwrn+", 3,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT),
               NULL),
+    FORMULA(von_mises, "gggn", NULL),
+    FORMULA(out_of_plane_stress, "ggn", NULL),
+    FORMULA(largest_shear, "gggn", NULL),
+    BY_STATUS(principal_stresses, "ggg", 3, 0, NULL),
+    BY_STATUS(smith_watson_topper, "ggg+n", 2, 0, NULL),
+    BY_STATUS(smith_watson_topper_field, "ggg+n", 4, 0, NULL),
+    BY_STATUS(fatemi_socie, "ggg+nw", 2, 0, NULL),
+    BY_STATUS(fatemi_socie_field, "ggg+nw", 4, 0, NULL),
     BY_STATUS(series_create, "aifxy", 9, BIT(RWEDGE_ERANGE), NULL),
     BY_STATUS(series_fit, "asfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
 };

@@ -53,6 +53,8 @@ static void formulas(const sample *s)
     give(s, "ratio", rwedge_shear_ratio(alpha, v));
     give(s, "shear", rwedge_shear(alpha, v, v / 2));
     give(s, "tension", rwedge_max_tension(alpha));
+    give(s, "validity", rwedge_validity(theta, alpha, v - 0.5, w, v / 5, 2 * w));
+    give(s, "validity text", rwedge_validity_text((int32_t)(20 * w))[0]);
     give(s, "radius", rwedge_radius(theta, alpha));
     give(s, "rounding", rwedge_rounding(theta, 1 + v));
     give(s, "half_width", rwedge_half_width(theta, alpha, 1e-5, 1000 * v + 1));
@@ -87,6 +89,32 @@ static void strength(const sample *s)
     give_all(s, "yield_point", rwedge_yield_point(alpha, f, nu, &r[0], &r[1], &r[2]), 3, r);
     give_all(s, "subsurface", rwedge_subsurface_yield(alpha, f, nu, &r[0], &r[1], &r[2]), 3, r);
     give_all(s, "surface", rwedge_surface_yield(alpha, f, nu, &r[0], &r[1]), 2, r);
+}
+
+static void measures(const sample *s)
+{
+    enum { LOADS = 9, N = 2 };
+    double t[3][LOADS * N], r[3], value[N], angle[N];
+    for (int i = 0; i < LOADS * N; i++)
+        for (int k = 0; k < 3; k++)
+            t[k][i] = fmod(s->u + (i + 1) * (k + 1) * 0.381966, 1) - s->w;
+    give(s, "von_mises", rwedge_von_mises(t[0][0], t[1][0], t[2][0], s->w / 2));
+    give(s, "szz", rwedge_out_of_plane_stress(t[0][0], t[1][0], s->w / 2));
+    give(s, "largest_shear", rwedge_largest_shear(t[0][0], t[1][0], t[2][0], s->w / 2));
+    give_all(s, "principal",
+             rwedge_principal_stresses(t[0][0], t[1][0], t[2][0], &r[0], &r[1], &r[2]), 3, r);
+    give_all(s, "swt",
+             rwedge_smith_watson_topper(LOADS, t[0], t[1], t[2], 2, s->w / 2, &r[0], &r[1]), 2, r);
+    give_all(s, "fs", rwedge_fatemi_socie(LOADS, t[0], t[1], t[2], 2, s->w / 2, s->v, &r[0], &r[1]),
+             2, r);
+    const int32_t swt =
+        rwedge_smith_watson_topper_field(LOADS, N, t[0], t[1], t[2], 2, s->w / 2, value, angle);
+    give_all(s, "swt field", swt, N, value);
+    give_all(s, "swt angles", swt, N, angle);
+    const int32_t fs =
+        rwedge_fatemi_socie_field(LOADS, N, t[0], t[1], t[2], 2, s->w / 2, s->v, value, angle);
+    give_all(s, "fs field", fs, N, value);
+    give_all(s, "fs angles", fs, N, angle);
 }
 
 static void slow_strength(const sample *s)
@@ -210,6 +238,7 @@ void every_function(const shared_handles *shared, int number, receiver *receive,
     formulas(&s);
     stresses(&s);
     strength(&s);
+    measures(&s);
     read_contact(&s, shared->contact);
     own_contact(&s);
     read_series(&s, shared->series);

@@ -30,9 +30,10 @@
 
 #include <float.h>
 
-enum { ANGLES = 9, RADII = 64, LINE = 7, CLIMB_MAX = 60, FEET = 64 };
+enum { ANGLES = 9, RADII = 120, LINE = 7, CLIMB_MAX = 60, FEET = 64 };
 
-/* The ratio of neighbouring radii. */
+/* The ratio of neighbouring radii: RADII of them span 1e36, from 3 b to INNERMOST of a patch of 1e-20
+ * b. */
 static const double FALL = 0.5;
 
 /* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
@@ -299,8 +300,7 @@ static void note(search *s, const foot *found)
 
 /* ---- The grid around one mark ---- */
 
-/* As many radii as are kept at a time: those of one annulus, rows of them. On both sides: [1] is
- * the mirror image. */
+/* On both sides: [1] is the mirror image. */
 typedef struct {
     double centre, floor;
     int rows;
@@ -312,7 +312,7 @@ static void fill(search *s, polar_grid *grid, double outermost, double innermost
 {
     double radius = outermost;
     int rows = 0;
-    for (; rows < RADII && radius > innermost; rows++, radius *= FALL)
+    for (; ALWAYS(rows < RADII) && radius > innermost; rows++, radius *= FALL)
         grid->radius[rows] = radius;
     grid->rows = rows;
     const bool both = s->is_centred && grid->centre != 0;
@@ -342,13 +342,13 @@ static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest
     return true;
 }
 
-/* The maxima of the rows first ... end-1. A top between the points of a grid with the step h is at
- * most h/2 away; a parabola falls by 8 times as much to the neighbour on the other side as it rises
- * to its top. As much again is allowed. */
-static void note_feet(search *s, const polar_grid *grid, int side, int first, int end)
+/* A top between the points of a grid with the step h is at most h/2 away. A parabola falls 8 times
+ * as far to the neighbour on the other side as it rises to its top: so the rise that is allowed is 8
+ * times that. */
+static void note_feet(search *s, const polar_grid *grid, int side)
 {
     const double *J2 = grid->J2[side];
-    for (int i = first; i < end; i++)
+    for (int i = 0; i < grid->rows; i++)
         for (int j = 0; j < ANGLES; j++) {
             double lowest;
             if (!is_maximum(J2, grid->rows, i, j, &lowest))
@@ -363,13 +363,6 @@ static void note_feet(search *s, const polar_grid *grid, int side, int first, in
                                 here - lowest};
             note(s, &found);
         }
-}
-
-static void note_both(search *s, const polar_grid *grid, int first, int end)
-{
-    note_feet(s, grid, 0, first, end);
-    if (s->is_centred && grid->centre != 0)
-        note_feet(s, grid, 1, first, end);
 }
 
 /* How fast the root of J2 may rise from a mark m in a centred contact: by this times sqrt(r/|m|).
@@ -392,12 +385,18 @@ static double J2_at_mark(search *s, double at)
     return fmax(J2, mirrored);
 }
 
+/* Nothing is farther in. */
+static double floor_of(const mark *m)
+{
+    return fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
+}
+
 /* The inner radius of a grid. Around the centre of a rounded wedge all is smooth. */
 static double innermost_radius(const search *s, const mark *m, double J2)
 {
     if (m->at == 0 && s->contact->geometry.a > 0)
         return 0.05 * m->nearest;
-    const double floor = fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
+    const double floor = floor_of(m);
     if (!s->is_centred || m->at == 0)
         return floor;
     const double lacking = sqrt(s->J2) - sqrt(J2);
@@ -411,20 +410,15 @@ static void search_around(search *s, const mark *m)
     const double innermost = innermost_radius(s, m, is_apex ? 0 : J2_at_mark(s, m->at));
     if (m->reach <= innermost) /* nothing is higher, or it is another mark to rounding */
         return;
-    polar_grid grid = {.centre = m->at, .floor = fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at))};
+    polar_grid grid = {.centre = m->at, .floor = floor_of(m)};
     for (int j = 0; j < ANGLES; j++) {
         grid.cosine[j] = cos(j * RW_PI / (ANGLES - 1));
         grid.sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
     }
     fill(s, &grid, m->reach, innermost);
-    int first = 0;
-    /* the next annulus repeats the last two rows, so that each row has both its neighbours once */
-    while (grid.rows == RADII) {
-        note_both(s, &grid, first, RADII - 1);
-        fill(s, &grid, grid.radius[RADII - 2], innermost);
-        first = 1;
-    }
-    note_both(s, &grid, first, grid.rows);
+    note_feet(s, &grid, 0);
+    if (s->is_centred && m->at != 0)
+        note_feet(s, &grid, 1);
 }
 
 /* ---- All marks ---- */

@@ -48,8 +48,7 @@ bool rw_memory_copy(const rw_memory *memory, rw_memory *copy)
     *copy = (rw_memory){0};
     if (!rw_memory_reserve(copy, memory->count))
         return false;
-    if (memory->count > 0)
-        memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
+    memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
     copy->count = memory->count;
     copy->shared = memory->shared;
     return true;

@@ -222,6 +222,8 @@ static void restoring_and_cycles_without_memory_say_so(void **state)
     double numbers[NUMBERS], left = 7, right = 7;
     load(contact, 0.5, 0);
     load(contact, 0.5, 0.1);
+    load(contact, 0.6, 0.1);
+    load(contact, 0.6, -0.1);
     const size_t n = numbers_of(contact, numbers);
     int32_t status = RWEDGE_ENOMEM;
     int refused = 0;

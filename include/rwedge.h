@@ -16,8 +16,9 @@
  * 2/E1 + 2/E2.
  *
  * Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
- * lengths, loads, moduli, stresses, the compliance, friction, and ratios of lengths such as a/b
- * and x/b. A result that would leave this range is an error.
+ * lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios of
+ * lengths such as a/b and x/b. A result that would leave this range is an error. Without a size
+ * are nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
  *
  * Arguments that return everywhere:
  *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
@@ -276,7 +277,7 @@ typedef struct rwedge_contact rwedge_contact;
 
 /* A contact without load, separated.
  *   contact  receives the handle
- * RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+ * RWEDGE_EDOMAIN where theta/A leaves the domain too; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 

@@ -47,17 +47,6 @@ static bool is_int32(double v)
     return v >= INT32_MIN && v <= INT32_MAX && v == floor(v);
 }
 
-/* For the messages alone: whether a call is an error is for the library to say. */
-static bool is_in_domain(const entry_argument *a, double v)
-{
-    if (isnan(v) || (a->finite && isinf(v)) || (a->whole && !is_int32(v)))
-        return false;
-    if (a->or_zero && v == 0)
-        return true;
-    return v >= a->low && v <= a->high && !(a->low_open && v == a->low) &&
-           !(a->high_open && v == a->high);
-}
-
 /* A number as MATLAB writes it. */
 static const char *text_of(double v, char text[32])
 {
@@ -92,7 +81,7 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
     char number[32];
     const int sizes = n ? call->sizes : 0;
     for (int j = 0; j < call->arguments; j++)
-        if (call->arguments + sizes == 1 || !is_in_domain(&call->argument[j], v[j][at[j]])) {
+        if (call->arguments + sizes == 1 || !entry_allows(&call->argument[j], v[j][at[j]])) {
             add(m, ": %s = %s; allowed is %s", call->argument[j].name, text_of(v[j][at[j]], number),
                 call->argument[j].allowed);
             return;
@@ -397,7 +386,7 @@ static void fail_whole(int32_t status, const entry *call, const double *const v[
         const signed char *sizes = call->argument[j].sizes;
         const size_t count = sizes[0] < 0 ? 0 : n[sizes[0]] * (sizes[1] < 0 ? 1 : n[sizes[1]]);
         for (at[j] = 0; at[j] < count; at[j]++)
-            if (!is_in_domain(&call->argument[j], v[j][at[j]]))
+            if (!entry_allows(&call->argument[j], v[j][at[j]]))
                 fail_with(status, call, v, at, n, (long)at[j]);
         at[j] = 0;
     }

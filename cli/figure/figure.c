@@ -162,7 +162,7 @@ static const picture_format *format_named(const char *name)
     return NULL;
 }
 
-/* Another ending says nothing, and leaves the default. */
+/* NULL, for the default, where the ending is that of no format. */
 static const picture_format *format_of_file(const char *path)
 {
     const char *point = path != NULL ? strrchr(path, '.') : NULL;

@@ -1,7 +1,7 @@
 classdef rwedge_contact < handle
 %RWEDGE_CONTACT  A contact with a load history.
 %   A contact without load, separated.
-%   rwedge:domain, rwedge:memory.
+%   rwedge:domain where theta/A leaves the domain too; rwedge:memory.
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 %     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 %     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()

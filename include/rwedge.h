@@ -217,6 +217,35 @@ RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, doubl
  * like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
+/* ---- Validity -------------------------------------------------------------------------------- */
+
+/* What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
+ * added at the end. */
+enum {
+    RWEDGE_DOUBT_ANGLE = 1,    /* theta above 0.1 rad: the wedge is hardly a half-plane */
+    RWEDGE_DOUBT_COUPLING = 2, /* dissimilar bodies with friction, whose coupling is neglected */
+    RWEDGE_DOUBT_YIELD = 4,    /* a load above that of first yield */
+    RWEDGE_DOUBT_ROUNDING = 8, /* a/b below 0.01 or above 10000: mixed units? */
+    RWEDGE_DOUBT_STRENGTH = 16 /* k/E below 0.00001 or above 0.1: mixed units? */
+};
+
+/* What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+ * says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+ * is not known; nor from a 0, but of safety.                                                    new
+ *   theta     any number; the angle between flank and surface, rad
+ *   alpha     any number; a/b under the load; 0 is the sharp wedge
+ *   beta      any number; rwedge_dundurs_beta()
+ *   f         any number; the coefficient of friction
+ *   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+ *   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor() */
+RWEDGE_API int32_t rwedge_validity(double theta, double alpha, double beta, double f,
+                                   double k_over_E, double safety);
+
+/* What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+ * such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+ *   doubt  any integer */
+RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
+
 /* ---- Dimensional quantities ------------------------------------------------------------------ */
 
 /* From here to the series, any consistent set of units. Arguments that return:
@@ -366,6 +395,94 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  * RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
+
+/* ---- Measures of a stress -------------------------------------------------------------------- */
+
+/* Of stresses from anywhere, in any unit; tension positive, y into the half-plane.
+ *   sxx, syy, txy  stresses, of at most 1e60 in magnitude
+ *   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
+ *                  stress, szz = 0, give nu = 0
+ * What is said of accuracy holds where the largest of the stresses is at least 1e-60. */
+
+/* Von Mises' equivalent stress, sqrt(3 J2).                                       von Mises (1913)
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_von_mises(double sxx, double syy, double txy, double nu);
+
+/* The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_out_of_plane_stress(double sxx, double syy, double nu);
+
+/* The largest shear stress on any plane: half of the difference between the largest and the
+ * smallest principal stress, szz among them.                                         Tresca (1864)
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_largest_shear(double sxx, double syy, double txy, double nu);
+
+/* Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+ *   s1, s2  each receives one number
+ *   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+ *           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+ *           positive angles turn from +y towards +x. 0 where s1 = s2
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+ * two, of the angle below 4 epsilon. */
+RWEDGE_API int32_t rwedge_principal_stresses(double sxx, double syy, double txy, double *s1,
+                                             double *s2, double *angle);
+
+/* Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+ * value of
+ *     sn_max den/2
+ * over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+ * a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+ * plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+ * nu/(1+nu) for nu.
+ *                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+ *   n              number of loads of the cycle, >= 1; their order does not matter
+ *   sxx, syy, txy  n stresses each
+ *   E              Young's modulus, stress, 1e-60 to 1e60
+ *   value, angle   each receives one number. The angle is that of the plane, as in
+ *                  rwedge_principal_stresses(); of one of them where several planes have the
+ *                  value, 0 where the value is 0
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+ * the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+ * the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+ * are the worst for neighbouring planes, as on a circular path. */
+RWEDGE_API int32_t rwedge_smith_watson_topper(size_t n, const double sxx[], const double syy[],
+                                              const double txy[], double E, double nu,
+                                              double *value, double *angle);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sxx[],
+                                                    const double syy[], const double txy[],
+                                                    double E, double nu, double value[],
+                                                    double angle[]);
+
+/* Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+ *     (dgamma/2) (1 + k sn_max/sy)
+ * over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+ * 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+ * compressive it counts as it is, but no plane counts less than 0.
+ *                                                 Fatemi and Socie (1988), see lib/README.md; new
+ *   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+ *              for most metals
+ *   others     as in rwedge_smith_watson_topper()
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+ * (1+nu)/E. */
+RWEDGE_API int32_t rwedge_fatemi_socie(size_t n, const double sxx[], const double syy[],
+                                       const double txy[], double E, double nu, double k_over_sy,
+                                       double *value, double *angle);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[],
+                                             const double syy[], const double txy[], double E,
+                                             double nu, double k_over_sy, double value[],
+                                             double angle[]);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

@@ -126,6 +126,10 @@ Private Declare PtrSafe Function c_surface_yield Lib "rwedge.dll" Alias "rwedge_
     ByVal alpha As Double, ByVal f As Double, ByVal nu As Double, ByRef limit As Double, ByRef x As Double) As Long
 Private Declare PtrSafe Function c_critical_friction Lib "rwedge.dll" Alias "rwedge_critical_friction" ( _
     ByVal alpha As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_validity Lib "rwedge.dll" Alias "rwedge_validity" ( _
+    ByVal theta As Double, ByVal alpha As Double, ByVal beta As Double, ByVal f As Double, ByVal k_over_E As Double, _
+    ByVal safety As Double) As Long
+Private Declare PtrSafe Function c_validity_text Lib "rwedge.dll" Alias "rwedge_validity_text" (ByVal doubt As Long) As LongPtr
 Private Declare PtrSafe Function c_radius Lib "rwedge.dll" Alias "rwedge_radius" ( _
     ByVal theta As Double, ByVal a As Double) As Double
 Private Declare PtrSafe Function c_rounding Lib "rwedge.dll" Alias "rwedge_rounding" ( _
@@ -158,6 +162,21 @@ Private Declare PtrSafe Function c_contact_dissipated_energy Lib "rwedge.dll" Al
 Private Declare PtrSafe Function c_contact_yield_factor Lib "rwedge.dll" Alias "rwedge_contact_yield_factor" ( _
     ByVal contact As LongPtr, ByVal nu As Double, ByVal k As Double, ByRef factor As Double, ByRef x As Double, _
     ByRef y As Double) As Long
+Private Declare PtrSafe Function c_von_mises Lib "rwedge.dll" Alias "rwedge_von_mises" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_out_of_plane_stress Lib "rwedge.dll" Alias "rwedge_out_of_plane_stress" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_largest_shear Lib "rwedge.dll" Alias "rwedge_largest_shear" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_principal_stresses Lib "rwedge.dll" Alias "rwedge_principal_stresses" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByRef s1 As Double, ByRef s2 As Double, _
+    ByRef angle As Double) As Long
+Private Declare PtrSafe Function c_smith_watson_topper Lib "rwedge.dll" Alias "rwedge_smith_watson_topper" ( _
+    ByVal n As LongPtr, ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double, ByVal E As Double, _
+    ByVal nu As Double, ByRef value As Double, ByRef angle As Double) As Long
+Private Declare PtrSafe Function c_fatemi_socie Lib "rwedge.dll" Alias "rwedge_fatemi_socie" ( _
+    ByVal n As LongPtr, ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double, ByVal E As Double, _
+    ByVal nu As Double, ByVal k_over_sy As Double, ByRef value As Double, ByRef angle As Double) As Long
 Private Declare PtrSafe Function c_series_fit Lib "rwedge.dll" Alias "rwedge_series_fit" ( _
     ByVal samples As LongPtr, ByRef x As Double, ByRef p As Double, ByVal terms As Long, ByRef series As LongPtr) As Long
 Private Declare PtrSafe Sub c_series_destroy Lib "rwedge.dll" Alias "rwedge_series_destroy" (ByVal series As LongPtr)
@@ -674,6 +693,47 @@ Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at
     End If
 End Function
 
+' ---- Validity ----------------------------------------------------------------------------------
+
+' What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
+' added at the end.
+
+' What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+' says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+' is not known; nor from a 0, but of safety.                                                    new
+'   theta     any number; the angle between flank and surface, rad
+'   alpha     any number; a/b under the load; 0 is the sharp wedge
+'   beta      any number; rwedge_dundurs_beta()
+'   f         any number; the coefficient of friction
+'   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+'   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor()
+Public Function RWEDGE_VALIDITY( _
+        ByVal theta As Double, ByVal alpha As Double, ByVal beta As Double, ByVal f As Double, _
+        ByVal k_over_E As Double, ByVal safety As Double) As Variant
+Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text() says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what is not known; nor from a 0, but of safety."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VALIDITY = c_validity(theta, alpha, beta, f, k_over_E, safety)
+    Else
+        RWEDGE_VALIDITY = failure(status)
+    End If
+End Function
+
+' What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+' such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+'   doubt  any integer
+Public Function RWEDGE_VALIDITY_TEXT(ByVal doubt As Long) As Variant
+Attribute RWEDGE_VALIDITY_TEXT.VB_Description = "What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VALIDITY_TEXT = text_at(c_validity_text(doubt))
+    Else
+        RWEDGE_VALIDITY_TEXT = failure(status)
+    End If
+End Function
+
 ' ---- Dimensional quantities --------------------------------------------------------------------
 
 ' From here to the series, any consistent set of units. Arguments that return:
@@ -933,6 +993,141 @@ Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present stat
         RWEDGE_CONTACT_YIELD_FACTOR = failure(status)
     End If
     If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' ---- Measures of a stress ----------------------------------------------------------------------
+
+' Of stresses from anywhere, in any unit; tension positive, y into the half-plane.
+'   sxx, syy, txy  stresses, of at most 1e60 in magnitude
+'   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
+'                  stress, szz = 0, give nu = 0
+' What is said of accuracy holds where the largest of the stresses is at least 1e-60.
+
+' Von Mises' equivalent stress, sqrt(3 J2).                                       von Mises (1913)
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_VON_MISES(ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_VON_MISES.VB_Description = "Von Mises' equivalent stress, sqrt(3 J2). NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VON_MISES = finite(c_von_mises(sxx, syy, txy, nu))
+    Else
+        RWEDGE_VON_MISES = failure(status)
+    End If
+End Function
+
+' The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_OUT_OF_PLANE_STRESS(ByVal sxx As Double, ByVal syy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_OUT_OF_PLANE_STRESS.VB_Description = "The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress. NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_OUT_OF_PLANE_STRESS = finite(c_out_of_plane_stress(sxx, syy, nu))
+    Else
+        RWEDGE_OUT_OF_PLANE_STRESS = failure(status)
+    End If
+End Function
+
+' The largest shear stress on any plane: half of the difference between the largest and the
+' smallest principal stress, szz among them.                                         Tresca (1864)
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_LARGEST_SHEAR( _
+        ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_LARGEST_SHEAR.VB_Description = "The largest shear stress on any plane: half of the difference between the largest and the smallest principal stress, szz among them. NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_LARGEST_SHEAR = finite(c_largest_shear(sxx, syy, txy, nu))
+    Else
+        RWEDGE_LARGEST_SHEAR = failure(status)
+    End If
+End Function
+
+' Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+'   s1, s2  each receives one number
+'   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+'           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+'           positive angles turn from +y towards +x. 0 where s1 = s2
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+' two, of the angle below 4 epsilon.
+' In a cell: the row s1, s2, angle.
+Public Function RWEDGE_PRINCIPAL_STRESSES(ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double) As Variant
+Attribute RWEDGE_PRINCIPAL_STRESSES.VB_Description = "Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts."
+    Dim s1 As Double, s2 As Double, angle As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_principal_stresses(sxx, syy, txy, s1, s2, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_PRINCIPAL_STRESSES = Array(s1, s2, angle)
+    Else
+        RWEDGE_PRINCIPAL_STRESSES = failure(status)
+    End If
+End Function
+
+' Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+' value of
+'     sn_max den/2
+' over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+' a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+' plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+' nu/(1+nu) for nu.
+'                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+'   n              number of loads of the cycle, >= 1; their order does not matter
+'   sxx, syy, txy  n stresses each
+'   E              Young's modulus, stress, 1e-60 to 1e60
+'   value, angle   each receives one number. The angle is that of the plane, as in
+'                  rwedge_principal_stresses(); of one of them where several planes have the
+'                  value, 0 where the value is 0
+' RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+' the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+' the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+' are the worst for neighbouring planes, as on a circular path.
+' In a cell: the row value, angle.
+Public Function RWEDGE_SMITH_WATSON_TOPPER( _
+        ByVal sxx As Variant, ByVal syy As Variant, ByVal txy As Variant, ByVal E As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_SMITH_WATSON_TOPPER.VB_Description = "Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest value of"
+    Dim value As Double, angle As Double, sxx_list() As Double, syy_list() As Double, txy_list() As Double, n As Long
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(sxx, sxx_list, n)
+    If status = RWEDGE_OK Then status = read_list(syy, syy_list, n)
+    If status = RWEDGE_OK Then status = read_list(txy, txy_list, n)
+    If status = RWEDGE_OK Then status = c_smith_watson_topper(n, sxx_list(0), syy_list(0), txy_list(0), E, nu, value, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_SMITH_WATSON_TOPPER = Array(value, angle)
+    Else
+        RWEDGE_SMITH_WATSON_TOPPER = failure(status)
+    End If
+End Function
+
+' Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+'     (dgamma/2) (1 + k sn_max/sy)
+' over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+' 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+' compressive it counts as it is, but no plane counts less than 0.
+'                                                 Fatemi and Socie (1988), see lib/README.md; new
+'   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+'              for most metals
+'   others     as in rwedge_smith_watson_topper()
+' RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+' (1+nu)/E.
+' In a cell: the row value, angle.
+Public Function RWEDGE_FATEMI_SOCIE( _
+        ByVal sxx As Variant, ByVal syy As Variant, ByVal txy As Variant, ByVal E As Double, ByVal nu As Double, _
+        ByVal k_over_sy As Double) As Variant
+Attribute RWEDGE_FATEMI_SOCIE.VB_Description = "Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of"
+    Dim value As Double, angle As Double, sxx_list() As Double, syy_list() As Double, txy_list() As Double, n As Long
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(sxx, sxx_list, n)
+    If status = RWEDGE_OK Then status = read_list(syy, syy_list, n)
+    If status = RWEDGE_OK Then status = read_list(txy, txy_list, n)
+    If status = RWEDGE_OK Then status = c_fatemi_socie(n, sxx_list(0), syy_list(0), txy_list(0), E, nu, k_over_sy, value, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_FATEMI_SOCIE = Array(value, angle)
+    Else
+        RWEDGE_FATEMI_SOCIE = failure(status)
+    End If
 End Function
 
 ' ---- The paper's series ------------------------------------------------------------------------

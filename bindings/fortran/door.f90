@@ -85,6 +85,8 @@ contains
             r = [s]
         case ('critical_friction')
             r = [rwedge_critical_friction(v(1)%x(1), v(2)%x(1))]
+        case ('validity')
+            r = [real(rwedge_validity(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), v(5)%x(1), v(6)%x(1)), c_double)]
         case ('radius')
             r = [rwedge_radius(v(1)%x(1), v(2)%x(1))]
         case ('rounding')
@@ -128,6 +130,33 @@ contains
         case ('contact_yield_factor')
             allocate (s(1, 1, 3))
             call contact%yield_factor(v(1)%x(1), v(2)%x(1), s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), stat)
+            r = [s]
+        case ('von_mises')
+            r = [rwedge_von_mises(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))]
+        case ('out_of_plane_stress')
+            r = [rwedge_out_of_plane_stress(v(1)%x(1), v(2)%x(1), v(3)%x(1))]
+        case ('largest_shear')
+            r = [rwedge_largest_shear(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))]
+        case ('principal_stresses')
+            allocate (s(1, 1, 3))
+            call rwedge_principal_stresses(v(1)%x(1), v(2)%x(1), v(3)%x(1), s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), stat)
+            r = [s]
+        case ('smith_watson_topper')
+            allocate (s(1, 1, 2))
+            call rwedge_smith_watson_topper(v(1)%x, v(2)%x, v(3)%x, v(4)%x(1), v(5)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('smith_watson_topper_field')
+            allocate (s(size(v(3)%xx, 1), 1, 2))
+            call rwedge_smith_watson_topper_field(v(1)%xx, v(2)%xx, v(3)%xx, v(4)%x(1), v(5)%x(1), s(:, 1, 1), s(:, 1, 2), stat)
+            r = [s]
+        case ('fatemi_socie')
+            allocate (s(1, 1, 2))
+            call rwedge_fatemi_socie(v(1)%x, v(2)%x, v(3)%x, v(4)%x(1), v(5)%x(1), v(6)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('fatemi_socie_field')
+            allocate (s(size(v(3)%xx, 1), 1, 2))
+            call rwedge_fatemi_socie_field(v(1)%xx, v(2)%xx, v(3)%xx, v(4)%x(1), v(5)%x(1), v(6)%x(1), s(:, 1, 1), s(:, 1, &
+                2), stat)
             r = [s]
         case ('series_create')
             call series%create(v(1)%x(1), int(v(2)%x(1), c_int32_t), stat)

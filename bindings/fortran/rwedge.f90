@@ -23,14 +23,18 @@ module rwedge
     private
 
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
-        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8
+        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, &
+        rwedge_doubt_angle = 1, rwedge_doubt_coupling = 2, rwedge_doubt_yield = 4, rwedge_doubt_rounding = 8, &
+        rwedge_doubt_strength = 16
 
     public :: rwedge_version, rwedge_error_text
     public :: rwedge_compliance, rwedge_dundurs_beta, rwedge_load, rwedge_a_over_b, rwedge_pressure, rwedge_peak_pressure, &
         rwedge_transition_pressure, rwedge_coefficient, rwedge_stick_width, rwedge_shear_ratio, rwedge_shear, rwedge_stress, &
         rwedge_stresses, rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_yield_point, &
-        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_radius, rwedge_rounding, &
-        rwedge_half_width, rwedge_normal_load, rwedge_yield_load
+        rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_validity, rwedge_validity_text, &
+        rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load, rwedge_von_mises, &
+        rwedge_out_of_plane_stress, rwedge_largest_shear, rwedge_principal_stresses, rwedge_smith_watson_topper, &
+        rwedge_smith_watson_topper_field, rwedge_fatemi_socie, rwedge_fatemi_socie_field
 
     ! One contact and what it remembers of its loads.
     type, public :: rwedge_contact
@@ -224,6 +228,18 @@ module rwedge
             real(c_double) :: value
         end function
 
+        pure function c_validity(theta, alpha, beta, f, k_over_E, safety) bind(C, name="rwedge_validity") result(value)
+            import :: c_double, c_int32_t
+            real(c_double), value :: theta, alpha, beta, f, k_over_E, safety
+            integer(c_int32_t) :: value
+        end function
+
+        function c_validity_text(doubt) bind(C, name="rwedge_validity_text") result(value)
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: doubt
+            type(c_ptr) :: value
+        end function
+
         pure function c_radius(theta, a) bind(C, name="rwedge_radius") result(value)
             import :: c_double
             real(c_double), value :: theta, a
@@ -337,6 +353,71 @@ module rwedge
             type(c_ptr), value :: contact
             real(c_double), value :: nu, k
             real(c_double), intent(inout) :: factor, x, y
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_von_mises(sxx, syy, txy, nu) bind(C, name="rwedge_von_mises") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, txy, nu
+            real(c_double) :: value
+        end function
+
+        pure function c_out_of_plane_stress(sxx, syy, nu) bind(C, name="rwedge_out_of_plane_stress") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, nu
+            real(c_double) :: value
+        end function
+
+        pure function c_largest_shear(sxx, syy, txy, nu) bind(C, name="rwedge_largest_shear") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, txy, nu
+            real(c_double) :: value
+        end function
+
+        function c_principal_stresses(sxx, syy, txy, s1, s2, angle) bind(C, name="rwedge_principal_stresses") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: sxx, syy, txy
+            real(c_double), intent(inout) :: s1, s2, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_smith_watson_topper(n, sxx, syy, txy, E, nu, value, angle) &
+            &bind(C, name="rwedge_smith_watson_topper") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu
+            real(c_double), intent(inout) :: value, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_smith_watson_topper_field(loads, n, sxx, syy, txy, E, nu, value, angle) &
+            &bind(C, name="rwedge_smith_watson_topper_field") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: loads, n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu
+            real(c_double), intent(inout) :: value(*), angle(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_fatemi_socie(n, sxx, syy, txy, E, nu, k_over_sy, value, angle) &
+            &bind(C, name="rwedge_fatemi_socie") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu, k_over_sy
+            real(c_double), intent(inout) :: value, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_fatemi_socie_field(loads, n, sxx, syy, txy, E, nu, k_over_sy, value, angle) &
+            &bind(C, name="rwedge_fatemi_socie_field") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: loads, n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu, k_over_sy
+            real(c_double), intent(inout) :: value(*), angle(*)
             integer(c_int32_t) :: status
         end function
 
@@ -827,6 +908,32 @@ contains
         value = c_critical_friction(alpha, nu)
     end function
 
+    ! ---- Validity -----------------------------------------------------------------------------------------------------
+
+    !> What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
+    !> says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
+    !> is not known; nor from a 0, but of safety.   new
+    !>   theta     any number; the angle between flank and surface, rad
+    !>   alpha     any number; a/b under the load; 0 is the sharp wedge
+    !>   beta      any number; rwedge_dundurs_beta()
+    !>   f         any number; the coefficient of friction
+    !>   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
+    !>   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor()
+    elemental function rwedge_validity(theta, alpha, beta, f, k_over_E, safety) result(value)
+        real(c_double), intent(in) :: theta, alpha, beta, f, k_over_E, safety
+        integer(c_int32_t) :: value
+        value = c_validity(theta, alpha, beta, f, k_over_E, safety)
+    end function
+
+    !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+    !> such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+    !>   doubt  any integer
+    function rwedge_validity_text(doubt) result(text)
+        integer(c_int32_t), intent(in) :: doubt
+        character(:), allocatable :: text
+        text = text_of(c_validity_text(doubt))
+    end function
+
     ! ---- Dimensional quantities ---------------------------------------------------------------------------------------
 
     !> Radius of the rounding, R = a/theta, length.   Sec. 2
@@ -1087,6 +1194,199 @@ contains
         if (status == rwedge_ok .and. present(x)) x = place(1)
         if (status == rwedge_ok .and. present(y)) y = place(2)
         call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k 1e-60 to 1e60', stat, errmsg)
+    end subroutine
+
+    ! ---- Measures of a stress -----------------------------------------------------------------------------------------
+
+    !> Von Mises' equivalent stress, sqrt(3 J2).   von Mises (1913)
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_von_mises(sxx, syy, txy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, txy, nu
+        real(c_double) :: value
+        value = c_von_mises(sxx, syy, txy, nu)
+    end function
+
+    !> The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_out_of_plane_stress(sxx, syy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, nu
+        real(c_double) :: value
+        value = c_out_of_plane_stress(sxx, syy, nu)
+    end function
+
+    !> The largest shear stress on any plane: half of the difference between the largest and the
+    !> smallest principal stress, szz among them.   Tresca (1864)
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_largest_shear(sxx, syy, txy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, txy, nu
+        real(c_double) :: value
+        value = c_largest_shear(sxx, syy, txy, nu)
+    end function
+
+    !> Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+    !>   s1, s2  each receives one number
+    !>   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+    !>           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+    !>           positive angles turn from +y towards +x. 0 where s1 = s2
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+    !> two, of the angle below 4 epsilon.
+    impure elemental subroutine rwedge_principal_stresses(sxx, syy, txy, s1, s2, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx, syy, txy
+        real(c_double), intent(inout) :: s1, s2, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_principal_stresses(sxx, syy, txy, s1, s2, angle), 'rwedge_principal_stresses(sxx, syy, txy)', [sxx, &
+            syy, txy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude', stat, errmsg)
+    end subroutine
+
+    !> Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+    !> value of
+    !>     sn_max den/2
+    !> over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+    !> a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+    !> plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+    !> nu/(1+nu) for nu.
+    !>    Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+    !>   n              number of loads of the cycle, >= 1; their order does not matter
+    !>   sxx, syy, txy  n stresses each
+    !>   E              Young's modulus, stress, 1e-60 to 1e60
+    !>   value, angle   each receives one number. The angle is that of the plane, as in
+    !>                  rwedge_principal_stresses(); of one of them where several planes have the
+    !>                  value, 0 where the value is 0
+    !> RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+    !> the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+    !> the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+    !> are the worst for neighbouring planes, as on a circular path.
+    subroutine rwedge_smith_watson_topper(sxx, syy, txy, E, nu, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:), syy(:), txy(:), E, nu
+        real(c_double), intent(inout) :: value, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(syy), size(txy)] == size(sxx))) &
+            status = c_smith_watson_topper(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, value, angle)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_smith_watson_topper(size(sxx), E, nu)', [real(size(sxx), c_double), E, nu], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> The same at n points.
+    !>   loads          number of loads of the cycle, >= 1
+    !>   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+    !>   value, angle   each receives n numbers
+    !> Nothing is written unless every stress is in the domain.
+    subroutine rwedge_smith_watson_topper_field(sxx, syy, txy, E, nu, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:, :), syy(:, :), txy(:, :), E, nu
+        real(c_double), intent(inout) :: value(:), angle(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(angle) == size(value) .and. all(shape(syy) == [size(value), size(sxx, &
+            2)]) .and. all(shape(txy) == [size(value), size(sxx, 2)])) &
+            status = c_smith_watson_topper_field(size(sxx, 2, kind=c_size_t), size(value, kind=c_size_t), sxx, syy, txy, E, &
+                nu, value, angle)
+        call conclude(status, 'rwedge_smith_watson_topper_field(size(sxx, 2), size(value), E, nu)', [real(size(sxx, 2), &
+            c_double), real(size(value), c_double), E, nu], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; loads >= 1; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+    !>     (dgamma/2) (1 + k sn_max/sy)
+    !> over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+    !> 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+    !> compressive it counts as it is, but no plane counts less than 0.
+    !>    Fatemi and Socie (1988), see lib/README.md; new
+    !>   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+    !>              for most metals
+    !>   others     as in rwedge_smith_watson_topper()
+    !> RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+    !> (1+nu)/E.
+    subroutine rwedge_fatemi_socie(sxx, syy, txy, E, nu, k_over_sy, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:), syy(:), txy(:), E, nu, k_over_sy
+        real(c_double), intent(inout) :: value, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(syy), size(txy)] == size(sxx))) &
+            status = c_fatemi_socie(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, k_over_sy, value, angle)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_fatemi_socie(size(sxx), E, nu, k_over_sy)', [real(size(sxx), c_double), E, nu, &
+            k_over_sy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1; arrays of ' // &
+            'one size', stat, errmsg)
+    end subroutine
+
+    !> The same at n points.
+    !>   loads          number of loads of the cycle, >= 1
+    !>   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+    !>   value, angle   each receives n numbers
+    !> Nothing is written unless every stress is in the domain.
+    subroutine rwedge_fatemi_socie_field(sxx, syy, txy, E, nu, k_over_sy, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:, :), syy(:, :), txy(:, :), E, nu, k_over_sy
+        real(c_double), intent(inout) :: value(:), angle(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(angle) == size(value) .and. all(shape(syy) == [size(value), size(sxx, &
+            2)]) .and. all(shape(txy) == [size(value), size(sxx, 2)])) &
+            status = c_fatemi_socie_field(size(sxx, 2, kind=c_size_t), size(value, kind=c_size_t), sxx, syy, txy, E, nu, &
+                k_over_sy, value, angle)
+        call conclude(status, 'rwedge_fatemi_socie_field(size(sxx, 2), size(value), E, nu, k_over_sy)', [real(size(sxx, 2), &
+            c_double), real(size(value), c_double), E, nu, k_over_sy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; loads >= 1; arrays' // &
+            ' of one size', stat, errmsg)
     end subroutine
 
     ! ---- The paper's series -------------------------------------------------------------------------------------------

@@ -2,8 +2,8 @@
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
- * free. */
+ * object, as a call of one form; and those that give a text for a number. Not here are
+ * rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -16,7 +16,7 @@
 enum {
     ENTRY_ARGUMENTS = 6, /* the most that a function has */
     ENTRY_RESULTS = 3,
-    ENTRY_SIZES = 1
+    ENTRY_SIZES = 2
 };
 
 /* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
@@ -33,6 +33,7 @@ typedef struct {
     char or_zero;             /* 0 is inside, though below low */
     char finite;              /* infinity is outside */
     char whole;               /* an int32_t */
+    char any;                 /* any double, not a number too */
     signed char sizes[2];     /* of an array, as of a result */
 } entry_argument;
 
@@ -67,6 +68,8 @@ typedef struct {
 /* Whether a number is inside the domain of an argument, by itself. */
 static inline int entry_allows(const entry_argument *a, double v)
 {
+    if (a->any)
+        return 1;
     if (isnan(v) || isinf(v))
         return !isnan(v) && !a->finite && v > 0;
     if (a->whole && (v != floor(v) || v < INT32_MIN || v > INT32_MAX))
@@ -87,90 +90,90 @@ static inline int entry_allows(const entry_argument *a, double v)
 
 ENTRY(compliance, r[0][0] = rwedge_compliance(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument compliance_arguments[] = {
-    {"E1", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, {-1, -1}},
-    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, {-1, -1}},
-    {"E2", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, {-1, -1}},
-    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, {-1, -1}}};
+    {"E1", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, 0, {-1, -1}},
+    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"E2", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, 0, {-1, -1}},
+    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result compliance_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(dundurs_beta, r[0][0] = rwedge_dundurs_beta(v[0][0], v[1][0], v[2][0], v[3][0]); return
       RWEDGE_OK)
 static const entry_argument dundurs_beta_arguments[] = {
-    {"E1", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, {-1, -1}},
-    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, {-1, -1}},
-    {"E2", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, {-1, -1}},
-    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, {-1, -1}}};
+    {"E1", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, 0, {-1, -1}},
+    {"nu1", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"E2", "1e-60 to 1e60, or infinite", 0.0, 1e+60, 1e-60, 1, 0, 0, 0, 0, 0, {-1, -1}},
+    {"nu2", "-1 < nu <= 0.5", -1.0, 0.5, 0.0, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result dundurs_beta_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(load, r[0][0] = rwedge_load(v[0][0]); return RWEDGE_OK)
 static const entry_argument load_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result load_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(a_over_b, r[0][0] = rwedge_a_over_b(v[0][0]); return RWEDGE_OK)
 static const entry_argument a_over_b_arguments[] = {
-    {"AP_over_theta_a", "> 0, finite", 0.0, INFINITY, 0.0, 1, 0, 0, 1, 0, {-1, -1}}};
+    {"AP_over_theta_a", "> 0, finite", 0.0, INFINITY, 0.0, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result a_over_b_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(pressure, r[0][0] = rwedge_pressure(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument pressure_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result pressure_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(peak_pressure, r[0][0] = rwedge_peak_pressure(v[0][0]); return RWEDGE_OK)
 static const entry_argument peak_pressure_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result peak_pressure_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(transition_pressure, r[0][0] = rwedge_transition_pressure(v[0][0]); return RWEDGE_OK)
 static const entry_argument transition_pressure_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result transition_pressure_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(coefficient, r[0][0] = rwedge_coefficient(v[0][0], (int32_t)v[1][0]); return RWEDGE_OK)
 static const entry_argument coefficient_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"n", "whole, >= 0", 0.0, INFINITY, 0.0, 0, 0, 0, 1, 1, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"n", "whole, >= 0", 0.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_result coefficient_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(stick_width, r[0][0] = rwedge_stick_width(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument stick_width_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"Q_over_fP", "0 <= Q/(fP) <= 1", 0.0, 1.0, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"Q_over_fP", "0 <= Q/(fP) <= 1", 0.0, 1.0, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result stick_width_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(shear_ratio, r[0][0] = rwedge_shear_ratio(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument shear_ratio_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result shear_ratio_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(shear, r[0][0] = rwedge_shear(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument shear_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result shear_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(stress, return rwedge_stress(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0], r[0], r[1], r[2]))
 static const entry_argument stress_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result stress_results[] = {
     {"sxx", {-1, -1}, 0},
     {"syy", {-1, -1}, 0},
@@ -179,11 +182,11 @@ static const entry_result stress_results[] = {
 ENTRY(stresses, return rwedge_stresses(v[0][0], v[1][0], v[2][0], n[0], v[3], v[4], r[0], r[1],
       r[2]))
 static const entry_argument stresses_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}},
-    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}}};
 static const entry_result stresses_results[] = {
     {"sxx", {0, -1}, 0},
     {"syy", {0, -1}, 0},
@@ -193,23 +196,23 @@ static const entry_size stresses_sizes[] = {
 
 ENTRY(max_tension, r[0][0] = rwedge_max_tension(v[0][0]); return RWEDGE_OK)
 static const entry_argument max_tension_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result max_tension_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(elastic_limit, r[0][0] = rwedge_elastic_limit(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument elastic_limit_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result elastic_limit_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(elastic_limits, return rwedge_elastic_limits(n[0], v[0], v[1], v[2][0], r[0]))
 static const entry_argument elastic_limits_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {0, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {0, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {0, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result elastic_limits_results[] = {
     {"limit", {0, -1}, 0}};
 static const entry_size elastic_limits_sizes[] = {
@@ -217,9 +220,9 @@ static const entry_size elastic_limits_sizes[] = {
 
 ENTRY(yield_point, return rwedge_yield_point(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument yield_point_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result yield_point_results[] = {
     {"limit", {-1, -1}, 0},
     {"x", {-1, -1}, 0},
@@ -227,9 +230,9 @@ static const entry_result yield_point_results[] = {
 
 ENTRY(subsurface_yield, return rwedge_subsurface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument subsurface_yield_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result subsurface_yield_results[] = {
     {"limit", {-1, -1}, 0},
     {"x", {-1, -1}, 0},
@@ -237,80 +240,92 @@ static const entry_result subsurface_yield_results[] = {
 
 ENTRY(surface_yield, return rwedge_surface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument surface_yield_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result surface_yield_results[] = {
     {"limit", {-1, -1}, 0},
     {"x", {-1, -1}, 0}};
 
 ENTRY(critical_friction, r[0][0] = rwedge_critical_friction(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument critical_friction_arguments[] = {
-    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result critical_friction_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(validity, r[0][0] = (double)rwedge_validity(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
+      v[5][0]); return RWEDGE_OK)
+static const entry_argument validity_arguments[] = {
+    {"theta", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"alpha", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"beta", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"f", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"k_over_E", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"safety", "any number", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 0, 1, {-1, -1}}};
+static const entry_result validity_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(radius, r[0][0] = rwedge_radius(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument radius_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result radius_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(rounding, r[0][0] = rwedge_rounding(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument rounding_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"R", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"R", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result rounding_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(half_width, r[0][0] = rwedge_half_width(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument half_width_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}},
-    {"P", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"P", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result half_width_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(normal_load, r[0][0] = rwedge_normal_load(v[0][0], v[1][0], v[2][0], v[3][0]); return
       RWEDGE_OK)
 static const entry_argument normal_load_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}},
-    {"b", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"b", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result normal_load_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(yield_load, r[0][0] = rwedge_yield_load(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0], v[5][0]);
       return RWEDGE_OK)
 static const entry_argument yield_load_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}},
-    {"k", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result yield_load_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(contact_create, return rwedge_contact_create(v[0][0], v[1][0], v[2][0], v[3][0],
       (rwedge_contact **)made))
 static const entry_argument contact_create_arguments[] = {
-    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, {-1, -1}},
-    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
 ENTRY(contact_copy, return rwedge_contact_copy((const rwedge_contact *)object, (rwedge_contact
       **)made))
 
 ENTRY(contact_load, return rwedge_contact_load((rwedge_contact *)object, v[0][0], v[1][0]))
 static const entry_argument contact_load_arguments[] = {
-    {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, {-1, -1}},
-    {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
 ENTRY(contact_half_width, r[0][0] = rwedge_contact_half_width((const rwedge_contact *)object);
       return RWEDGE_OK)
@@ -330,7 +345,7 @@ static const entry_result contact_memory_results[] = {
 ENTRY(contact_tractions, return rwedge_contact_tractions((const rwedge_contact *)object, n[0], v[0],
       r[0], r[1]))
 static const entry_argument contact_tractions_arguments[] = {
-    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}}};
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}}};
 static const entry_result contact_tractions_results[] = {
     {"p", {0, -1}, 0},
     {"q", {0, -1}, 0}};
@@ -340,8 +355,8 @@ static const entry_size contact_tractions_sizes[] = {
 ENTRY(contact_stresses, return rwedge_contact_stresses((const rwedge_contact *)object, n[0], v[0],
       v[1], r[0], r[1], r[2]))
 static const entry_argument contact_stresses_arguments[] = {
-    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}},
-    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}}};
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}}};
 static const entry_result contact_stresses_results[] = {
     {"sxx", {0, -1}, 0},
     {"syy", {0, -1}, 0},
@@ -351,7 +366,7 @@ static const entry_size contact_stresses_sizes[] = {
 
 ENTRY(contact_slip, return rwedge_contact_slip((const rwedge_contact *)object, n[0], v[0], r[0]))
 static const entry_argument contact_slip_arguments[] = {
-    {"x", "0, or 1e-60 to 1e60 in magnitude, |x| <= b", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}}};
+    {"x", "0, or 1e-60 to 1e60 in magnitude, |x| <= b", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}}};
 static const entry_result contact_slip_results[] = {
     {"slip", {0, -1}, 0}};
 static const entry_size contact_slip_sizes[] = {
@@ -365,24 +380,123 @@ static const entry_result contact_dissipated_energy_results[] = {
 ENTRY(contact_yield_factor, return rwedge_contact_yield_factor((const rwedge_contact *)object,
       v[0][0], v[1][0], r[0], r[1], r[2]))
 static const entry_argument contact_yield_factor_arguments[] = {
-    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, {-1, -1}},
-    {"k", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}}};
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result contact_yield_factor_results[] = {
     {"factor", {-1, -1}, 0},
     {"x", {-1, -1}, 1},
     {"y", {-1, -1}, 1}};
 
+ENTRY(von_mises, r[0][0] = rwedge_von_mises(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
+static const entry_argument von_mises_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result von_mises_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(out_of_plane_stress, r[0][0] = rwedge_out_of_plane_stress(v[0][0], v[1][0], v[2][0]); return
+      RWEDGE_OK)
+static const entry_argument out_of_plane_stress_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result out_of_plane_stress_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(largest_shear, r[0][0] = rwedge_largest_shear(v[0][0], v[1][0], v[2][0], v[3][0]); return
+      RWEDGE_OK)
+static const entry_argument largest_shear_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result largest_shear_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(principal_stresses, return rwedge_principal_stresses(v[0][0], v[1][0], v[2][0], r[0], r[1],
+      r[2]))
+static const entry_argument principal_stresses_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result principal_stresses_results[] = {
+    {"s1", {-1, -1}, 0},
+    {"s2", {-1, -1}, 0},
+    {"angle", {-1, -1}, 0}};
+
+ENTRY(smith_watson_topper, return rwedge_smith_watson_topper(n[0], v[0], v[1], v[2], v[3][0],
+      v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_results[] = {
+    {"value", {-1, -1}, 0},
+    {"angle", {-1, -1}, 0}};
+static const entry_size smith_watson_topper_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(smith_watson_topper_field, return rwedge_smith_watson_topper_field(n[0], n[1], v[0], v[1],
+      v[2], v[3][0], v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_field_results[] = {
+    {"value", {1, -1}, 0},
+    {"angle", {1, -1}, 0}};
+static const entry_size smith_watson_topper_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
+
+ENTRY(fatemi_socie, return rwedge_fatemi_socie(n[0], v[0], v[1], v[2], v[3][0], v[4][0], v[5][0],
+      r[0], r[1]))
+static const entry_argument fatemi_socie_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}}};
+static const entry_result fatemi_socie_results[] = {
+    {"value", {-1, -1}, 0},
+    {"angle", {-1, -1}, 0}};
+static const entry_size fatemi_socie_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(fatemi_socie_field, return rwedge_fatemi_socie_field(n[0], n[1], v[0], v[1], v[2], v[3][0],
+      v[4][0], v[5][0], r[0], r[1]))
+static const entry_argument fatemi_socie_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}}};
+static const entry_result fatemi_socie_field_results[] = {
+    {"value", {1, -1}, 0},
+    {"angle", {1, -1}, 0}};
+static const entry_size fatemi_socie_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
+
 ENTRY(series_create, return rwedge_series_create(v[0][0], (int32_t)v[1][0], (rwedge_series **)made))
 static const entry_argument series_create_arguments[] = {
-    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"terms", "whole, 1 <= terms <= 2^24", 1.0, 16777216.0, 0.0, 0, 0, 0, 1, 1, {-1, -1}}};
+    {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"terms", "whole, 1 <= terms <= 2^24", 1.0, 16777216.0, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 
 ENTRY(series_fit, return rwedge_series_fit(n[0], v[0], v[1], (int32_t)v[2][0], (rwedge_series
       **)made))
 static const entry_argument series_fit_arguments[] = {
-    {"x", "|x| < 1, 0, or at least 1e-60 in magnitude", -1.0, 1.0, 1e-60, 1, 1, 0, 1, 0, {0, -1}},
-    {"p", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {0, -1}},
-    {"terms", "whole, >= 1", 1.0, INFINITY, 0.0, 0, 0, 0, 1, 1, {-1, -1}}};
+    {"x", "|x| < 1, 0, or at least 1e-60 in magnitude", -1.0, 1.0, 1e-60, 1, 1, 0, 1, 0, 0, {0, -1}},
+    {"p", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"terms", "whole, >= 1", 1.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
     {"samples", NULL, ">= terms, samples * terms <= 2^27"}};
 
@@ -394,7 +508,7 @@ static const entry_result series_terms_results[] = {
 ENTRY(series_coefficient, r[0][0] = rwedge_series_coefficient((const rwedge_series *)object,
       (int32_t)v[0][0]); return RWEDGE_OK)
 static const entry_argument series_coefficient_arguments[] = {
-    {"k", "whole, >= 0", 0.0, INFINITY, 0.0, 0, 0, 0, 1, 1, {-1, -1}}};
+    {"k", "whole, >= 0", 0.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_result series_coefficient_results[] = {
     {"value", {-1, -1}, 0}};
 
@@ -406,16 +520,16 @@ static const entry_result series_residual_results[] = {
 ENTRY(series_pressure, r[0][0] = rwedge_series_pressure((const rwedge_series *)object, v[0][0]);
       return RWEDGE_OK)
 static const entry_argument series_pressure_arguments[] = {
-    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result series_pressure_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(series_potential, return rwedge_series_potential((const rwedge_series *)object, v[0][0],
       v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument series_potential_arguments[] = {
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result series_potential_results[] = {
     {"re", {-1, -1}, 0},
     {"im", {-1, -1}, 0}};
@@ -423,9 +537,9 @@ static const entry_result series_potential_results[] = {
 ENTRY(series_stress, return rwedge_series_stress((const rwedge_series *)object, v[0][0], v[1][0],
       v[2][0], r[0], r[1], r[2]))
 static const entry_argument series_stress_arguments[] = {
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}},
-    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}};
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result series_stress_results[] = {
     {"sxx", {-1, -1}, 0},
     {"syy", {-1, -1}, 0},
@@ -472,6 +586,8 @@ static const entry entries[] = {
      NULL, 3, 2, 0, surface_yield_arguments, surface_yield_results, NULL},
     {"critical_friction", "", entry_critical_friction, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, critical_friction_arguments, critical_friction_results, NULL},
+    {"validity", "", entry_validity, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 6, 1, 0, validity_arguments, validity_results, NULL},
     {"radius", "", entry_radius, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 2, 1, 0, radius_arguments, radius_results, NULL},
     {"rounding", "", entry_rounding, 0, 0, 0, 0, 0, 1, 0, 0x0,
@@ -504,6 +620,22 @@ static const entry entries[] = {
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
     {"contact_yield_factor", "contact", entry_contact_yield_factor, 1, 0, 0, 1, 0, 0, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},
+    {"von_mises", "", entry_von_mises, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, von_mises_arguments, von_mises_results, NULL},
+    {"out_of_plane_stress", "", entry_out_of_plane_stress, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 3, 1, 0, out_of_plane_stress_arguments, out_of_plane_stress_results, NULL},
+    {"largest_shear", "", entry_largest_shear, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, largest_shear_arguments, largest_shear_results, NULL},
+    {"principal_stresses", "", entry_principal_stresses, 0, 0, 0, 1, 0, 0, 0, 0x6,
+     NULL, 3, 3, 0, principal_stresses_arguments, principal_stresses_results, NULL},
+    {"smith_watson_topper", "", entry_smith_watson_topper, 0, 0, 0, 1, 0, 0, 0, 0xe,
+     NULL, 5, 2, 1, smith_watson_topper_arguments, smith_watson_topper_results, smith_watson_topper_sizes},
+    {"smith_watson_topper_field", "", entry_smith_watson_topper_field, 0, 0, 0, 1, 0, 0, 0, 0xe,
+     NULL, 5, 2, 2, smith_watson_topper_field_arguments, smith_watson_topper_field_results, smith_watson_topper_field_sizes},
+    {"fatemi_socie", "", entry_fatemi_socie, 0, 0, 0, 1, 0, 0, 0, 0xe,
+     NULL, 6, 2, 1, fatemi_socie_arguments, fatemi_socie_results, fatemi_socie_sizes},
+    {"fatemi_socie_field", "", entry_fatemi_socie_field, 0, 0, 0, 1, 0, 0, 0, 0xe,
+     NULL, 6, 2, 2, fatemi_socie_field_arguments, fatemi_socie_field_results, fatemi_socie_field_sizes},
     {"series_create", "series", entry_series_create, 0, 0, 1, 1, 0, 0, 0, 0x2e,
      NULL, 2, 0, 0, series_create_arguments, NULL, NULL},
     {"series_fit", "series", entry_series_fit, 0, 0, 1, 1, 0, 1, 0, 0xbe,
@@ -522,5 +654,14 @@ static const entry entries[] = {
      NULL, 3, 3, 0, series_stress_arguments, series_stress_results, NULL},
 };
 enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };
+
+static const struct {
+    const char *name;
+    const char *(*text)(int32_t number);
+} text_entries[] = {
+    {"strerror", rwedge_strerror},
+    {"validity_text", rwedge_validity_text},
+};
+enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };
 
 #endif

@@ -58,6 +58,7 @@ class Domain:
 
     text: str
     conditions: list[str] = field(default_factory=list)
+    any: bool = False  # not a number, too
     between: bool = False  # some of them are between arguments: no bound by itself
     low: float = -math.inf
     high: float = math.inf
@@ -70,7 +71,7 @@ class Domain:
     def of_a_size(self) -> Domain:
         """This domain within what the header's first page says of whatever has a size."""
         text = " ".join(self.conditions)
-        if "e60" in text or "e-60" in text:
+        if self.any or "e60" in text or "e-60" in text:
             return self  # it says so itself
         signed, zero = self.low < 0, self.or_zero or self.low < 0 or self.low == 0 and not self.low_open
         least = self.or_zero and self.low or SMALLEST
@@ -147,6 +148,7 @@ class Function:
 class Interface:
     introduction: list[str]
     statuses: dict[str, int]
+    bits: dict[str, int]  # of other enumerations
     functions: list[Function]
 
     def __getitem__(self, name: str) -> Function:
@@ -189,8 +191,9 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
     """The conditions on one argument in the line that it shares with others."""
     domain = Domain(text, finite="HUGE_VAL" not in text)
     for clause in clauses(text):
-        if clause in ("finite", "any integer") or clause.startswith("not "):
+        if clause in ("finite", "any integer", "any number") or clause.startswith("not "):
             domain.between |= clause.startswith("not ")
+            domain.any |= clause == "any number"
         elif match := WITHIN.fullmatch(clause):
             if match[3] in others:
                 continue
@@ -227,7 +230,7 @@ class Reader:
 
     def __init__(self, path: Path) -> None:
         self.path, self.lines = path, path.read_text(encoding="ascii").split("\n")
-        self.interface = Interface([], {}, [])
+        self.interface = Interface([], {}, {}, [])
         self.section = ""
         self.shared: dict[bool, dict[str, tuple[str, set[str]]]] = {False: {}, True: {}}
         self.dimensional, self.until = False, ""
@@ -257,7 +260,7 @@ class Reader:
                         self.refuse(first, "a declaration without an end")
                 self.take_declaration(" ".join(" ".join(self.lines[first - 1:i + 1]).split()), first)
             elif line == "enum {":
-                i = self.take_statuses(i + 1)
+                i = self.take_numbers(i + 1)
             elif not line:
                 self.leave_alone()
             elif re.match(r"# *define +\w+\(", line):
@@ -303,12 +306,13 @@ class Reader:
                 self.refuse(first, 'a second list of arguments must say for what it holds: "From here to the ..."')
             self.shared[self.dimensional] = self.listed(lines)[0]
 
-    def take_statuses(self, i: int) -> int:
+    def take_numbers(self, i: int) -> int:
+        found = self.interface.statuses if self.section == "Status" else self.interface.bits
         while not self.lines[i].startswith("}"):
-            match = re.match(r"    (RWEDGE_[A-Z]+) = (\d+)(?:,|$|  )", self.lines[i])
+            match = re.match(r"    (RWEDGE_[A-Z_]+) = (\d+)(?:,|$| )", self.lines[i])
             if not match:
-                self.refuse(i + 1, f"not a status with its value: {self.lines[i].strip()}")
-            self.interface.statuses[match[1]] = int(match[2])
+                self.refuse(i + 1, f"not a name with its value: {self.lines[i].strip()}")
+            found[match[1]] = int(match[2])
             i += 1
         return i
 
@@ -387,7 +391,7 @@ class Reader:
             self.describe_parameter(function, p, own, before or (before_like if like else None))
         function.refuses_more = bool(REFUSES_MORE.search(function.text)) or bool(before and before.refuses_more) or \
             any(p.domain and p.domain.between for p in function.parameters) or \
-            self.dimensional and function.returns == "double" and not function.family
+            self.dimensional and function.returns == "double" and not function.family and "NaN" not in function.text
         for name in own:
             if name != "others" and name not in {p.name for p in function.parameters}:
                 self.refuse(function.line, f"the comment of rwedge_{function.name}() describes {name}, which it does not have")

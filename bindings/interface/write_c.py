@@ -13,8 +13,8 @@ TOP = """\
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form. Not here are rwedge_version(), rwedge_strerror() and those that
- * free. */
+ * object, as a call of one form; and those that give a text for a number. Not here are
+ * rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -44,6 +44,7 @@ typedef struct {{
     char or_zero;             /* 0 is inside, though below low */
     char finite;              /* infinity is outside */
     char whole;               /* an int32_t */
+    char any;                 /* any double, not a number too */
     signed char sizes[2];     /* of an array, as of a result */
 }} entry_argument;
 
@@ -78,6 +79,8 @@ typedef struct {{
 /* Whether a number is inside the domain of an argument, by itself. */
 static inline int entry_allows(const entry_argument *a, double v)
 {{
+    if (a->any)
+        return 1;
     if (isnan(v) || isinf(v))
         return !isnan(v) && !a->finite && v > 0;
     if (a->whole && (v != floor(v) || v < INT32_MIN || v > INT32_MAX))
@@ -109,7 +112,7 @@ def argument(f: Function, p: Parameter) -> str:
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
     of = [*(sizes.index(n) for n in p.size), -1, -1][:2]
-    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole]
+    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole, d.any]
     bounds, marks = map(number, (d.low, d.high, d.smallest)), (str(int(x)) for x in flags)
     return f'{{"{p.name}", "{allowed}", {", ".join([*bounds, *marks])}, {{{of[0]}, {of[1]}}}}}'
 
@@ -168,6 +171,13 @@ def tables(f: Function) -> str:
                                        ("size", [size(p) for p in f.of("size")])) if items)
 
 
+def text_entries(interface: Interface) -> list[str]:
+    texts = [f for f in interface.functions if f.result == "text" and [p.declared.split()[0] for p in f.parameters] == ["int32_t"]]
+    return ["static const struct {", "    const char *name;", "    const char *(*text)(int32_t number);", "} text_entries[] = {",
+            *(f'    {{"{f.name}", rwedge_{f.name}}},' for f in texts), "};",
+            "enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };"]
+
+
 def entries(interface: Interface) -> list[Function]:
     return [f for f in interface.functions if f.result in ("value", "status")]
 
@@ -178,4 +188,4 @@ def entries_h(interface: Interface) -> str:
             "sizes": max(len(f.of("size")) for f in listed)}
     return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
                       "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", "#endif", ""])
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "", "#endif", ""])

@@ -15,8 +15,9 @@ import textwrap
 from header import EQUATION, Function, Interface, Parameter
 
 WIDTH = 128
-# Only one way to make a series is offered, and nobody copies what he cannot hold.
-NOT_DECLARED = {"contact_copy", "contact_memory", "series_create", "series_terms"}
+# Only one way to make a series is offered, nobody copies what he cannot hold, and a point of a field has its own cells.
+NOT_DECLARED = {"contact_copy", "contact_memory", "series_create", "series_terms", "smith_watson_topper_field",
+                "fatemi_socie_field"}
 # Declared for the template's own functions.
 NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
 # Basic does not tell a from A.
@@ -104,6 +105,8 @@ def statements(f, name, handle):
     lines += [f"If status = RWEDGE_OK Then status = read_list({x}, {x}_list, {n})" for x, n in sizes.items()]
     if f.returns == "double":
         result = f"finite({call})"
+    elif f.result in ("value", "text"):
+        result = call if f.result == "value" else f"text_at({call})"
     elif several:
         count = " * ".join(f.of("out array")[0].size)
         arrays = ", ".join(f"{x}(0 To {count} - 1)" for x in several)
@@ -121,8 +124,8 @@ def statements(f, name, handle):
 
 def fits_cells(f: Function) -> bool:
     outputs = f.outputs
-    return not (f.returns not in ("double", "int32_t") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result == "value" or outputs))
+    return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
+            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result in ("value", "text") or outputs))
 
 
 def cell_name(f):

@@ -247,6 +247,10 @@ def procedure(f: Function) -> str:
     dummies = own + [in_fortran(p) for p in parameters]
     names = [n.split("(")[0] for _, n in dummies]
     check_names(f, names)
+    if f.result == "text":
+        lines = [*declarations(dummies + [("character(:), allocatable", "text")]), f"text = text_of({passed(f, {})})"]
+        return "\n".join([comment(f), folded(f"function {name}({', '.join(names)}) result(text)", 4),
+                          *(folded(x, 8) for x in lines), "    end function\n"])
     if f.result == "value":
         elemental = "elemental" if f.inputs or not f.family else "pure"
         head = f"{elemental} function {name}({', '.join(names)}) result(value)"
@@ -288,7 +292,7 @@ def bound(interface: Interface, family: str) -> str:
 
 
 def module(interface: Interface, template: str) -> str:
-    statuses = ", ".join(f"{name.lower()} = {value}" for name, value in interface.statuses.items())
+    statuses = ", ".join(f"{name.lower()} = {value}" for name, value in {**interface.statuses, **interface.bits}.items())
     public = [f"rwedge_{f.name}" for f in interface.functions if not f.family and f.name not in BY_HAND]
     replaced = {
         "{statuses}": folded(f"integer(c_int32_t), parameter, public :: {statuses}", 4),
@@ -339,5 +343,5 @@ def door_case(f: Function) -> str:
 
 
 def door(interface: Interface, template: str) -> str:
-    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND]
+    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND and f.result != "text"]
     return template.replace("{cases}", "\n".join(cases))

@@ -39,8 +39,8 @@ def replaced(text: str, pairs: tuple) -> str:
 
 
 def is_ufunc(f: Function) -> bool:
-    """Does it take and give nothing but numbers?"""
-    return f.result in ("value", "status") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
+    """Does it take and give nothing but doubles, and take whole numbers too?"""
+    return (f.result == "status" or f.returns == "double") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
 
 
 def is_general(f: Function) -> bool:

@@ -448,14 +448,6 @@ static mxArray *version(const mxArray *argument)
     return mxCreateString(rwedge_version());
 }
 
-static mxArray *error_text(const mxArray *argument)
-{
-    const double *status;
-    if (take("strerror", 1, &argument, &status))
-        fail("size", "rwedge_strerror takes a scalar");
-    return mxCreateString(rwedge_strerror(is_int32(*status) ? (int32_t)*status : -1));
-}
-
 /* How many objects there are: for the tests. */
 static mxArray *objects_alive(const mxArray *argument)
 {
@@ -471,7 +463,6 @@ static const struct {
     {"contact_destroy", 1, destroy_contact},
     {"series_destroy", 1, destroy_series},
     {"version", 0, version},
-    {"strerror", 1, error_text},
     {"alive", 0, objects_alive},
 };
 
@@ -482,6 +473,16 @@ static void need(const char *name, int arguments, int given)
     if (given != arguments)
         fail("arguments", "rwedge_%s takes %d argument%s, not %d", name, arguments,
              arguments == 1 ? "" : "s", given);
+}
+
+/* The text for a number; of what is no whole number that for -1, which is none. */
+static mxArray *call_text(int of, int arguments, const mxArray *const given[])
+{
+    const double *number;
+    need(text_entries[of].name, 1, arguments);
+    if (take(text_entries[of].name, 1, given, &number))
+        fail("size", "rwedge_%s takes a scalar", text_entries[of].name);
+    return mxCreateString(text_entries[of].text(is_int32(*number) ? (int32_t)*number : -1));
 }
 
 /* A function that makes an object gives its number, and nothing else. */
@@ -530,6 +531,11 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
         call_entry(of, nlhs, plhs, nrhs - 1, prhs + 1);
         return;
     }
+    for (int i = 0; i < TEXT_ENTRY_COUNT; i++)
+        if (strcmp(name, text_entries[i].name) == 0) {
+            plhs[0] = call_text(i, nrhs - 1, prhs + 1);
+            return;
+        }
     for (size_t i = 0; i < COUNT(commands); i++)
         if (strcmp(name, commands[i].name) == 0) {
             need(name, commands[i].arguments, nrhs - 1);

@@ -2,6 +2,7 @@
 #include "state.h"
 
 #include "contact_case.h"
+#include "doubts.h"
 #include "loads.h"
 #include "text/message.h"
 #include "options/variable.h"
@@ -153,6 +154,13 @@ static int check_loads(const arguments *given, const input_texts *texts)
     return STATUS_DONE;
 }
 
+/* P_yield/P, where there is a strength and a load. */
+static double safety_of(const contact_case *what, double b)
+{
+    return rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k) /
+           rwedge_normal_load(what->theta, what->a, what->A, b);
+}
+
 static int read_dimensional(const arguments *given, char decimal_sign, const input_texts *texts,
                             contact_state *state)
 {
@@ -172,6 +180,7 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
     state->nu = what.nu1;
     state->b = rwedge_contact_half_width(state->contact);
     state->length_unit = state->slip_unit = 1;
+    doubts_say(doubts_of(&what, state->b, safety_of(&what, state->b)), "");
     return STATUS_DONE;
 }
 

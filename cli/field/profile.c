@@ -13,6 +13,8 @@ enum { OPTION_X = OPTION_AFTER_STATE, OPTION_POINTS };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
+     "Its strength, to be warned of yield:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
      "Its loads, or natural units:", NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "batch.h"
 
+#include "contact/doubts.h"
 #include "contact/header.h"
 #include "text/message.h"
 #include "system/progress.h"
@@ -19,6 +20,7 @@ typedef struct {
     bool shown[RESULT_COUNT]; /* the results that become columns */
     records *rows;
     int64_t count, failed;
+    int32_t doubts; /* of any row */
 } run;
 
 static const char error_column[] = "error";
@@ -171,6 +173,7 @@ static void write_row(run *r, bool malformed)
     r->rows->format->end_row(r->rows);
     r->count++;
     r->failed += solved ? 0 : 1;
+    r->doubts |= solved ? found.doubts : 0;
     progress_step();
 }
 
@@ -190,12 +193,21 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     return event != CSV_FAILED && records_are_sound(r->rows);
 }
 
+static void say_doubts(const run *r)
+{
+    char where[300];
+    snprintf(where, sizeof where, "%.250s, in some rows: ", csv_input_name(r->in));
+    doubts_say(r->doubts, where);
+}
+
 static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);
+    if (status == STATUS_DONE)
+        say_doubts(r);
     return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
 }
 

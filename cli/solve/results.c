@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "warnings.h"
-
+#include "contact/doubts.h"
 #include "contact/loads.h"
 #include "text/list.h"
 
@@ -146,8 +145,10 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
         return false;
     if (wants_yield_factor && !isnan(what->k) && !yield_factor(what, found->value, complaint))
         return false;
-    warnings_write(what, found->value[RESULT_SAFETY].number, found->warnings,
-                   sizeof found->warnings);
+    const double safety = isnan(what->k) ? NAN : found->value[RESULT_SAFETY].number;
+    found->doubts = doubts_of(what, b, safety);
+    found->warnings[0] = '\0';
+    doubts_write(found->doubts, found->warnings, sizeof found->warnings);
     found->value[RESULT_WARNINGS] = cell_text(found->warnings);
     return true;
 }

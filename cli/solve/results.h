@@ -41,10 +41,12 @@ typedef struct {
 
 extern const result_kind result_kinds[RESULT_COUNT];
 
-/* One contact's results; the warnings' text is kept in them. */
+/* One contact's results; the warnings' text is kept in them, and the bits of those that are the
+ * library's. */
 typedef struct {
     cell value[RESULT_COUNT];
     char warnings[512];
+    int32_t doubts;
 } results;
 
 /* False, with the complaint, where one cannot be computed. */

@@ -5,6 +5,8 @@
 #include "text/message.h"
 #include "results.h"
 
+#include "contact/doubts.h"
+
 #include <string.h>
 
 enum { OPTION_INPUT_FILE = OPTION_AFTER_INPUTS, OPTION_LAYOUT, OPTION_YIELD_FACTOR };
@@ -95,7 +97,10 @@ static int solve_one(const input_texts *texts, answer *one, const output_options
         return usage_error("%s", complaint);
     if (!results_compute(&what, one->yield_factor, &one->found, complaint))
         return failure("%s", complaint);
-    return output_options_write(how, write_answer, one);
+    const int status = output_options_write(how, write_answer, one);
+    if (status == STATUS_DONE)
+        doubts_say(one->found.doubts, "");
+    return status;
 }
 
 /* ---- The command ---- */

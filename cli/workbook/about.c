@@ -29,7 +29,8 @@ static const char *const lines[] = {
     "rw_P_yield is the load at which the two meet.",
     "Remarks: above P_yield the contact yields. Above theta = 0.1 the wedge is hardly a "
     "half-plane. Dissimilar bodies, Dundurs' beta not 0, couple pressure and friction: that is "
-    "neglected where f is above 0.",
+    "neglected where f is above 0. Units look mixed, as GPa with MPa, where a/b is below 0.01 or "
+    "above 10000, or k/E below 0.00001 or above 0.1.",
     "#How the calculator computes",
     "a/b: from Hertz' closed form, or five Newton steps on the contact law from a parabola that is "
     "exact at both ends.",

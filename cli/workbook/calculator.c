@@ -11,6 +11,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <rwedge.h>
+
 enum { LABEL, NAME, VALUE, UNIT, REMARK };
 enum { INPUT_ROW = 4, STATUS_ROW = 14, RESULT_ROW = 18, CHART_COLUMN = 6 };
 enum { CHECK_ROW = WORKING_ROW + NUS + 3, CHECK_COLUMN = WORKING_COLUMN + 4 };
@@ -121,21 +123,42 @@ static const char status_formula[] =
     "limit\",IF(rwt_reached=0,\"rw_P_yield has a/b below 0.01, outside the "
     "tables\",\"OK\")))))))))))))";
 
-/* The same thresholds as the command "solve" has. Short: all three fit beside the chart. */
-static const char remark_formula[] =
-    "=IF(rwt_ok=0,\"\",IF(N(rw_safety)*(1-N(rw_safety))>0,\"P is above P_yield. "
-    "\",\"\")&IF(rw_theta>0.1,\"theta is large. "
-    "\",\"\")&IF(AND(ABS(rwt_beta)>1E-12,N(rw_f)>0),\"Dissimilar bodies.\",\"\"))";
+/* When to say what the library says. The thresholds are the library's: a test compares. */
+static const struct {
+    int32_t doubt;
+    const char *condition;
+} remarks[] = {
+    {RWEDGE_DOUBT_YIELD, "N(rw_safety)*(1-N(rw_safety))>0"},
+    {RWEDGE_DOUBT_ANGLE, "rw_theta>0.1"},
+    {RWEDGE_DOUBT_COUPLING, "AND(ABS(rwt_beta)>1E-12,N(rw_f)>0)"},
+    {RWEDGE_DOUBT_ROUNDING, "OR(rw_a_over_b<0.01,rw_a_over_b>10000)"},
+    {RWEDGE_DOUBT_STRENGTH, "AND(rwt_check9=\"\",OR(N(rw_k)/rw_E1<0.00001,N(rw_k)/rw_E1>0.1))"},
+};
+
+/* What holds, without what follows from it: all of them fit beside the chart. */
+static void write_remarks(char formula[FORMULA_SIZE])
+{
+    compose(formula, "=IF(rwt_ok=0,\"\",\"\"");
+    for (size_t i = 0; i < sizeof remarks / sizeof remarks[0]; i++) {
+        const char *text = rwedge_validity_text(remarks[i].doubt);
+        const size_t used = strlen(formula);
+        snprintf(formula + used, FORMULA_SIZE - used, "&IF(%s,\"%.*s. \",\"\")",
+                 remarks[i].condition, (int)strcspn(text, ":"), text);
+    }
+    strcat(formula, ")");
+}
 
 static void status_rows(xlsx *book)
 {
+    char formula[FORMULA_SIZE];
     xlsx_text(book, STATUS_ROW, LABEL, "Status", XLSX_HEADING);
     xlsx_text(book, STATUS_ROW, NAME, "rw_status", XLSX_NOTE);
     xlsx_text_formula(book, STATUS_ROW, VALUE, status_formula, "OK", XLSX_STATUS);
     xlsx_name(book, "rw_status", STATUS_ROW, VALUE);
     xlsx_text(book, STATUS_ROW + 1, LABEL, "Remarks", XLSX_PLAIN);
     xlsx_text(book, STATUS_ROW + 1, NAME, "rw_remarks", XLSX_NOTE);
-    xlsx_text_formula(book, STATUS_ROW + 1, VALUE, remark_formula, "", XLSX_CHECK);
+    write_remarks(formula);
+    xlsx_text_formula(book, STATUS_ROW + 1, VALUE, formula, "", XLSX_CHECK);
     xlsx_name(book, "rw_remarks", STATUS_ROW + 1, VALUE);
 }
 

@@ -11,7 +11,7 @@ awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
                100 + 900 * rand() } }' >cases.csv
 run solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
 status_is 0
-message_is ""
+message_is "rwedge solve: cases.csv, in some rows: P is above P_yield: the contact yields in full sliding"
 cp out solved.csv
 same "rows" 13 "$(wc -l <solved.csv | tr -d ' ')"
 same "the rows come back as they were" "" "$(cut -d , -f 1-7 solved.csv | diff cases.csv -)"
@@ -110,7 +110,10 @@ a: the cell is empty
 ERRORS
 run solve -i bad.csv
 status_is 0
-message_is "rwedge solve: bad.csv: 20 of 23 rows could not be solved: see the column error"
+message_is "rwedge solve: bad.csv: 20 of 23 rows could not be solved: see the column error
+rwedge solve: bad.csv, in some rows: P is above P_yield: the contact yields in full sliding
+rwedge solve: bad.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?
+rwedge solve: bad.csv, in some rows: k/E is below 0.00001 or above 0.1: are the stresses in one unit?"
 same "rows" 24 "$(wc -l <out | tr -d ' ')"
 awk -F, '{ gsub(/.*,,,,/, ""); gsub(/^,*"?|"$/, ""); print }' out | sed '1,2d;/^18,/d;$d' >got
 same "errors" "" "$(diff expected got)"
@@ -128,8 +131,9 @@ printf 'P,a\n100,1\n' >frictionless.csv
 run solve -i frictionless.csv $fixed
 same "friction that nothing gives" "no friction given" "$(column warnings out)"
 run solve -i frictionless.csv --E1 210000 --nu1 0.3 --theta 0.2
-same "with another warning" "theta = 0.2 rad: above 0.1 the wedge is hardly a half-plane; no friction given" \
+same "with another warning" "theta is above 0.1 rad: the wedge is hardly a half-plane; no friction given" \
     "$(column warnings out)"
+message_is "rwedge solve: frictionless.csv, in some rows: theta is above 0.1 rad: the wedge is hardly a half-plane"
 run solve -i frictionless.csv $fixed --f 0
 same "friction 0 by an option" "-" "$(column warnings out)"
 printf 'P,a,f\n100,1,0\n' >frictionless.csv
@@ -307,7 +311,8 @@ status=0
 (ulimit -v $limit; "$rwedge" solve -i many.csv --E1 210000 --nu1 0.3 -o many_solved.csv 2>err) || status=$?
 echo "$rows rows in $(($(date +%s) - started)) s"
 status_is 0
-message_is ""
+message_is "rwedge solve: many.csv, in some rows: P is above P_yield: the contact yields in full sliding
+rwedge solve: many.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?"
 same "rows" "$((rows + 1))" "$(wc -l <many_solved.csv | tr -d ' ')"
 same "last case" "$rows" "$(tail -n 1 many_solved.csv | cut -d , -f 1)"
 same "rows without an error" "$rows" "$(grep -c ',$' many_solved.csv)"

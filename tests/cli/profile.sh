@@ -126,4 +126,20 @@ history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
 history_fails "empty; needed: a header row with the names of the columns" ''
 history_fails "line 2: a NUL byte; allowed: CSV in UTF-8 or ASCII, neither binary files nor UTF-16" 'P,Q\n1\0000\n'
 
+# Doubts are said once, on stderr, as "solve" says them; the rows are as ever.
+for command in profile field; do
+    run $command --E1 200000 --nu1 0.3 --E2 70000 --nu2 0.33 --theta 1.15 --a 1 --P 500 --f 0.6 --k 100 --x 0.5 \
+        $([ $command = field ] && echo --y 0.5)
+    status_is 0
+    same "what $command doubts" "rwedge $command: theta is above 0.1 rad: the wedge is hardly a half-plane
+rwedge $command: Dundurs' beta is not 0: with friction its coupling is neglected
+rwedge $command: P is above P_yield: the contact yields in full sliding" "$(cat err)"
+    same "rows of $command" 2 "$(wc -l <out)"
+    run $command $hertz --P 300 --k 1000 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    status_is 0
+    message_is ""
+    run $command $hertz --load 300,0 --load 3000,0 --k 400 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    message_is "rwedge $command: P is above P_yield: the contact yields in full sliding"
+done
+
 finish

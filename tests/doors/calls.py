@@ -46,8 +46,12 @@ QUANTITIES = {
     "Q": [270, -410, 130],
     "b": [2.4, 0.7, 11, 5.5],
     "k": [310, 180, 455],
+    "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.2, -0.1],
     "p": [-0.35, -0.92, -0.71, -1.3, -1.1, -0.6, -0.83, -0.2, -0.97],
     "terms": [4, 7, 9],
+    "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
+    "E": [200e3, 72e3, 110e3],
+    "k_over_sy": [0.0025, 0.001, 0.0042],
     "state": "@",
 }
 # Where a function needs others.
@@ -60,6 +64,8 @@ OWN = {
     ("subsurface_yield", "nu"): [0.31, 0.27, 0.33],
     ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
     ("contact_create", "f"): [0.6],
+    ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
+    ("validity", "f"): [0, 0.3],
 }
 SAMPLES = {"series_fit": 9}
 # The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro.

@@ -16,15 +16,15 @@ static const struct {
     char letter;
     entry_argument domain;
 } letters[] = {
-    {'h', {"theta", "", 0, HALF_PI, 1e-60, 1, 1, 0, 1, 0, {-1, -1}}},
-    {'w', {"size", "", 0, 1e60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}},
-    {'+', {"positive", "", 0, 1e60, 1e-60, 1, 0, 0, 1, 0, {-1, -1}}},
-    {'x', {"place", "", -1e60, 1e60, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}},
-    {'f', {"friction", "", 0, 1e6, 1e-60, 0, 0, 0, 1, 0, {-1, -1}}},
-    {'n', {"Poisson's ratio", "", 0, 0.5, 0, 0, 0, 0, 1, 0, {-1, -1}}},
-    {'s', {"factor", "", -INFINITY, INFINITY, 0, 0, 0, 0, 1, 0, {-1, -1}}},
-    {'i', {"number", "", 0, INT32_MAX, 0, 0, 0, 0, 1, 1, {-1, -1}}},
-    {'z', {"status", "", INT32_MIN, INT32_MAX, 0, 0, 0, 0, 1, 1, {-1, -1}}},
+    {'h', {"theta", "", 0, HALF_PI, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}}},
+    {'w', {"size", "", 0, 1e60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'+', {"positive", "", 0, 1e60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'x', {"place", "", -1e60, 1e60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'f', {"friction", "", 0, 1e6, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'n', {"Poisson's ratio", "", 0, 0.5, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'s', {"factor", "", -INFINITY, INFINITY, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'i', {"number", "", 0, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
+    {'z', {"status", "", INT32_MIN, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
 };
 
 const entry_argument *argument_of_letter(char letter)
@@ -53,6 +53,13 @@ static int32_t texts(const double v[], double out[])
 {
     const char *text = rwedge_strerror((int32_t)v[0]);
     out[0] = text != NULL && text[0] != '\0' ? 0 : NAN;
+    return RWEDGE_OK;
+}
+
+static int32_t doubts(const double v[], double out[])
+{
+    const char *text = rwedge_validity_text((int32_t)v[0]);
+    out[0] = text != NULL && strlen(text) < 100 ? 0 : NAN;
     return RWEDGE_OK;
 }
 
@@ -180,6 +187,7 @@ static int32_t fitted_series(const double v[], double out[])
 const sequence sequences[] = {
     {"version", "", 1, 0, version},
     {"strerror", "z", 1, 0, texts},
+    {"validity_text", "z", 1, 0, doubts},
     BY_STATUS(contact, "hw+fwrwrxw", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
     BY_STATUS(yield_factor, "hw+fwrn+", 3,

@@ -114,8 +114,7 @@ static const struct {
     {"shear", is_not_apex_of_shear}, {"stress", is_not_apex},
     {"stresses", are_not_the_apex},  {"radius", has_radius},
     {"rounding", has_rounding},      {"half_width", has_half_width},
-    {"normal_load", has_load},
-    {"contact_create", has_unit_of_stress},
+    {"normal_load", has_load},       {"contact_create", has_unit_of_stress},
 };
 
 together_claim *claim_about(const char *name)

@@ -5,7 +5,7 @@
 #     abi.sh SOURCE BUILD           compares
 #     abi.sh SOURCE BUILD --store   stores it anew, after an addition. A change that breaks raises RWEDGE_ABI first.
 set -eu
-source=$1 build=$2 store=${3:-}
+source=$(cd "$1" && pwd) build=$2 store=${3:-} # whole: the stored interface is to have no path of this machine
 here=$source/tests/package/abi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -18,7 +18,7 @@ library=$build/abi/lib/librwedge.so
 {
     echo "soname $(readelf -d "$library" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')"
     nm -D --defined-only --with-symbol-versions "$library" | awk '$2 == "T" { print $3 }' | LC_ALL=C sort
-    sed -n 's/^ *\(RWEDGE_[A-Z]* = [0-9]*\).*/\1/p' "$source/include/rwedge.h"
+    sed -n 's/^ *\(RWEDGE_[A-Z_]* = [0-9]*\).*/\1/p' "$source/include/rwedge.h"
 } >"$work/interface.txt"
 if [ "$store" = --store ]; then
     cp "$work/interface.txt" "$here/interface.txt"

@@ -1,0 +1,14 @@
+function value = rwedge_validity_text(doubt)
+%RWEDGE_VALIDITY_TEXT  value = rwedge_validity_text(doubt)
+%   What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
+%   such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text.
+%     doubt  any integer
+%
+%   The arguments are arrays of one size, or scalars, which go with every element.
+if nargin < 1
+    error('rwedge:arguments', 'too few arguments: value = rwedge_validity_text(doubt)');
+end
+value = rwedge_mex('validity_text', doubt);
+end
+
+% SPDX-License-Identifier: GPL-3.0-or-later

@@ -33,7 +33,7 @@
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
  * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _copy and _load allocate.
+ * _copy, _load, _apply, _stress_history, _restore and rwedge_permanent_stick() allocate.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -69,7 +69,8 @@ enum {
     RWEDGE_ENOMEM = 5,   /* out of memory */
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
-    RWEDGE_EABSENT = 8   /* what was asked for does not exist for these arguments */
+    RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
@@ -292,8 +293,8 @@ RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, 
 /* One contact and what it remembers of its loads (P, Q). It is exact for any history: see
  * lib/README.md, "Load histories". Lengths are not in b here: x and y are in the unit of a,
  * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and
- * _copy() make a handle, rwedge_contact_destroy() frees it. Only these and rwedge_contact_load()
- * use the heap. Different handles are independent. One handle may be read by many threads at a
+ * _copy() make a handle, rwedge_contact_destroy() frees it. Only what may return RWEDGE_ENOMEM
+ * uses the heap. Different handles are independent. One handle may be read by many threads at a
  * time. While one thread loads it, no other may use it.
  *
  * Accuracy. The half-width b has a relative error below 1e-14. A remembered load has the rounding
@@ -325,12 +326,99 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  *      P
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
- * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
- * RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
- * two points of the history per load, and of them only those that no later load has wiped out. */
+ * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+ * after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
+ * RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+ * of them only those that no later load has wiped out. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
-/* Half-width b of the contact, length; 0 when separated; NaN for NULL.
+/* The next point of the history with a moment and a bulk tension, reached in a straight line of all
+ * four.                                                                                         new
+ *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
+ *          where P is 0
+ *   Q      |Q| <= f P, as for rwedge_contact_load()
+ *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
+ *          surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
+ *          adds: apply it before P to have it without slip
+ * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact without
+ * moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
+ * one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
+ * of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
+ * closed form, nor those that end with the front of slip between two patches of the memory at one
+ * edge and between two others at the other, or with a part beyond the front that sticks:
+ * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+ * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+ * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
+ * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
+                                        double sigma);
+
+/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+ * English; empty where it would not.                                                            new
+ *   arguments as for rwedge_contact_apply(); the contact stays as it is
+ * Static text, never NULL. */
+RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
+                                               double Q, double sigma);
+
+/* The largest |d sigma| with which the present Q may change to another under constant P and M,
+ * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+ *   Q  finite
+ * NaN outside the domain; NaN for NULL; 0 when separated. */
+RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
+
+/* The present loads.                                                                            new
+ *   P, M, Q, sigma  each receives one number
+ * RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M,
+                                        double *Q, double *sigma);
+
+/* The edges of the contact, left < x < right.                                                   new
+ *   left, right  length
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+ * |tilt|/theta. */
+RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
+
+/* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+ * |p|. Those of the contact where there is no such zone.                                        new
+ *   left, right  length
+ * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
+                                             double *right);
+
+/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
+ * 0 without a moment; NaN for NULL. */
+RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
+
+/* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+ * slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+ * = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+ * this is how a pad is matched to a specimen.                                                   new
+ *   normal_left, normal_right  K_N, stress over the root of a length
+ *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+ *                              sigma less what it was when the bodies touched
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
+                                                  double *normal_left, double *normal_right,
+                                                  double *shear_left, double *shear_right);
+
+/* The zone that never slips while loads go to and fro between two points in a straight line, once
+ * the first cycles are over, whatever was before.                                               new
+ *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+ *   M1, M2          finite
+ *   Q1, Q2          |Q| <= f P
+ *   sigma1, sigma2  finite
+ *   left, right     its edges, length
+ * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+ * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
+                                          double M1, double Q1, double sigma1, double P2, double M2,
+                                          double Q2, double sigma2, double *left, double *right);
+
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+ * off the centre.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
@@ -361,6 +449,41 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
                                            const double x[], const double y[], double sxx[],
                                            double syy[], double txy[]);
 
+/* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
+ * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
+ * it was is not computed again.                                                               new
+ *   P              0, or at least 1e-8 of the last P
+ *   M, Q, sigma    finite: loads numbers each, as P
+ *   x, y           length, finite, y >= 0: n numbers each
+ *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+ *                  inputs
+ * The contact then has the last of the loads. After an error the contact is as before and
+ * nothing is written. RWEDGE_EDOMAIN where one of both functions has it; RWEDGE_EPATH;
+ * RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
+                                                 const double P[], const double M[],
+                                                 const double Q[], const double sigma[], size_t n,
+                                                 const double x[], const double y[], double sxx[],
+                                                 double syy[], double txy[]);
+
+/* How many numbers rwedge_contact_state() gives for the contact as it is; 0 for NULL.        new */
+RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
+
+/* The contact as numbers, for restarts and for other processes: what is made of them again gives
+ * the same bits for ever after. They are of no other use. Their form has a version: this library
+ * reads what it and the older ones have written.                                                new
+ *   n      rwedge_contact_state_size()
+ *   state  receives n numbers
+ * RWEDGE_ENULL; RWEDGE_ERANGE for another n. */
+RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double state[]);
+
+/* The contact of such numbers.                                                                  new
+ *   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
+ *   contact  receives the handle
+ * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free
+ * with rwedge_contact_destroy(). */
+RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact);
+
 /* Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
  * relative to the wedge's, since the point last came into contact. It has the sign of q while it
  * grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
@@ -369,6 +492,8 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
+ * RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+ * or slipped after they had been added to others that slipped before, and in full sliding.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -378,8 +503,9 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
- * change of Q/f where that slip reaches an older layer. */
+ * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+ * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+ * the change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

@@ -48,7 +48,7 @@ Attribute VB_Name = "rwedge"
 ' A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
 ' reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
 ' function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
-' _copy and _load allocate.
+' _copy, _load, _apply, _stress_history, _restore and rwedge_permanent_stick() allocate.
 '
 ' Threads: every function may be called from any number of threads. A handle may be read by many
 ' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
@@ -68,6 +68,7 @@ Private Enum rwedge_status
     RWEDGE_ESLIDING = 6
     RWEDGE_ERANK = 7
     RWEDGE_EABSENT = 8
+    RWEDGE_EPATH = 9
 End Enum
 
 Private Type one_double
@@ -146,6 +147,23 @@ Private Declare PtrSafe Function c_contact_create Lib "rwedge.dll" Alias "rwedge
 Private Declare PtrSafe Sub c_contact_destroy Lib "rwedge.dll" Alias "rwedge_contact_destroy" (ByVal contact As LongPtr)
 Private Declare PtrSafe Function c_contact_load Lib "rwedge.dll" Alias "rwedge_contact_load" ( _
     ByVal contact As LongPtr, ByVal P As Double, ByVal Q As Double) As Long
+Private Declare PtrSafe Function c_contact_largest_tension_step Lib "rwedge.dll" Alias "rwedge_contact_largest_tension_step" ( _
+    ByVal contact As LongPtr, ByVal Q As Double) As Double
+Private Declare PtrSafe Function c_contact_loads Lib "rwedge.dll" Alias "rwedge_contact_loads" ( _
+    ByVal contact As LongPtr, ByRef P As Double, ByRef M As Double, ByRef Q As Double, ByRef sigma As Double) As Long
+Private Declare PtrSafe Function c_contact_edges Lib "rwedge.dll" Alias "rwedge_contact_edges" ( _
+    ByVal contact As LongPtr, ByRef left As Double, ByRef right As Double) As Long
+Private Declare PtrSafe Function c_contact_stick_zone Lib "rwedge.dll" Alias "rwedge_contact_stick_zone" ( _
+    ByVal contact As LongPtr, ByRef left As Double, ByRef right As Double) As Long
+Private Declare PtrSafe Function c_contact_tilt Lib "rwedge.dll" Alias "rwedge_contact_tilt" ( _
+    ByVal contact As LongPtr) As Double
+Private Declare PtrSafe Function c_contact_edge_asymptotes Lib "rwedge.dll" Alias "rwedge_contact_edge_asymptotes" ( _
+    ByVal contact As LongPtr, ByRef normal_left As Double, ByRef normal_right As Double, ByRef shear_left As Double, _
+    ByRef shear_right As Double) As Long
+Private Declare PtrSafe Function c_permanent_stick Lib "rwedge.dll" Alias "rwedge_permanent_stick" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _
+    ByVal M1 As Double, ByVal Q1 As Double, ByVal sigma1 As Double, ByVal P2 As Double, ByVal M2 As Double, _
+    ByVal Q2 As Double, ByVal sigma2 As Double, ByRef left As Double, ByRef right As Double) As Long
 Private Declare PtrSafe Function c_contact_half_width Lib "rwedge.dll" Alias "rwedge_contact_half_width" ( _
     ByVal contact As LongPtr) As Double
 Private Declare PtrSafe Function c_contact_stick_half_width Lib "rwedge.dll" Alias "rwedge_contact_stick_half_width" ( _
@@ -825,13 +843,164 @@ End Function
 
 ' ---- A contact with a load history -------------------------------------------------------------
 
-' Half-width b of the contact, length; 0 when separated; NaN for NULL.
+' The largest |d sigma| with which the present Q may change to another under constant P and M,
+' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+'   Q  finite
+' NaN outside the domain; NaN for NULL; 0 when separated.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal Q As Double) As Variant
+Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s). HUGE_VAL without friction."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_LARGEST_TENSION_STEP = finite(c_contact_largest_tension_step(contact, Q))
+    Else
+        RWEDGE_CONTACT_LARGEST_TENSION_STEP = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The present loads.                                                                            new
+'   P, M, Q, sigma  each receives one number
+' RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row P, M, Q, sigma.
+Public Function RWEDGE_CONTACT_LOADS( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_LOADS.VB_Description = "The present loads."
+    Dim P As Double, M As Double, Q As Double, sigma As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_loads(contact, P, M, Q, sigma)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_LOADS = Array(P, M, Q, sigma)
+    Else
+        RWEDGE_CONTACT_LOADS = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The edges of the contact, left < x < right.                                                   new
+'   left, right  length
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+' |tilt|/theta.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row left, right.
+Public Function RWEDGE_CONTACT_EDGES( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_EDGES.VB_Description = "The edges of the contact, left < x < right."
+    Dim left As Double, right As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_edges(contact, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_EDGES = Array(left, right)
+    Else
+        RWEDGE_CONTACT_EDGES = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+' |p|. Those of the contact where there is no such zone.                                        new
+'   left, right  length
+' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row left, right.
+Public Function RWEDGE_CONTACT_STICK_ZONE( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f |p|. Those of the contact where there is no such zone."
+    Dim left As Double, right As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_stick_zone(contact, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_STICK_ZONE = Array(left, right)
+    Else
+        RWEDGE_CONTACT_STICK_ZONE = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
+' 0 without a moment; NaN for NULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_TILT( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad: |tilt| < theta. 0 without a moment; NaN for NULL."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_TILT = finite(c_contact_tilt(contact))
+    Else
+        RWEDGE_CONTACT_TILT = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+' slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+' = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+' this is how a pad is matched to a specimen.                                                   new
+'   normal_left, normal_right  K_N, stress over the root of a length
+'   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+'                              sigma less what it was when the bodies touched
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row normal_left, normal_right, shear_left, shear_right.
+Public Function RWEDGE_CONTACT_EDGE_ASYMPTOTES( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_EDGE_ASYMPTOTES.VB_Description = "How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) = 0.001, 9 % at 0.1, 35 % at 0.5."
+    Dim normal_left As Double, normal_right As Double, shear_left As Double, shear_right As Double, contact As LongPtr
+    Dim status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_edge_asymptotes(contact, normal_left, normal_right, shear_left, shear_right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_EDGE_ASYMPTOTES = Array(normal_left, normal_right, shear_left, shear_right)
+    Else
+        RWEDGE_CONTACT_EDGE_ASYMPTOTES = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The zone that never slips while loads go to and fro between two points in a straight line, once
+' the first cycles are over, whatever was before.                                               new
+'   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+'   M1, M2          finite
+'   Q1, Q2          |Q| <= f P
+'   sigma1, sigma2  finite
+'   left, right     its edges, length
+' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
+' In a cell: the row left, right.
+Public Function RWEDGE_PERMANENT_STICK( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _
+        ByVal M1 As Double, ByVal Q1 As Double, ByVal sigma1 As Double, ByVal P2 As Double, ByVal M2 As Double, _
+        ByVal Q2 As Double, ByVal sigma2 As Double) As Variant
+Attribute RWEDGE_PERMANENT_STICK.VB_Description = "The zone that never slips while loads go to and fro between two points in a straight line, once the first cycles are over, whatever was before."
+    Dim left As Double, right As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_PERMANENT_STICK = Array(left, right)
+    Else
+        RWEDGE_PERMANENT_STICK = failure(status)
+    End If
+End Function
+
+' Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+' off the centre.
 '                                                                   Eq. (7), (11), (15), inverse
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contact, length; 0 when separated; NaN for NULL."
+Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is off the centre."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -923,6 +1092,8 @@ End Function
 '                                                                             Eq. (17) to (21); new
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
+' RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+' or slipped after they had been added to others that slipped before, and in full sliding.
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
 ' Error below 1e-12 f theta b, for loads that differ by 1 % or more.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
@@ -950,8 +1121,9 @@ End Function
 ' time integral of the traction times the rate of slip over the contact, without the rigid
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
-' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
-' change of Q/f where that slip reaches an older layer.
+' NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+' the change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _

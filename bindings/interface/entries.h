@@ -14,8 +14,8 @@
 #include <math.h>
 
 enum {
-    ENTRY_ARGUMENTS = 6, /* the most that a function has */
-    ENTRY_RESULTS = 3,
+    ENTRY_ARGUMENTS = 12, /* the most that a function has */
+    ENTRY_RESULTS = 4,
     ENTRY_SIZES = 2
 };
 
@@ -327,6 +327,71 @@ static const entry_argument contact_load_arguments[] = {
     {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}},
     {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
+ENTRY(contact_apply, return rwedge_contact_apply((rwedge_contact *)object, v[0][0], v[1][0],
+      v[2][0], v[3][0]))
+static const entry_argument contact_apply_arguments[] = {
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+
+ENTRY(contact_largest_tension_step, r[0][0] = rwedge_contact_largest_tension_step((const
+      rwedge_contact *)object, v[0][0]); return RWEDGE_OK)
+static const entry_argument contact_largest_tension_step_arguments[] = {
+    {"Q", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result contact_largest_tension_step_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(contact_loads, return rwedge_contact_loads((const rwedge_contact *)object, r[0], r[1], r[2],
+      r[3]))
+static const entry_result contact_loads_results[] = {
+    {"P", {-1, -1}, 0},
+    {"M", {-1, -1}, 0},
+    {"Q", {-1, -1}, 0},
+    {"sigma", {-1, -1}, 0}};
+
+ENTRY(contact_edges, return rwedge_contact_edges((const rwedge_contact *)object, r[0], r[1]))
+static const entry_result contact_edges_results[] = {
+    {"left", {-1, -1}, 0},
+    {"right", {-1, -1}, 0}};
+
+ENTRY(contact_stick_zone, return rwedge_contact_stick_zone((const rwedge_contact *)object, r[0],
+      r[1]))
+static const entry_result contact_stick_zone_results[] = {
+    {"left", {-1, -1}, 0},
+    {"right", {-1, -1}, 0}};
+
+ENTRY(contact_tilt, r[0][0] = rwedge_contact_tilt((const rwedge_contact *)object); return RWEDGE_OK)
+static const entry_result contact_tilt_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(contact_edge_asymptotes, return rwedge_contact_edge_asymptotes((const rwedge_contact *)object,
+      r[0], r[1], r[2], r[3]))
+static const entry_result contact_edge_asymptotes_results[] = {
+    {"normal_left", {-1, -1}, 0},
+    {"normal_right", {-1, -1}, 0},
+    {"shear_left", {-1, -1}, 0},
+    {"shear_right", {-1, -1}, 0}};
+
+ENTRY(permanent_stick, return rwedge_permanent_stick(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
+      v[5][0], v[6][0], v[7][0], v[8][0], v[9][0], v[10][0], v[11][0], r[0], r[1]))
+static const entry_argument permanent_stick_arguments[] = {
+    {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
+    {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"P1", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M1", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"Q1", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"sigma1", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"P2", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M2", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"Q2", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"sigma2", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result permanent_stick_results[] = {
+    {"left", {-1, -1}, 0},
+    {"right", {-1, -1}, 0}};
+
 ENTRY(contact_half_width, r[0][0] = rwedge_contact_half_width((const rwedge_contact *)object);
       return RWEDGE_OK)
 static const entry_result contact_half_width_results[] = {
@@ -362,6 +427,40 @@ static const entry_result contact_stresses_results[] = {
     {"syy", {0, -1}, 0},
     {"txy", {0, -1}, 0}};
 static const entry_size contact_stresses_sizes[] = {
+    {"n", NULL, ""}};
+
+ENTRY(contact_stress_history, return rwedge_contact_stress_history((rwedge_contact *)object, n[0],
+      v[0], v[1], v[2], v[3], n[1], v[4], v[5], r[0], r[1], r[2]))
+static const entry_argument contact_stress_history_arguments[] = {
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}},
+    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}}};
+static const entry_result contact_stress_history_results[] = {
+    {"sxx", {0, 1}, 0},
+    {"syy", {0, 1}, 0},
+    {"txy", {0, 1}, 0}};
+static const entry_size contact_stress_history_sizes[] = {
+    {"loads", NULL, ""},
+    {"n", NULL, ""}};
+
+ENTRY(contact_state_size, r[0][0] = (double)rwedge_contact_state_size((const rwedge_contact
+      *)object); return RWEDGE_OK)
+static const entry_result contact_state_size_results[] = {
+    {"value", {-1, -1}, 0}};
+
+ENTRY(contact_state, return rwedge_contact_state((const rwedge_contact *)object, n[0], r[0]))
+static const entry_result contact_state_results[] = {
+    {"state", {0, -1}, 0}};
+static const entry_size contact_state_sizes[] = {
+    {"n", "contact_state_size", ""}};
+
+ENTRY(contact_restore, return rwedge_contact_restore(n[0], v[0], (rwedge_contact **)made))
+static const entry_argument contact_restore_arguments[] = {
+    {"state", "not other than rwedge_contact_state() gave it", -INFINITY, INFINITY, 0.0, 0, 0, 0, 0, 0, 0, {0, -1}}};
+static const entry_size contact_restore_sizes[] = {
     {"n", NULL, ""}};
 
 ENTRY(contact_slip, return rwedge_contact_slip((const rwedge_contact *)object, n[0], v[0], r[0]))
@@ -602,8 +701,24 @@ static const entry entries[] = {
      NULL, 4, 0, 0, contact_create_arguments, NULL, NULL},
     {"contact_copy", "contact", entry_contact_copy, 1, 0, 1, 1, 0, 0, 0, 0x24,
      NULL, 0, 0, 0, NULL, NULL, NULL},
-    {"contact_load", "contact", entry_contact_load, 1, 1, 0, 1, 0, 1, 0, 0x6e,
+    {"contact_load", "contact", entry_contact_load, 1, 1, 0, 1, 0, 1, 0, 0x26e,
      NULL, 2, 0, 0, contact_load_arguments, NULL, NULL},
+    {"contact_apply", "contact", entry_contact_apply, 1, 1, 0, 1, 0, 1, 0, 0x26e,
+     NULL, 4, 0, 0, contact_apply_arguments, NULL, NULL},
+    {"contact_largest_tension_step", "contact", entry_contact_largest_tension_step, 1, 0, 0, 0, 0, 0, 1, 0x0,
+     NULL, 1, 1, 0, contact_largest_tension_step_arguments, contact_largest_tension_step_results, NULL},
+    {"contact_loads", "contact", entry_contact_loads, 1, 0, 0, 1, 0, 0, 0, 0x4,
+     NULL, 0, 4, 0, NULL, contact_loads_results, NULL},
+    {"contact_edges", "contact", entry_contact_edges, 1, 0, 0, 1, 0, 0, 0, 0x104,
+     NULL, 0, 2, 0, NULL, contact_edges_results, NULL},
+    {"contact_stick_zone", "contact", entry_contact_stick_zone, 1, 0, 0, 1, 0, 0, 0, 0x104,
+     NULL, 0, 2, 0, NULL, contact_stick_zone_results, NULL},
+    {"contact_tilt", "contact", entry_contact_tilt, 1, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 0, 1, 0, NULL, contact_tilt_results, NULL},
+    {"contact_edge_asymptotes", "contact", entry_contact_edge_asymptotes, 1, 0, 0, 1, 0, 0, 0, 0x104,
+     NULL, 0, 4, 0, NULL, contact_edge_asymptotes_results, NULL},
+    {"permanent_stick", "", entry_permanent_stick, 0, 0, 0, 1, 0, 1, 0, 0x36e,
+     NULL, 12, 2, 0, permanent_stick_arguments, permanent_stick_results, NULL},
     {"contact_half_width", "contact", entry_contact_half_width, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_half_width_results, NULL},
     {"contact_stick_half_width", "contact", entry_contact_stick_half_width, 1, 0, 0, 0, 0, 0, 0, 0x0,
@@ -614,9 +729,17 @@ static const entry entries[] = {
      NULL, 1, 2, 1, contact_tractions_arguments, contact_tractions_results, contact_tractions_sizes},
     {"contact_stresses", "contact", entry_contact_stresses, 1, 0, 0, 1, 1, 1, 0, 0x6,
      NULL, 2, 3, 1, contact_stresses_arguments, contact_stresses_results, contact_stresses_sizes},
-    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 1, 0, 0x6,
+    {"contact_stress_history", "contact", entry_contact_stress_history, 1, 1, 0, 1, 0, 1, 0, 0x26e,
+     NULL, 6, 3, 2, contact_stress_history_arguments, contact_stress_history_results, contact_stress_history_sizes},
+    {"contact_state_size", "contact", entry_contact_state_size, 1, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 0, 1, 0, NULL, contact_state_size_results, NULL},
+    {"contact_state", "contact", entry_contact_state, 1, 0, 0, 1, 0, 0, 0, 0xc,
+     NULL, 0, 1, 1, NULL, contact_state_results, contact_state_sizes},
+    {"contact_restore", "contact", entry_contact_restore, 0, 0, 1, 1, 0, 1, 0, 0x26,
+     NULL, 1, 0, 1, contact_restore_arguments, NULL, contact_restore_sizes},
+    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 1, 0, 0x206,
      NULL, 1, 1, 1, contact_slip_arguments, contact_slip_results, contact_slip_sizes},
-    {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, 1, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
     {"contact_yield_factor", "contact", entry_contact_yield_factor, 1, 0, 0, 1, 0, 0, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},

@@ -40,11 +40,12 @@ NUMBER = r"-?[\d.]+(?:e-?\d+)?|pi/2|2\^\d+|\S+"
 WITHIN = re.compile(rf"({NUMBER}) (<=?) (.+?) (<=?) ({NUMBER})")
 BEYOND = re.compile(rf"(\|?\w*\|?) ?([<>]=?) ({NUMBER})(?: .*)?")
 TO = re.compile(rf"(0,? or )?({NUMBER}) to ({NUMBER})(?: .*)?")
-AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})(?: .*)?")
+AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})")
+AT_LEAST_OF = re.compile(rf"(?:0,? or )?at least (?:{NUMBER}) of the .*")
 AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
 WITHOUT_SIZE = re.compile(r"Without a size are (.*?)\.")
 SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
-REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN where|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL\.)")
+REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN where|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
 ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
 
@@ -78,7 +79,7 @@ class Domain:
         words = ["0, or"] * zero + ([f"{least:g} to {LARGEST:g}"] if math.isinf(self.high) else [f"at least {least:g}"])
         words += ["in magnitude"] * signed + [", or infinite"] * (not self.finite)
         size = " ".join(words).replace("e+", "e").replace(" ,", ",")
-        own = [c for c in self.conditions if c != "finite" and not re.fullmatch(r"(\w+ )?>=? 0|0, or at least .*", c)]
+        own = [c for c in self.conditions if c != "finite" and not re.fullmatch(r"(\w+ )?>=? 0|0, or at least \S+", c)]
         both = [size] + own if math.isinf(self.high) else own + [size]
         return dataclasses.replace(self, conditions=both, low=max(self.low, -LARGEST), high=min(self.high, LARGEST), smallest=SMALLEST)
 
@@ -208,6 +209,9 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
         elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
             bound(domain, ">=", number(match[2]))
+        elif AT_LEAST_OF.fullmatch(clause):
+            domain.between = True
+            bound(domain, ">=", 0.0)
         elif match := AT_MOST.fullmatch(clause):
             bound(domain, "<=", number(match[1]))
             bound(domain, ">=", -number(match[1]))

@@ -113,6 +113,49 @@ static int32_t contact(const double v[], double out[])
     return status;
 }
 
+/* v: theta, a, A, f, P, M/(P b), Q/(fP), part of the largest tension. First no Q and no tension. */
+static int32_t off_centre(const double v[], double out[])
+{
+    double edges[4], state[256], stress[3], loads[4];
+    rwedge_contact *made = NULL, *restored = NULL;
+    int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &made);
+    const double M = product(v[5], v[4], rwedge_half_width(v[0], v[1], v[2], v[4]));
+    const double Q = product(v[3], v[4], v[6]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(made, v[4], M, 0, 0);
+    const double largest = rwedge_contact_largest_tension_step(made, Q);
+    const double sigma = isinf(largest) ? v[7] : product(largest, v[7], 1), x = 0, y = 1;
+    const bool is_obstructed = *rwedge_contact_obstacle(made, v[4], M, Q, sigma) != '\0';
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stress_history(made, 1, &v[4], &M, &Q, &sigma, 1, &x, &y,
+                                               &stress[0], &stress[1], &stress[2]);
+    if (is_obstructed && status == RWEDGE_OK)
+        status = RWEDGE_ENOCONV; /* which is not allowed */
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_loads(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edges(made, &edges[0], &edges[1]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stick_zone(made, &edges[2], &edges[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edge_asymptotes(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_permanent_stick(v[0], v[1], v[2], v[3], v[4], M, 0, 0, v[4], M, Q, sigma,
+                                        &loads[0], &loads[1]);
+    const size_t n = rwedge_contact_state_size(made);
+    if (status == RWEDGE_OK)
+        status = n <= 256 ? rwedge_contact_state(made, n, state) : RWEDGE_ENOCONV;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_restore(n, state, &restored);
+    if (status == RWEDGE_OK) {
+        memcpy(out, edges, sizeof edges);
+        out[4] = rwedge_contact_tilt(restored);
+    }
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(made);
+    return status;
+}
+
 /* v: theta, a, A, f, P, Q/(fP), nu, k. */
 static int32_t yield_factor(const double v[], double out[])
 {
@@ -190,6 +233,9 @@ const sequence sequences[] = {
     {"validity_text", "z", 1, 0, doubts},
     BY_STATUS(contact, "hw+fwrwrxw", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
+    BY_STATUS(off_centre, "hw+fwrrr", 5,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
+                  BIT(RWEDGE_EABSENT) | BIT(RWEDGE_EPATH)),
     BY_STATUS(yield_factor, "hw+fwrn+", 3,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
                   BIT(RWEDGE_EABSENT)),

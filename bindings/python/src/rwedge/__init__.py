@@ -14,7 +14,7 @@ apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed i
 what the paper does not have.
 """
 from . import _made
-from ._contact import Contact, YieldFactor
+from ._contact import Contact, Loads, YieldFactor
 from ._header import FUNCTIONS as _FUNCTIONS
 from ._library import Error, SlidingError
 from ._library import function as _function
@@ -23,14 +23,14 @@ from ._series import Series
 from ._ufuncs import Points as _Points
 from ._ufuncs import ufunc as _ufunc
 
-for _public in (Contact, Error, Series, SlidingError, YieldFactor):
+for _public in (Contact, Error, Loads, Series, SlidingError, YieldFactor):
     _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # The ufuncs: all functions of the header that take and give nothing but numbers.
 _ufuncs = {name: _ufunc(name) for name, about in _FUNCTIONS.items() if about["made"] == "ufunc"}
 globals().update(_ufuncs)
-__all__ = ["Contact", "Error", "Series", "SlidingError", "YieldFactor", "stresses", *_ufuncs, *_made.__all__]
+__all__ = ["Contact", "Error", "Loads", "Series", "SlidingError", "YieldFactor", "stresses", *_ufuncs, *_made.__all__]
 
 _stresses = _Points("stress")
 

@@ -6,6 +6,7 @@ import ctypes
 import threading
 from typing import Any, NamedTuple, SupportsFloat
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._general import call
@@ -15,8 +16,10 @@ from ._ufuncs import Points
 
 _create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
+_loads = function("contact_loads")
+_state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
 _dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
-_yield_factor = function("contact_yield_factor")
+_yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
 _tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
 
 
@@ -26,6 +29,15 @@ class YieldFactor(NamedTuple):
     factor: float
     x: float
     y: float
+
+
+class Loads(NamedTuple):
+    """Normal load and tangential load, force/length; moment about x = 0, force; bulk tension, stress."""
+
+    P: float
+    M: float
+    Q: float
+    sigma: float
 
 
 class Contact(ContactMethods, Handle):
@@ -54,7 +66,7 @@ class Contact(ContactMethods, Handle):
     Notes
     -----
     A contact is created without load, separated, and freed with its last reference. ``copy()``, ``copy.copy`` and
-    ``copy.deepcopy`` give an independent one, history and all. It cannot be pickled: send its parameters and its loads.
+    ``copy.deepcopy`` give an independent one, history and all. A pickled contact goes on to the same bits, by ``state()``.
 
     Threads: different contacts are independent, and their methods release the GIL. Calls for one contact from several
     threads are safe, and wait for each other; to read one at the same time, give each thread a copy.
@@ -72,10 +84,10 @@ class Contact(ContactMethods, Handle):
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
-        self._begin(handle, (0.0, 0.0))
+        self._begin(handle)
 
-    def _begin(self, handle: ctypes.c_void_p, loads: tuple[float, float]) -> None:
-        self._lock, self._loads = threading.RLock(), loads
+    def _begin(self, handle: ctypes.c_void_p) -> None:
+        self._lock = threading.RLock()
         self._adopt(handle, _destroy)
 
     def copy(self) -> Contact:
@@ -84,7 +96,7 @@ class Contact(ContactMethods, Handle):
         twin._parameters = self._parameters
         with self._lock:
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
-            twin._begin(handle, self._loads)
+            twin._begin(handle)
         return twin
 
     def __copy__(self) -> Contact:
@@ -98,7 +110,8 @@ class Contact(ContactMethods, Handle):
         return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
 
     def load(self, P: SupportsFloat, Q: SupportsFloat = 0.0) -> None:
-        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
+        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one; M and sigma stay
+        as they are (``apply``).
 
         Parameters
         ----------
@@ -120,7 +133,48 @@ class Contact(ContactMethods, Handle):
         P, Q = real("P", P), real("Q", Q)
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
-            self._loads = P, Q
+
+    @property
+    def state_size(self) -> int:
+        """How many numbers ``state()`` gives, for the contact as it is. Source: new."""
+        return self._value(_state_size)
+
+    def state(self) -> NDArray[np.float64]:
+        """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
+        to the same bits. The numbers are of no other use. Source: new."""
+        with self._lock:
+            numbers = np.empty(_state_size(self._address))
+            check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
+        return numbers
+
+    @classmethod
+    def restore(cls, state: ArrayLike) -> Contact:
+        """The contact of the numbers that ``state()`` gave.
+
+        Raises
+        ------
+        ValueError
+            where they are not those of a contact
+
+        Source: new.
+        """
+        numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
+        contact, handle = cls.__new__(cls), ctypes.c_void_p()
+        check("contact_restore", _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle)))
+        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
+        contact._begin(handle)
+        return contact
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self).restore, (self.state(),)
+
+    @property
+    def loads(self) -> Loads:
+        """The present loads. Source: new."""
+        loads = [ctypes.c_double() for _ in range(4)]
+        with self._lock:
+            check("contact_loads", _loads(self._address, *map(ctypes.byref, loads)))
+        return Loads(*(load.value for load in loads))
 
     def _value(self, read: Any) -> Any:
         with self._lock:
@@ -153,12 +207,22 @@ class Contact(ContactMethods, Handle):
     @property
     def P(self) -> float:
         """The present normal load, force/length."""
-        return self._loads[0]
+        return self.loads.P
+
+    @property
+    def M(self) -> float:
+        """The present moment, force."""
+        return self.loads.M
 
     @property
     def Q(self) -> float:
         """The present tangential load, force/length."""
-        return self._loads[1]
+        return self.loads.Q
+
+    @property
+    def sigma(self) -> float:
+        """The present bulk tension, stress."""
+        return self.loads.sigma
 
     @property
     def half_width(self) -> float:
@@ -232,11 +296,12 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         ValueError
-            outside the contact
+            outside the contact; off the centre, where it is not known
 
         Source: Eq. (17) to (21); new.
         """
         with self._lock:
+            check("contact_slip", _slip_of(self._address, 0, None, None))
             return _slip(self._address, x)
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:

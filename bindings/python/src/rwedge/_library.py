@@ -8,7 +8,7 @@ import operator
 import sys
 import weakref
 from pathlib import Path
-from typing import Any, Mapping, NoReturn, SupportsFloat, SupportsIndex
+from typing import Any, Mapping, SupportsFloat, SupportsIndex
 
 from ._header import FUNCTIONS
 
@@ -79,5 +79,5 @@ class Handle:
         self._address = handle.value
         weakref.finalize(self, destroy, handle.value)
 
-    def __reduce__(self) -> NoReturn:
+    def __reduce__(self) -> Any:
         raise TypeError(f"a {type(self).__name__} cannot be pickled: send what it is made from, and make it there")

@@ -104,7 +104,8 @@ contains
         p = 5
         call contact%tractions([0.0_c_double, nan], p, q, stat, errmsg)
         call claim('tractions: domain', stat == rwedge_edomain .and. all(p == 5))
-        call claim('tractions: ' // errmsg, says(errmsg, 'rwedge_contact%tractions(x), element 2', 'NaN; allowed is x 0, or 1e-60 to 1e60 in magnitude'))
+        call claim('tractions: ' // errmsg, says(errmsg, 'rwedge_contact%tractions(x), element 2', &
+            'NaN; allowed is x 0, or 1e-60 to 1e60 in magnitude'))
         call contact%tractions([0.0_c_double], p, q, stat, errmsg)
         call claim('sizes that differ', stat == rwedge_erange)
         call claim('sizes that differ: ' // errmsg, index(errmsg, '; arrays of one size') > 0)

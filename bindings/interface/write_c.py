@@ -178,6 +178,11 @@ def text_entries(interface: Interface) -> list[str]:
             "enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };"]
 
 
+def reason(status: str) -> str:
+    """A word for it: RWEDGE_EDOMAIN -> domain."""
+    return "memory" if status == "RWEDGE_ENOMEM" else status.removeprefix("RWEDGE_").removeprefix("E").lower()
+
+
 def entries(interface: Interface) -> list[Function]:
     return [f for f in interface.functions if f.result in ("value", "status")]
 

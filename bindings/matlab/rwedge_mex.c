@@ -35,10 +35,8 @@ static void fail(const char *reason, const char *format, ...)
 
 static const char *reason_of(int32_t status)
 {
-    static const char *const reasons[] = {"ok",     "domain",  "null", "range", "noconv",
-                                          "memory", "sliding", "rank", "absent"};
-    return status > 0 && status < (int32_t)(sizeof reasons / sizeof reasons[0]) ? reasons[status]
-                                                                                : "unknown";
+    enum { COUNT = sizeof entry_reasons / sizeof entry_reasons[0] };
+    return status > 0 && status < COUNT ? entry_reasons[status] : "unknown";
 }
 
 /* A whole number as the library takes it; false where it is none. */

@@ -103,7 +103,7 @@ function contacts()
     refused('domain', {': P = -1; allowed is 0, or 1e-60 to 1e60'}, @() c.load(-1, 0));
     refused('domain', {': P = 1e+308; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e308, 0));
     refused('domain', {': P = 1e-150; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e-150, 0));
-    refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'not below 1e-8 of the last P, Q |Q| <= f P'}, @() c.load(1e-6, 0));
+    refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'not below 1e-8 of the last P, Q 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P'}, @() c.load(1e-6, 0));
     refused('range', {'k = 1e+60; allowed is', 'k 1e-60 to 1e60'}, @() yield_factor_out_of_range());
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
     refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));

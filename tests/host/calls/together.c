@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the domains of single arguments do not say, of the functions of which it is known exactly. */
+/* What the domains of single arguments do not say, of the functions of which it is known
+ * exactly. */
 #include "parts.h"
 
 #include <math.h>

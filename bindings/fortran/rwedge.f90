@@ -889,7 +889,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', [alpha, f, c, x, y], &
-            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= c <= 1, 0, or at least ' // &
+            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at least ' // &
             '1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge; y 0, or ' // &
             '1e-60 to 1e60, not the apex (0, 0) of the sharp wedge', stat, errmsg)
     end subroutine
@@ -911,14 +911,14 @@ contains
             do i = 1, size(x)
                 if (c_stresses(alpha, f, c, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_stresses(alpha, f, c, x, y)', [alpha, f, c, x(i), y(i)], &
-                    'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= c <= 1, 0, or ' // &
-                    'at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp' // &
-                    ' wedge; y 0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge', stat, errmsg, i)
+                    'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at ' // &
+                    'least 1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp ' // &
+                    'wedge; y 0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_stresses(...)', [real(c_double) ::], &
-            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= c <= 1, 0, or at least ' // &
+            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at least ' // &
             '1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge; y 0, or ' // &
             '1e-60 to 1e60, not the apex (0, 0) of the sharp wedge; arrays of one size', stat, errmsg)
     end subroutine
@@ -962,13 +962,13 @@ contains
             do i = 1, size(alpha)
                 if (c_elastic_limits(1_c_size_t, alpha(i:i), f(i:i), nu, s(1:1)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_elastic_limits(alpha, f, nu)', [alpha(i), f(i), nu], &
-                    'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg, i)
+                    'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_elastic_limits(...)', [real(c_double) ::], &
-            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= nu <= 0.5; arrays of ' // &
-            'one size', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5; arrays of one' // &
+            ' size', stat, errmsg)
     end subroutine
 
     !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
@@ -982,7 +982,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
@@ -999,7 +999,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
@@ -1012,7 +1012,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0, or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
@@ -1118,7 +1118,7 @@ contains
         if (status == rwedge_ok) call own_contact(this, created)
         call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], &
             '0 < theta < pi/2, at least 1e-60; a 0, or 1e-60 to 1e60; compliance 1e-60 to 1e60; 0 <= f <=' // &
-            ' 1e6, 0, or at least 1e-60', stat, errmsg)
+            ' 1e6, 0 or at least 1e-60', stat, errmsg)
     end subroutine
 
     !> An independent copy, history and all: to try a load and go back.
@@ -1283,7 +1283,7 @@ contains
             'rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)', [theta, a, compliance, &
             f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2], &
             '0 < theta < pi/2, at least 1e-60; a 0, or 1e-60 to 1e60; compliance 1e-60 to 1e60; 0 <= f <=' // &
-            ' 1e6, 0, or at least 1e-60; P1 0, or 1e-60 to 1e60; M1 0, or 1e-60 to 1e60 in magnitude; Q1 ' // &
+            ' 1e6, 0 or at least 1e-60; P1 0, or 1e-60 to 1e60; M1 0, or 1e-60 to 1e60 in magnitude; Q1 ' // &
             '0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma1 0, or 1e-60 to 1e60 in magnitude; P2 0,' // &
             ' or 1e-60 to 1e60; M2 0, or 1e-60 to 1e60 in magnitude; Q2 0, or 1e-60 to 1e60 in magnitude,' // &
             ' |Q| <= f P; sigma2 0, or 1e-60 to 1e60 in magnitude', stat, errmsg)
@@ -1817,19 +1817,19 @@ contains
         i = first_outside(x, -1.0_c_double, 1.0_c_double, 1e-60_c_double, .true., .true., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, 0, or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >=' // &
-                ' 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
+                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
         i = first_outside(p, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, 0, or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >=' // &
-                ' 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
+                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
-            '|x| < 1, 0, or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
+            '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
             'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
     end subroutine
 
@@ -1877,7 +1877,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
-            '0 <= f <= 1e6, 0, or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
+            '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
             '1e60', stat, errmsg)
     end subroutine
 
@@ -1891,7 +1891,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
-            '0 <= f <= 1e6, 0, or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
+            '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
             '1e60', stat, errmsg)
     end subroutine
 end module

@@ -155,14 +155,14 @@ static const entry_result stick_width_results[] = {
 ENTRY(shear_ratio, r[0][0] = rwedge_shear_ratio(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument shear_ratio_arguments[] = {
     {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+    {"c", "0 <= c <= 1, 0 or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result shear_ratio_results[] = {
     {"value", {-1, -1}, 0}};
 
 ENTRY(shear, r[0][0] = rwedge_shear(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument shear_arguments[] = {
     {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0 or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result shear_results[] = {
     {"value", {-1, -1}, 0}};
@@ -170,8 +170,8 @@ static const entry_result shear_results[] = {
 ENTRY(stress, return rwedge_stress(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0], r[0], r[1], r[2]))
 static const entry_argument stress_arguments[] = {
     {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0 or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result stress_results[] = {
@@ -183,8 +183,8 @@ ENTRY(stresses, return rwedge_stresses(v[0][0], v[1][0], v[2][0], n[0], v[3], v[
       r[2]))
 static const entry_argument stresses_arguments[] = {
     {"alpha", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"c", "0 <= c <= 1, 0, or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"c", "0 <= c <= 1, 0 or at least 1e-60", 0.0, 1.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
     {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}}};
 static const entry_result stresses_results[] = {
@@ -203,7 +203,7 @@ static const entry_result max_tension_results[] = {
 ENTRY(elastic_limit, r[0][0] = rwedge_elastic_limit(v[0][0], v[1][0], v[2][0]); return RWEDGE_OK)
 static const entry_argument elastic_limit_arguments[] = {
     {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result elastic_limit_results[] = {
     {"value", {-1, -1}, 0}};
@@ -211,7 +211,7 @@ static const entry_result elastic_limit_results[] = {
 ENTRY(elastic_limits, return rwedge_elastic_limits(n[0], v[0], v[1], v[2][0], r[0]))
 static const entry_argument elastic_limits_arguments[] = {
     {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {0, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result elastic_limits_results[] = {
     {"limit", {0, -1}, 0}};
@@ -221,7 +221,7 @@ static const entry_size elastic_limits_sizes[] = {
 ENTRY(yield_point, return rwedge_yield_point(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument yield_point_arguments[] = {
     {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result yield_point_results[] = {
     {"limit", {-1, -1}, 0},
@@ -231,7 +231,7 @@ static const entry_result yield_point_results[] = {
 ENTRY(subsurface_yield, return rwedge_subsurface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1], r[2]))
 static const entry_argument subsurface_yield_arguments[] = {
     {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result subsurface_yield_results[] = {
     {"limit", {-1, -1}, 0},
@@ -241,7 +241,7 @@ static const entry_result subsurface_yield_results[] = {
 ENTRY(surface_yield, return rwedge_surface_yield(v[0][0], v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument surface_yield_arguments[] = {
     {"alpha", "0, or 1e-14 to 1e60", 1e-14, 1e+60, 1e-60, 0, 0, 1, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result surface_yield_results[] = {
     {"limit", {-1, -1}, 0},
@@ -305,7 +305,7 @@ static const entry_argument yield_load_arguments[] = {
     {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
     {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"k", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result yield_load_results[] = {
@@ -317,7 +317,7 @@ static const entry_argument contact_create_arguments[] = {
     {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
     {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
 ENTRY(contact_copy, return rwedge_contact_copy((const rwedge_contact *)object, (rwedge_contact
       **)made))
@@ -379,7 +379,7 @@ static const entry_argument permanent_stick_arguments[] = {
     {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
     {"a", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"P1", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"M1", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"Q1", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
@@ -593,7 +593,7 @@ static const entry_argument series_create_arguments[] = {
 ENTRY(series_fit, return rwedge_series_fit(n[0], v[0], v[1], (int32_t)v[2][0], (rwedge_series
       **)made))
 static const entry_argument series_fit_arguments[] = {
-    {"x", "|x| < 1, 0, or at least 1e-60 in magnitude", -1.0, 1.0, 1e-60, 1, 1, 0, 1, 0, 0, {0, -1}},
+    {"x", "|x| < 1, 0 or at least 1e-60 in magnitude", -1.0, 1.0, 1e-60, 1, 1, 0, 1, 0, 0, {0, -1}},
     {"p", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
     {"terms", "whole, >= 1", 1.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
@@ -626,7 +626,7 @@ static const entry_result series_pressure_results[] = {
 ENTRY(series_potential, return rwedge_series_potential((const rwedge_series *)object, v[0][0],
       v[1][0], v[2][0], r[0], r[1]))
 static const entry_argument series_potential_arguments[] = {
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result series_potential_results[] = {
@@ -636,7 +636,7 @@ static const entry_result series_potential_results[] = {
 ENTRY(series_stress, return rwedge_series_stress((const rwedge_series *)object, v[0][0], v[1][0],
       v[2][0], r[0], r[1], r[2]))
 static const entry_argument series_stress_arguments[] = {
-    {"f", "0 <= f <= 1e6, 0, or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result series_stress_results[] = {
@@ -786,5 +786,8 @@ static const struct {
     {"validity_text", rwedge_validity_text},
 };
 enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };
+
+/* By its number: the reason in an identifier of an error, rwedge:domain. */
+static const char *const entry_reasons[] = {"ok", "domain", "null", "range", "noconv", "memory", "sliding", "rank", "absent", "path"};
 
 #endif

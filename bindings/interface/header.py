@@ -76,7 +76,8 @@ class Domain:
             return self  # it says so itself
         signed, zero = self.low < 0, self.or_zero or self.low < 0 or self.low == 0 and not self.low_open
         least = self.or_zero and self.low or SMALLEST
-        words = ["0, or"] * zero + ([f"{least:g} to {LARGEST:g}"] if math.isinf(self.high) else [f"at least {least:g}"])
+        words = [f"0, or {least:g} to {LARGEST:g}" if math.isinf(self.high) else f"0 or at least {least:g}"]
+        words = words if zero else [words[0].removeprefix("0, or ").removeprefix("0 or ")]
         words += ["in magnitude"] * signed + [", or infinite"] * (not self.finite)
         size = " ".join(words).replace("e+", "e").replace(" ,", ",")
         own = [c for c in self.conditions if c != "finite" and not re.fullmatch(r"(\w+ )?>=? 0|0, or at least \S+", c)]

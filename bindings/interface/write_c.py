@@ -193,4 +193,7 @@ def entries_h(interface: Interface) -> str:
             "sizes": max(len(f.of("size")) for f in listed)}
     return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
                       "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "", "#endif", ""])
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "",
+                      "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
+                      f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
+                      "", "#endif", ""])

@@ -49,17 +49,15 @@ static int32_t version(const double v[], double out[])
     return RWEDGE_OK;
 }
 
+/* All functions that give a text for a number. */
 static int32_t texts(const double v[], double out[])
 {
-    const char *text = rwedge_strerror((int32_t)v[0]);
-    out[0] = text != NULL && text[0] != '\0' ? 0 : NAN;
-    return RWEDGE_OK;
-}
-
-static int32_t doubts(const double v[], double out[])
-{
-    const char *text = rwedge_validity_text((int32_t)v[0]);
-    out[0] = text != NULL && strlen(text) < 100 ? 0 : NAN;
+    out[0] = 0;
+    for (int i = 0; i < TEXT_ENTRY_COUNT; i++) {
+        const char *text = text_entries[i].text((int32_t)v[0]);
+        if (text == NULL || strlen(text) > 100)
+            out[0] = NAN;
+    }
     return RWEDGE_OK;
 }
 
@@ -229,8 +227,7 @@ static int32_t fitted_series(const double v[], double out[])
 
 const sequence sequences[] = {
     {"version", "", 1, 0, version},
-    {"strerror", "z", 1, 0, texts},
-    {"validity_text", "z", 1, 0, doubts},
+    {"texts", "z", 1, 0, texts},
     BY_STATUS(contact, "hw+fwrwrxw", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
     BY_STATUS(off_centre, "hw+fwrrr", 5,

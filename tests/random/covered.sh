@@ -10,7 +10,7 @@ cat tests/random/targets/*.c tests/host/calls/*.c bindings/interface/entries.h >
 status=0
 [ -s "$work/declared" ] || status=1
 while read -r function; do
-    grep -qF "$function" "$work/targets" || {
+    grep -qw "${function%(}" "$work/targets" || {
         echo "FAILED: ${function%(} is called by no target"
         status=1
     }

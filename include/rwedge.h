@@ -430,8 +430,8 @@ RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact)
 
 /* How many points of its history the contact remembers: those that its tractions depend on, and
  * those that its slip is measured from. At most two per load; 0 when separated, and for NULL. The
- * memory it takes grows in proportion; so does the time of its functions, at most, for each point of
- * the half-plane. */
+ * memory it takes grows in proportion; so does the time of its functions, at most, for each point
+ * of the half-plane. */
 RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
@@ -520,8 +520,9 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  *   x, y    where the maximum is, length; each may be NULL
  * The search is for the global maximum, around each remembered edge of slip, at every scale. It
  * takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
- * rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
- * RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12. */
+ * rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
+ * below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
 

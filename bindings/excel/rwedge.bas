@@ -1149,8 +1149,9 @@ End Function
 '   x, y    where the maximum is, length; each may be NULL
 ' The search is for the global maximum, around each remembered edge of slip, at every scale. It
 ' takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
-' rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
-' RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12.
+' rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
+' RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
+' below 1e-12.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row factor, x, y.
 Public Function RWEDGE_CONTACT_YIELD_FACTOR( _

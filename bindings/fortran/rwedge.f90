@@ -1310,8 +1310,8 @@ contains
 
     !> How many points of its history the contact remembers: those that its tractions depend on, and
     !> those that its slip is measured from. At most two per load; 0 when separated, and for NULL. The
-    !> memory it takes grows in proportion; so does the time of its functions, at most, for each point of
-    !> the half-plane.
+    !> memory it takes grows in proportion; so does the time of its functions, at most, for each point
+    !> of the half-plane.
     pure function contact_memory(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
@@ -1565,8 +1565,9 @@ contains
     !>   x, y    where the maximum is, length; each may be NULL
     !> The search is for the global maximum, around each remembered edge of slip, at every scale. It
     !> takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
-    !> rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress. RWEDGE_EDOMAIN;
-    !> RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12.
+    !> rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
+    !> RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
+    !> below 1e-12.
     subroutine contact_yield_factor(this, nu, k, factor, x, y, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: nu, k

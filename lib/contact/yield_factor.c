@@ -32,8 +32,8 @@
 
 enum { ANGLES = 9, RADII = 120, LINE = 7, CLIMB_MAX = 60, FEET = 64 };
 
-/* The ratio of neighbouring radii: RADII of them span 1e36, from 3 b to INNERMOST of a patch of 1e-20
- * b. */
+/* The ratio of neighbouring radii: RADII of them span 1e36, from 3 b to INNERMOST of a patch of
+ * 1e-20 b. */
 static const double FALL = 0.5;
 
 /* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
@@ -343,8 +343,8 @@ static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest
 }
 
 /* A top between the points of a grid with the step h is at most h/2 away. A parabola falls 8 times
- * as far to the neighbour on the other side as it rises to its top: so the rise that is allowed is 8
- * times that. */
+ * as far to the neighbour on the other side as it rises to its top: so the rise that is allowed is
+ * 8 times that. */
 static void note_feet(search *s, const polar_grid *grid, int side)
 {
     const double *J2 = grid->J2[side];

@@ -251,8 +251,8 @@ static void a_step_is_the_sum_of_its_parts(void **state)
             advance(&parts, load, shear);
             assert_true(rw_memory_end(&whole)->load == load && rw_memory_end(&parts)->load == load);
             for (int i = 0; i <= 20; i++)
-                assert_within(shear_at(&whole, load * i / 20),
-                              shear_at(&parts, load * i / 20), 1e-13);
+                assert_within(shear_at(&whole, load * i / 20), shear_at(&parts, load * i / 20),
+                              1e-13);
             for (size_t i = 1; i < whole.count; i++)
                 assert_true(fabs(whole.corners[i].ratio) <= 1 &&
                             whole.corners[i].load > whole.corners[i - 1].load);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paths that slip is measured from: kept with what they have in common, they are what they were. */
+/* The paths that slip is measured from: kept with what they have in common, they are what they
+ * were. */
 #include "histories.h"
 
 #include <stdlib.h>

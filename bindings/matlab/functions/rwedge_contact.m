@@ -201,8 +201,8 @@ classdef rwedge_contact < handle
         %MEMORY  value = contact.memory()
         %   How many points of its history the contact remembers: those that its tractions depend on, and
         %   those that its slip is measured from. At most two per load; 0 when separated. The
-        %   memory it takes grows in proportion; so does the time of its functions, at most, for each point of
-        %   the half-plane.
+        %   memory it takes grows in proportion; so does the time of its functions, at most, for each point
+        %   of the half-plane.
             value = rwedge_mex('contact_memory', contact.number);
         end
 
@@ -312,8 +312,9 @@ classdef rwedge_contact < handle
         %     x, y    where the maximum is, length
         %   The search is for the global maximum, around each remembered edge of slip, at every scale. It
         %   takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
-        %   rwedge_contact.memory() is 250. rwedge:absent when separated: there is no stress. rwedge:domain;
-        %   rwedge:handle; rwedge:range where the factor leaves the domain. Relative error below 1e-12.
+        %   rwedge_contact.memory() is 250. rwedge:absent when separated: there is no stress.
+        %   rwedge:domain; rwedge:handle; rwedge:range where the factor leaves the domain. Relative error
+        %   below 1e-12.
         %     k  yield stress in pure shear, stress, finite, > 0
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: [factor, x, y] = contact.yield_factor(nu, k)');

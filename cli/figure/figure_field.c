@@ -234,13 +234,12 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top,
 {
     const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
                  c = stick_width(of);
-    const double load = rwedge_load(alpha),
-                 Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
+    const double P = rwedge_load(alpha), Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * P : f * P;
     rwedge_contact *contact = NULL;
     double factor = 0;
     int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
     if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(load, Q, contact);
+        status = loads_apply_monotonic((load){.P = P, .Q = Q}, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);

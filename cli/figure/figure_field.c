@@ -210,22 +210,12 @@ static void label_levels(const figure_case *of, double x, double step, int level
                on);
 }
 
-static void add_bar(double from, double to, double top, double bottom, int number, drawing *on)
-{
-    const double x[] = {from, to, to, from, from}, y[] = {top, top, bottom, bottom, top};
-    for (int i = 0; i < 5; i++)
-        dataset_add(&on->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
-}
-
 /* Above the surface: the contact as an empty bar, the stick zone filled. */
 static void draw_zones(double c, drawing *on)
 {
-    const int number = dataset_curves(&on->outlines);
-    add_bar(-1, 1, -0.09, -0.03, number, on);
-    add_bar(-c, c, -0.09, -0.03, number + 1, on);
     if (c > 0)
-        drawing_curve(on, &on->outlines, number + 1, 0, 1)->style = STYLE_AREA;
-    drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.8;
+        drawing_bar(on, -c, c, -0.09, -0.03)->style = STYLE_AREA;
+    drawing_bar(on, -1, 1, -0.09, -0.03)->width = 0.8;
 }
 
 /* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory

@@ -66,6 +66,9 @@ typedef struct {
  * needed; one beyond the last is taken and forgotten. */
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
 
+/* The next curve, round a rectangle that is added to the outlines. */
+curve *drawing_bar(drawing *on, double from, double to, double top, double bottom);
+
 /* The next label, its text made as by printf. */
 label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 

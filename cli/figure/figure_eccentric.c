@@ -107,23 +107,16 @@ static void draw_limit(double alpha, drawing *on)
     drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.5;
 }
 
-/* Below the curves, one below the other: a bar for each stick zone, and the tension beside it. */
+/* Below the curves, one below the other: a bar for each stick zone. */
 static void draw_stick_zones(const dataset *rows, double y, double step, drawing *on)
 {
-    for (int n = 0; n < dataset_curves(rows); n++, y -= step) {
+    for (int n = 0; n < dataset_curves(rows); n++) {
         size_t first;
-        char text[NUMBER_SIZE];
         dataset_curve(rows, n, &first);
-        const double *row = rows->row[first].number;
-        const bool sticks = isfinite(row[STICK_LEFT]);
-        drawing_number(fabs(row[SIGMA]), text);
-        label *one = drawing_label(on, sticks ? row[STICK_LEFT] - 0.03 : 0, y - step / 4, "%s%s",
-                                   row[SIGMA] < 0 ? "−" : "", text);
-        one->align = sticks ? ALIGN_RIGHT : ALIGN_CENTRE;
-        one->colour = on->curve[n + 1].colour; /* after the limit */
-        if (!sticks)
+        const double *row = rows->row[first].number, top = y - n * step;
+        if (!isfinite(row[STICK_LEFT]))
             continue;
-        curve *bar = drawing_bar(on, row[STICK_LEFT], row[STICK_RIGHT], y, y - step / 2);
+        curve *bar = drawing_bar(on, row[STICK_LEFT], row[STICK_RIGHT], top, top - step / 2);
         style_of_family(bar, n);
         bar->width = 1.4;
     }
@@ -138,36 +131,31 @@ static double extreme(const dataset *rows, double sign)
     return most;
 }
 
-static void write_texts(const figure_case *of, drawing *on)
+static const char *draw_eccentric(const figure_case *of, const dataset *rows, drawing *on)
 {
-    char alpha[NUMBER_SIZE], ratio[NUMBER_SIZE];
-    drawing_number(case_value(of, A_OVER_B), alpha);
-    drawing_number(case_value(of, Q_OVER_FP), ratio);
-    snprintf(on->title, sizeof on->title, "Shear traction with bulk tension");
-    snprintf(on->caption, sizeof on->caption,
-             "*a*/*b* = %s, *Q*/(*fP*) = %s; bars: stick, by π*b*σ/(4*Q*)", alpha, ratio);
-}
-
-static void draw_eccentric(const figure_case *of, const dataset *rows, drawing *on)
-{
-    const double top = extreme(rows, 1), bottom = extreme(rows, -1);
-    const double size = top + bottom > 0 ? top + bottom : 1, step = 0.07 * size;
-    const double first_bar = -bottom - step;
-    write_texts(of, on);
+    char alpha[NUMBER_SIZE], text[NUMBER_SIZE];
+    const double top = extreme(rows, 1), bottom = extreme(rows, -1), step = 0.05 * (top + bottom);
+    if (top == 0)
+        return "without Q there is no shear traction";
+    case_text(of, A_OVER_B, 0, alpha);
+    case_text(of, Q_OVER_FP, 0, text);
+    snprintf(on->title, sizeof on->title,
+             "Shear traction with bulk tension, *a*/*b* = %s, *Q*/(*fP*) = %s", alpha, text);
+    snprintf(on->caption, sizeof on->caption, "bars: stick zones; thin line: friction's limit");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = (axis){"−*qA*π/(*f*θ)", first_bar - step * dataset_curves(rows), 1.1 * top + step,
-                   size > 4   ? 2
-                   : size > 2 ? 1
-                              : 0.5,
-                   0};
-    on->height = 0.95;
+    on->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
+    on->y.from = -bottom - step * (dataset_curves(rows) + 1);
+    on->height = 0.9;
     draw_limit(case_value(of, A_OVER_B), on);
     for (int n = 0; n < dataset_curves(rows); n++) {
         curve *one = drawing_curve(on, rows, n, X, SHEAR);
         style_of_family(one, n);
         one->width = 1.4;
+        case_text(of, SIGMA_OVER_MAX, n, text);
+        snprintf(one->legend, sizeof one->legend, "π*b*σ/(4*Q*) = %s", text);
     }
-    draw_stick_zones(rows, first_bar, step, on);
+    draw_stick_zones(rows, -bottom - step, step, on);
+    return NULL;
 }
 
 static const char *const eccentric_columns[] = {

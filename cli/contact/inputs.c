@@ -20,7 +20,7 @@ struct poptOption input_option_table[] = {
     {INPUT("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
     {INPUT("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
     {INPUT("P", INPUT_P), "Normal force per unit length", "FORCE"},
-    {INPUT("M", INPUT_M), "Moment about x = 0 per unit length, positive presses the right side",
+    {INPUT("M", INPUT_M), "Moment per unit length, positive presses the side x > 0 (default 0)",
      "MOMENT"},
     {INPUT("Q", INPUT_Q), "Tangential force per unit length (default 0)", "FORCE"},
     {INPUT("sigma", INPUT_SIGMA), "Bulk tension of body 1 along the surface (default 0)", "STRESS"},

@@ -32,8 +32,8 @@ void state_describe(FILE *stream)
     fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
           "(default 0.3), and --q-over-fp or --c-over-b: lengths are then in b, stresses in\n"
           "theta/A, slip in theta b. A history runs in straight steps from load to load;\n"
-          "without one, Q and sigma grow from 0 under constant P and M. x > 0 is the side that\n"
-          "the friction on the half-plane, with Q > 0, points to; y is the depth.\n",
+          "without one, Q and sigma grow from 0 under constant P and M. x > 0 is the side\n"
+          "that the friction on the half-plane, with Q > 0, points to; y is the depth.\n",
           stream);
 }
 

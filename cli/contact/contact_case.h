@@ -20,7 +20,7 @@ typedef enum {
     CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
 } case_needs;
 
-/* False, with the complaint, where inputs exclude each other or some that are needed are missing. */
+/* False, with the complaint, where inputs exclude each other, or one that is needed is missing. */
 bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
 /* Reads it; the loads and f are 0 where they are not given. False, with the complaint. */

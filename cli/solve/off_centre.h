@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What "rwedge solve" answers under a moment or a bulk tension, from a contact that carries them. */
+/* What is answered under a moment or a bulk tension: from a contact that carries them. */
 #ifndef CLI_OFF_CENTRE_H
 #define CLI_OFF_CENTRE_H
 

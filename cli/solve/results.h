@@ -57,7 +57,7 @@ bool results_include(results_wanted wanted, int result);
  * library's. */
 typedef struct {
     cell value[RESULT_COUNT];
-    char warnings[512];
+    char warnings[512], bound[32];
     int32_t doubts;
 } results;
 

@@ -44,7 +44,7 @@ static void describe_results(FILE *stream)
     for (int i = 0; i < RESULT_COUNT; i++)
         fprintf(stream, "  %-20s %s\n", result_kinds[i].column, result_kinds[i].meaning);
     fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M.\n"
-          "left to tilt come with --M or --sigma; what needs a centred contact is empty then.\n",
+          "left to tilt come with --M or --sigma; what holds only without them is empty.\n",
           stream);
 }
 

@@ -129,7 +129,7 @@ load case_load(const contact_case *what)
     return (load){what->P, what->M, what->Q, what->sigma};
 }
 
-/* The library knows, as it would have to apply them. */
+/* The library is asked to apply the loads, and so its tolerance counts. */
 static load_fault fault_of_loads(const contact_case *what)
 {
     rwedge_contact *contact = NULL;

@@ -195,11 +195,16 @@ static double yield_factors_of_250(long n)
     return yield_factors(250, n);
 }
 
+/* Stresses at 10000 points, n times. */
 static double points_of(int corners, long n)
 {
-    assert_int_equal(rwedge_contact_stresses(worn(corners), (size_t)n, x, y, sxx, syy, txy),
-                     RWEDGE_OK);
-    return sxx[0] + syy[n - 1] + txy[n / 2];
+    double sum = 0;
+    for (long i = 0; i < n; i++) {
+        assert_int_equal(rwedge_contact_stresses(worn(corners), POINTS / 2, x, y, sxx, syy, txy),
+                         RWEDGE_OK);
+        sum += sxx[0];
+    }
+    return sum;
 }
 
 static double points_of_one_load(long n)
@@ -212,15 +217,14 @@ static double points_of_250(long n)
     return points_of(250, n);
 }
 
-/* How many stresses at a point take the time of one factor. Seen: 3000 and 10000, once 15000 and
- * 470000. */
+/* Seen: 1.4 and 0.45, once 0.5 and 0.014. */
 static void yield_factors_take_few_points(void **state)
 {
     (void)state;
-    assert_ratio("6000 points / a yield factor, one load", points_of_one_load, 6000,
-                 yield_factors_of_one_load, 20, 1.0 / 6000);
-    assert_ratio("20000 points / a yield factor, 250 corners", points_of_250, 2000,
-                 yield_factors_of_250, 1, 1.0 / 20000);
+    assert_ratio("10000 points / a yield factor, one load", points_of_one_load, 3,
+                 yield_factors_of_one_load, 20, 1);
+    assert_ratio("10000 points / a yield factor, 250 corners", points_of_250, 1,
+                 yield_factors_of_250, 1, 0.2);
     rwedge_contact_destroy(worn(2));
     rwedge_contact_destroy(worn(250));
 }

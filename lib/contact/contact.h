@@ -38,11 +38,12 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the
  * apex of the sharp wedge. */
-enum { RW_BLOCK = 32 };
+enum { RW_BLOCK = RW_BATCH };
 typedef struct {
-    rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
+    rw_fields normal, tangential;
 } rw_contact_fields;
 
+void rw_contact_fields_clear(rw_contact_fields *fields, int n);
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
 

@@ -45,7 +45,7 @@ QUANTITIES = {
     "Q": [270, -410, 130],
     "b": [2.4, 0.7, 11, 5.5],
     "k": [310, 180, 455],
-    "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.2, -0.1],
+    "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.3, 0.2, -0.1],
     "p": [-0.35, -0.92, -0.71, -1.3, -1.1, -0.6, -0.83, -0.2, -0.97],
     "terms": [4, 7, 9],
     "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
@@ -69,7 +69,7 @@ OWN = {
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
-    ("validity", "f"): [0, 0.3],
+    ("validity", "f"): [0, 0.3, 0.05],
 }
 SAMPLES = {"series_fit": 9}
 # The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro; with

@@ -169,16 +169,16 @@ static double right_gap(const outside *o, double x)
     return o->s * gap;
 }
 
-/* Adds the gaps at points that ascend, times a weight. */
+/* Adds the gaps at n > 0 points that ascend, times a weight. */
 static void add_gaps(double a, rw_patch patch, double weight, size_t n, const double x[],
                      double sum[])
 {
-    if (n > 0 && x[0] < patch.left) {
+    if (x[0] < patch.left) {
         const outside left = outside_of(a, (rw_patch){-patch.right, -patch.left});
         for (size_t i = 0; i < n && x[i] < patch.left; i++)
             sum[i] += weight * right_gap(&left, -x[i]);
     }
-    if (n > 0 && x[n - 1] > patch.right) {
+    if (x[n - 1] > patch.right) {
         const outside right = outside_of(a, patch);
         for (size_t i = n; i-- > 0 && x[i] > patch.right;)
             sum[i] += weight * right_gap(&right, x[i]);

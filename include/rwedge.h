@@ -349,7 +349,7 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
- * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
+ * surface. RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM as rwedge_contact_load(). */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
@@ -381,9 +381,9 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
  * |p|. Those of the contact where there is no such zone.                                        new
  *   left, right  length
- * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma an
- * error as that of the contact's edges, over the root of the part of P that the zone carries, and
- * with the tilt that it has where that is larger. */
+ * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+ * the error is that of the contact's edges, over the root of the part of P that the zone carries,
+ * and with the zone's tilt where that is larger. */
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
@@ -414,7 +414,8 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
  *   left, right     its edges, length
  * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
  * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
- * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as rwedge_contact_stick_zone(). */
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+ * rwedge_contact_stick_zone(). */
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,
                                           double Q2, double sigma2, double *left, double *right);

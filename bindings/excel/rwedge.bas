@@ -905,9 +905,9 @@ End Function
 ' The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
 ' |p|. Those of the contact where there is no such zone.                                        new
 '   left, right  length
-' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma an
-' error as that of the contact's edges, over the root of the part of P that the zone carries, and
-' with the tilt that it has where that is larger.
+' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+' the error is that of the contact's edges, over the root of the part of P that the zone carries,
+' and with the zone's tilt where that is larger.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row left, right.
 Public Function RWEDGE_CONTACT_STICK_ZONE( _
@@ -979,7 +979,8 @@ End Function
 '   left, right     its edges, length
 ' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
 ' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
-' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as rwedge_contact_stick_zone().
+' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+' rwedge_contact_stick_zone().
 ' In a cell: the row left, right.
 Public Function RWEDGE_PERMANENT_STICK( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _

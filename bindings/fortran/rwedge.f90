@@ -1168,7 +1168,7 @@ contains
     !> lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
     !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
-    !> surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
+    !> surface. RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM as rwedge_contact_load().
     subroutine contact_apply(this, P, M, Q, sigma, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, M, Q, sigma
@@ -1217,9 +1217,9 @@ contains
     !> The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
     !> |p|. Those of the contact where there is no such zone.   new
     !>   left, right  length
-    !> RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma an
-    !> error as that of the contact's edges, over the root of the part of P that the zone carries, and
-    !> with the tilt that it has where that is larger.
+    !> RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+    !> the error is that of the contact's edges, over the root of the part of P that the zone carries,
+    !> and with the zone's tilt where that is larger.
     impure elemental subroutine contact_stick_zone(this, left, right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(inout) :: left, right
@@ -1266,7 +1266,8 @@ contains
     !>   left, right     its edges, length
     !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
     !> directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
-    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as rwedge_contact_stick_zone().
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+    !> rwedge_contact_stick_zone().
     impure elemental subroutine rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, &
         right, stat, errmsg)
         real(c_double), intent(in) :: theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2

@@ -138,7 +138,7 @@ static bool have_stress(const rwedge_contact *contact, size_t n, const double x[
     return true;
 }
 
-/* Points have to be in the domain in units of the half-width too: of the least and of the largest. */
+/* Points have to be in the domain in units of the half-width too: of the least, of the largest. */
 static int32_t load_all(rwedge_contact *contact, size_t loads, const double P[], const double M[],
                         const double Q[], const double sigma[], size_t n, const double x[],
                         const double y[], record *r)

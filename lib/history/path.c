@@ -2,8 +2,8 @@
 /* Under one load both edges of a patch move outwards where the change (dP, d delta) of load and
  * tilt is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the patch):
  * the pressure that is added, that of a flat punch, is then positive everywhere. A straight step in
- * P and M keeps to the cone if it does at its smaller end: the line of action dM/dP of what is added
- * lies between m - s/2 and m + s/2, and where one edge rests, that end of the interval moves
+ * P and M keeps to the cone if it does at its smaller end: the line of action dM/dP of what is
+ * added lies between m - s/2 and m + s/2, and where one edge rests, that end of the interval moves
  * outwards.
  *
  * With S the sign of slip, z = f |p| - S q is what friction has left, and y >= 0 the slip so far in
@@ -91,7 +91,7 @@ static double largest(range r)
     return fmax(fabs(r.least), fabs(r.most));
 }
 
-/* Whether a change of load, a length, and of tilt adds to the traction everywhere within a patch. */
+/* Whether a change of load, a length, and of tilt adds to the traction everywhere in a patch. */
 static bool adds_everywhere(double load, range tilt, rw_patch patch, double tolerance)
 {
     const double arm = RW_PI * half_width(patch);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the loops over many points share: points go by as many as RW_LANES, and the loop is compiled for
- * each kind of processor. */
+/* What the loops over many points share: points go by as many as RW_LANES, and the loop is compiled
+ * for each kind of processor. */
 #ifndef RW_LANES_H
 #define RW_LANES_H
 

@@ -98,7 +98,7 @@ classdef rwedge_contact < handle
         %   lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
         %   RWEDGE_EPATH where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
-        %   surface. rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory: as rwedge_contact.load().
+        %   surface. rwedge:sliding, rwedge:range, rwedge:handle, rwedge:memory as rwedge_contact.load().
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end
@@ -155,9 +155,9 @@ classdef rwedge_contact < handle
         %   The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
         %   |p|. Those of the contact where there is no such zone.   new
         %     left, right  length
-        %   rwedge:absent in full sliding, and when separated; rwedge:handle. After one step of Q and sigma an
-        %   error as that of the contact's edges, over the root of the part of P that the zone carries, and
-        %   with the tilt that it has where that is larger.
+        %   rwedge:absent in full sliding, and when separated; rwedge:handle. After one step of Q and sigma
+        %   the error is that of the contact's edges, over the root of the part of P that the zone carries,
+        %   and with the zone's tilt where that is larger.
             [left, right] = rwedge_mex('contact_stick_zone', contact.number);
         end
 

@@ -446,8 +446,8 @@ static void judge_tilt(arb_t error, const probe *call, slong prec)
     _arb_vec_clear(c, PRESSED + 1);
 }
 
-/* K_N = (2/pi) (theta/A) sqrt(2/s) v at the left edge, with u at the right one; of the edges that were
- * found, because it changes like a root where an edge passes an end of the rounding. */
+/* K_N = (2/pi) (theta/A) sqrt(2/s) v at the left edge, with u at the right one; of the edges that
+ * were found, because it changes like a root where an edge passes an end of the rounding. */
 static void judge_asymptotes(arb_t error, const probe *call, slong prec)
 {
     const double *v = call->value, *r = call->result;

@@ -109,7 +109,7 @@ bool input_is_given(const input_texts *given, int input)
     return text != NULL && (!given->is_cell[input] || text[strspn(text, " \t")] != '\0');
 }
 
-/* The commonest mistake has a reason of its own. */
+/* The commonest mistake gets a message of its own. */
 static const char *hint(const input_texts *given, int input)
 {
     const bool cell = given->is_cell[input];

@@ -124,7 +124,7 @@ static void close_checked(output *out)
     out->descriptor = -1;
 }
 
-/* The unfinished file becomes the target, or goes. */
+/* The unfinished file replaces the target. After an error it is removed. */
 static void settle(output *out)
 {
     signals_hold();

@@ -94,7 +94,9 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
         return RWEDGE_OK;
     }
     step->patch = rw_patch_under_moment(g, to.P, to.M);
-    step->to.tilt = to.M != 0 ? rw_patch_pressing(g->a, step->patch).tilt : 0;
+    step->to.tilt = to.M == 0                 ? 0
+                    : isnan(step->patch.left) ? NAN /* there is no such patch */
+                                              : rw_patch_pressing(g->a, step->patch).tilt;
     return RWEDGE_OK;
 }
 

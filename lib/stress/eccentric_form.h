@@ -67,7 +67,7 @@ RW_INLINE rw_complex rw_over_X(const rw_elliptic *e, double y, double re, double
 }
 
 /* A = (l_0 - l_1)/(2 alpha), a logarithm: of the quotient of eta +- cos(zeta) sin(half), whose
- * product is (z - sin(phi_0))(z - sin(phi_1)). First the logarithm of its modulus, then its angle. */
+ * product is (z - sin(phi_0))(z - sin(phi_1)). First of its modulus, then its angle. */
 RW_INLINE double log_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
                           rw_complex eta, const rw_elliptic *e)
 {

@@ -8,7 +8,7 @@
 preloaded=$(realpath "$3") most=${4:-40}
 . "$(dirname "$0")/../cli/claims.sh"
 
-[ -f "$preloaded" ] || skip "no library to preload: not glibc"
+[ -f "$preloaded" ] || skip "failing allocations cannot be tried here: not glibc, or under a sanitizer"
 LD_PRELOAD=$preloaded FAIL_COUNT=$scratch/count "$rwedge" --version >/dev/null 2>&1
 [ -s count ] || skip "the allocations of this program cannot be made to fail: not glibc, or sanitized"
 mkdir files

@@ -38,9 +38,9 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the
  * apex of the sharp wedge. */
-enum { RW_BLOCK = RW_BATCH };
+enum { RW_BLOCK = 32 };
 typedef struct {
-    rw_fields normal, tangential;
+    rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
 } rw_contact_fields;
 
 void rw_contact_fields_clear(rw_contact_fields *fields, int n);

@@ -5,8 +5,6 @@
 #include "stress/batch.h"
 #include "stress/stress.h"
 
-#include <string.h>
-
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
 {
     if (!rw_is_signed(x) || !rw_is_magnitude(y))
@@ -56,32 +54,18 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 
 /* ---- Stresses ---- */
 
-static void add(const rw_fields *restrict fields, double weight, int n, rw_fields *restrict sum)
+static void add(rw_field *sum, double weight, rw_field field)
 {
-    for (int i = 0; i < n; i++)
-        sum->G_re[i] += weight * fields->G_re[i];
-    for (int i = 0; i < n; i++)
-        sum->G_im[i] += weight * fields->G_im[i];
-    for (int i = 0; i < n; i++)
-        sum->H_re[i] += weight * fields->H_re[i];
-    for (int i = 0; i < n; i++)
-        sum->H_im[i] += weight * fields->H_im[i];
-}
-
-static void copy(const rw_fields *fields, int n, rw_fields *to)
-{
-    const size_t size = (size_t)n * sizeof *fields->G_re;
-    memcpy(to->G_re, fields->G_re, size);
-    memcpy(to->G_im, fields->G_im, size);
-    memcpy(to->H_re, fields->H_re, size);
-    memcpy(to->H_im, fields->H_im, size);
+    sum->G_re += weight * field.G_re;
+    sum->G_im += weight * field.G_im;
+    sum->H_re += weight * field.H_re;
+    sum->H_im += weight * field.H_im;
 }
 
 void rw_contact_fields_clear(rw_contact_fields *fields, int n)
 {
-    static const rw_fields none;
-    copy(&none, n, &fields->normal);
-    copy(&none, n, &fields->tangential);
+    for (int i = 0; i < n; i++)
+        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
 }
 
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
@@ -95,9 +79,12 @@ void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const do
 void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
                   rw_contact_fields *fields)
 {
-    add(of_patch, weight, n, &fields->tangential);
-    if (whole)
-        copy(of_patch, n, &fields->normal);
+    for (int i = 0; i < n; i++) {
+        const rw_field field = rw_field_in(of_patch, i);
+        add(&fields->tangential[i], weight, field);
+        if (whole)
+            fields->normal[i] = field;
+    }
 }
 
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
@@ -123,8 +110,8 @@ void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
 {
     const double unit = rw_unit_stress(&contact->geometry);
     for (int i = 0; i < n; i++) {
-        const rw_field shear = rw_field_multiple(contact->f, rw_field_in(&fields->tangential, i));
-        const rw_stress_state s = rw_superpose(rw_field_in(&fields->normal, i), shear);
+        const rw_field shear = rw_field_multiple(contact->f, fields->tangential[i]);
+        const rw_stress_state s = rw_superpose(fields->normal[i], shear);
         sxx[i] = unit * (s.mean - s.difference) + sigma;
         syy[i] = unit * (s.mean + s.difference);
         txy[i] = unit * s.shear;

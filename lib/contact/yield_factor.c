@@ -55,9 +55,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     rw_contact_fields fields;
     rw_contact_fields_at(s->contact, n, x, y, &fields);
     for (size_t i = 0; i < n; i++) {
-        const rw_field shear =
-            rw_field_multiple(s->contact->f, rw_field_in(&fields.tangential, (int)i));
-        const rw_stress_state state = rw_superpose(rw_field_in(&fields.normal, (int)i), shear);
+        const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
+        const rw_stress_state state = rw_superpose(fields.normal[i], shear);
         const double difference = state.difference - s->tension, mean = state.mean + s->tension;
         J2[i] = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
         if (J2[i] > s->J2) {

@@ -20,7 +20,10 @@ struct poptOption input_option_table[] = {
     {INPUT("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
     {INPUT("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
     {INPUT("P", INPUT_P), "Normal force per unit length", "FORCE"},
+    {INPUT("M", INPUT_M), "Moment per unit length, positive presses the side x > 0 (default 0)",
+     "MOMENT"},
     {INPUT("Q", INPUT_Q), "Tangential force per unit length (default 0)", "FORCE"},
+    {INPUT("sigma", INPUT_SIGMA), "Bulk tension of body 1 along the surface (default 0)", "STRESS"},
     {INPUT("f", INPUT_F), "Coefficient of friction, or --friction (default 0)", "NUMBER"},
     OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
     OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
@@ -42,6 +45,7 @@ typedef struct {
 } input_domain;
 
 #define ABOVE_0 0, HUGE_VAL, true, "a number above 0"
+#define ANY -HUGE_VAL, HUGE_VAL, false, "a number"
 #define NOT_BELOW_0 0, HUGE_VAL, false, "a number not below 0"
 
 static const input_domain domains[INPUT_COUNT] = {
@@ -55,7 +59,9 @@ static const input_domain domains[INPUT_COUNT] = {
     [INPUT_A] = {"the half-width of the rounding", NOT_BELOW_0},
     [INPUT_RADIUS] = {"the radius", NOT_BELOW_0},
     [INPUT_P] = {"the normal force", ABOVE_0},
-    [INPUT_Q] = {"the tangential force", -HUGE_VAL, HUGE_VAL, false, "a number"},
+    [INPUT_M] = {"the moment", ANY},
+    [INPUT_Q] = {"the tangential force", ANY},
+    [INPUT_SIGMA] = {"the bulk tension", ANY},
     [INPUT_F] = {"the coefficient of friction", 0, 1e6, false, "a number from 0 to 1000000"},
     [INPUT_K] = {"the yield stress", ABOVE_0},
     [INPUT_YIELD_STRESS] = {"the yield stress", ABOVE_0},
@@ -127,17 +133,30 @@ static bool is_in(double value, const input_domain *domain)
                         : value >= domain->lo && value <= domain->hi;
 }
 
+/* The header's first page: whatever has a size is 0 or 1e-60 to 1e60. */
+static bool has_possible_size(int input, double value)
+{
+    const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
+    return without_size || value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
+
 bool input_read(const input_texts *given, int input, double *value, char complaint[COMPLAINT_SIZE])
 {
     const char *text = given->text[input];
     const char decimal_sign = given->is_cell[input] ? given->cell_decimal_sign : '.';
     const input_domain *domain = &domains[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
+    char name[INPUT_NAME_SIZE];
     *value = HUGE_VAL;
     if (rigid ? input == INPUT_E2
-              : number_read_cell(text, decimal_sign, value) && is_in(*value, domain))
-        return true;
-    char name[INPUT_NAME_SIZE];
+              : number_read_cell(text, decimal_sign, value) && is_in(*value, domain)) {
+        if (rigid || has_possible_size(input, *value))
+            return true;
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
+                 input_name(given, input, name), text, domain->name,
+                 is_in(0, domain) ? ", or 0" : "");
+        return false;
+    }
     const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
     snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s%s", input_name(given, input, name),
              shown, domain->name, domain->domain,

@@ -32,7 +32,7 @@
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
  * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _copy and _load allocate.
+ * _copy, _load, _apply, _stress_history, _restore and rwedge_permanent_stick() allocate.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -68,7 +68,8 @@ enum {
     RWEDGE_ENOMEM = 5,   /* out of memory */
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
-    RWEDGE_EABSENT = 8   /* what was asked for does not exist for these arguments */
+    RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
@@ -291,8 +292,8 @@ RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, 
 /* One contact and what it remembers of its loads (P, Q). It is exact for any history: see
  * lib/README.md, "Load histories". Lengths are not in b here: x and y are in the unit of a,
  * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and
- * _copy() make a handle, rwedge_contact_destroy() frees it. Only these and rwedge_contact_load()
- * use the heap. Different handles are independent. One handle may be read by many threads at a
+ * _copy() make a handle, rwedge_contact_destroy() frees it. Only what may return RWEDGE_ENOMEM
+ * uses the heap. Different handles are independent. One handle may be read by many threads at a
  * time. While one thread loads it, no other may use it.
  *
  * Accuracy. The half-width b has a relative error below 1e-14. A remembered load has the rounding
@@ -324,12 +325,98 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  *      P
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
- * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
- * RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
- * two points of the history per load, and of them only those that no later load has wiped out. */
+ * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+ * after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
+ * RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+ * of them only those that no later load has wiped out. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
-/* Half-width b of the contact, length; 0 when separated; NaN for NULL.
+/* The next point of the history with a moment and a bulk tension, reached in a straight line of all
+ * four.                                                                                         new
+ *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
+ *          where P is 0
+ *   Q      |Q| <= f P, as for rwedge_contact_load()
+ *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
+ *          surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
+ *          adds: apply it before P to have it without slip
+ * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact without
+ * moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
+ * one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
+ * of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
+ * closed form, nor those that end with the front of slip between two patches of the memory at one
+ * edge and between two others at the other, or with a part beyond the front that sticks:
+ * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+ * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+ * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
+ * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
+RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
+                                        double sigma);
+
+/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+ * English; empty where it would not.                                                            new
+ *   arguments as for rwedge_contact_apply(); the contact stays as it is
+ * Static text, never NULL. */
+RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
+                                               double Q, double sigma);
+
+/* The largest |d sigma| with which the present Q may change to another under constant P and M,
+ * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+ *   Q  finite
+ * NaN outside the domain; NaN for NULL; 0 when separated. */
+RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
+
+/* The present loads.                                                                            new
+ *   P, M, Q, sigma  each receives one number
+ * RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M,
+                                        double *Q, double *sigma);
+
+/* The edges of the contact, left < x < right.                                                   new
+ *   left, right  length
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+ * |tilt|/theta. */
+RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
+
+/* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+ * |p|. Those of the contact where there is no such zone.                                        new
+ *   left, right  length
+ * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
+                                             double *right);
+
+/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
+ * 0 without a moment; NaN for NULL. */
+RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
+
+/* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+ * slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+ * = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+ * this is how a pad is matched to a specimen.                                                   new
+ *   normal_left, normal_right  K_N, stress over the root of a length
+ *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+ *                              sigma less what it was when the bodies touched
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
+                                                  double *normal_left, double *normal_right,
+                                                  double *shear_left, double *shear_right);
+
+/* The zone that never slips while loads go to and fro between two points in a straight line, once
+ * the first cycles are over, whatever was before.                                               new
+ *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+ *   M1, M2          finite
+ *   Q1, Q2          |Q| <= f P
+ *   sigma1, sigma2  finite
+ *   left, right     its edges, length
+ * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+ * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
+                                          double M1, double Q1, double sigma1, double P2, double M2,
+                                          double Q2, double sigma2, double *left, double *right);
+
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+ * off the centre.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
@@ -360,6 +447,42 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
                                            const double x[], const double y[], double sxx[],
                                            double syy[], double txy[]);
 
+/* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
+ * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
+ * it was is not computed again.                                                                    
+ * new
+ *   P              0, or at least 1e-8 of the last P
+ *   M, Q, sigma    finite: loads numbers each, as P
+ *   x, y           length, finite, y >= 0: n numbers each
+ *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+ *                  inputs
+ * The contact then has the last of the loads. After an error the contact is as before and
+ * nothing is written. As both functions; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
+                                                 const double P[], const double M[],
+                                                 const double Q[], const double sigma[], size_t n,
+                                                 const double x[], const double y[], double sxx[],
+                                                 double syy[], double txy[]);
+
+/* How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.          
+ * new */
+RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
+
+/* The contact as numbers, for restarts and for other processes: what is made of them again gives
+ * the same bits for ever after. They are of no other use. Their form has a version: this library
+ * reads what it and the older ones have written.                                                new
+ *   n      rwedge_contact_state_size()
+ *   state  receives n numbers
+ * RWEDGE_ENULL; RWEDGE_ERANGE for another n. */
+RWEDGE_API int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double state[]);
+
+/* The contact of such numbers.                                                                  new
+ *   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
+ *   contact  receives the handle
+ * RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free
+ * with rwedge_contact_destroy(). */
+RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact);
+
 /* Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
  * relative to the wedge's, since the point last came into contact. It has the sign of q while it
  * grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
@@ -368,6 +491,8 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
+ * RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+ * or slipped after they had been added to others that slipped before, and in full sliding.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -377,8 +502,9 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
- * change of Q/f where that slip reaches an older layer. */
+ * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+ * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+ * the change of Q/f where that slip reaches an older layer. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of
@@ -394,6 +520,94 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  * RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
+
+/* ---- Measures of a stress -------------------------------------------------------------------- */
+
+/* Of stresses from anywhere, in any unit; tension positive, y into the half-plane.
+ *   sxx, syy, txy  stresses, of at most 1e60 in magnitude
+ *   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
+ *                  stress, szz = 0, give nu = 0
+ * What is said of accuracy holds where the largest of the stresses is at least 1e-60. */
+
+/* Von Mises' equivalent stress, sqrt(3 J2).                                       von Mises (1913)
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_von_mises(double sxx, double syy, double txy, double nu);
+
+/* The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_out_of_plane_stress(double sxx, double syy, double nu);
+
+/* The largest shear stress on any plane: half of the difference between the largest and the
+ * smallest principal stress, szz among them.                                         Tresca (1864)
+ * NaN outside the domain. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_largest_shear(double sxx, double syy, double txy, double nu);
+
+/* Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+ *   s1, s2  each receives one number
+ *   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+ *           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+ *           positive angles turn from +y towards +x. 0 where s1 = s2
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+ * two, of the angle below 4 epsilon. */
+RWEDGE_API int32_t rwedge_principal_stresses(double sxx, double syy, double txy, double *s1,
+                                             double *s2, double *angle);
+
+/* Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+ * value of
+ *     sn_max den/2
+ * over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+ * a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+ * plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+ * nu/(1+nu) for nu.
+ *                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+ *   n              number of loads of the cycle, >= 1; their order does not matter
+ *   sxx, syy, txy  n stresses each
+ *   E              Young's modulus, stress, 1e-60 to 1e60
+ *   value, angle   each receives one number. The angle is that of the plane, as in
+ *                  rwedge_principal_stresses(); of one of them where several planes have the
+ *                  value, 0 where the value is 0
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+ * the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+ * the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+ * are the worst for neighbouring planes, as on a circular path. */
+RWEDGE_API int32_t rwedge_smith_watson_topper(size_t n, const double sxx[], const double syy[],
+                                              const double txy[], double E, double nu,
+                                              double *value, double *angle);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sxx[],
+                                                    const double syy[], const double txy[],
+                                                    double E, double nu, double value[],
+                                                    double angle[]);
+
+/* Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+ *     (dgamma/2) (1 + k sn_max/sy)
+ * over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+ * 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+ * compressive it counts as it is, but no plane counts less than 0.
+ *                                                 Fatemi and Socie (1988), see lib/README.md; new
+ *   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+ *              for most metals
+ *   others     as in rwedge_smith_watson_topper()
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+ * (1+nu)/E. */
+RWEDGE_API int32_t rwedge_fatemi_socie(size_t n, const double sxx[], const double syy[],
+                                       const double txy[], double E, double nu, double k_over_sy,
+                                       double *value, double *angle);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle   each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[],
+                                             const double syy[], const double txy[], double E,
+                                             double nu, double k_over_sy, double value[],
+                                             double angle[]);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

@@ -47,7 +47,7 @@ Attribute VB_Name = "rwedge"
 ' A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
 ' reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
 ' function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
-' _copy and _load allocate.
+' _copy, _load, _apply, _stress_history, _restore and rwedge_permanent_stick() allocate.
 '
 ' Threads: every function may be called from any number of threads. A handle may be read by many
 ' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
@@ -67,6 +67,7 @@ Private Enum rwedge_status
     RWEDGE_ESLIDING = 6
     RWEDGE_ERANK = 7
     RWEDGE_EABSENT = 8
+    RWEDGE_EPATH = 9
 End Enum
 
 Private Type one_double
@@ -145,6 +146,23 @@ Private Declare PtrSafe Function c_contact_create Lib "rwedge.dll" Alias "rwedge
 Private Declare PtrSafe Sub c_contact_destroy Lib "rwedge.dll" Alias "rwedge_contact_destroy" (ByVal contact As LongPtr)
 Private Declare PtrSafe Function c_contact_load Lib "rwedge.dll" Alias "rwedge_contact_load" ( _
     ByVal contact As LongPtr, ByVal P As Double, ByVal Q As Double) As Long
+Private Declare PtrSafe Function c_contact_largest_tension_step Lib "rwedge.dll" Alias "rwedge_contact_largest_tension_step" ( _
+    ByVal contact As LongPtr, ByVal Q As Double) As Double
+Private Declare PtrSafe Function c_contact_loads Lib "rwedge.dll" Alias "rwedge_contact_loads" ( _
+    ByVal contact As LongPtr, ByRef P As Double, ByRef M As Double, ByRef Q As Double, ByRef sigma As Double) As Long
+Private Declare PtrSafe Function c_contact_edges Lib "rwedge.dll" Alias "rwedge_contact_edges" ( _
+    ByVal contact As LongPtr, ByRef left As Double, ByRef right As Double) As Long
+Private Declare PtrSafe Function c_contact_stick_zone Lib "rwedge.dll" Alias "rwedge_contact_stick_zone" ( _
+    ByVal contact As LongPtr, ByRef left As Double, ByRef right As Double) As Long
+Private Declare PtrSafe Function c_contact_tilt Lib "rwedge.dll" Alias "rwedge_contact_tilt" ( _
+    ByVal contact As LongPtr) As Double
+Private Declare PtrSafe Function c_contact_edge_asymptotes Lib "rwedge.dll" Alias "rwedge_contact_edge_asymptotes" ( _
+    ByVal contact As LongPtr, ByRef normal_left As Double, ByRef normal_right As Double, ByRef shear_left As Double, _
+    ByRef shear_right As Double) As Long
+Private Declare PtrSafe Function c_permanent_stick Lib "rwedge.dll" Alias "rwedge_permanent_stick" ( _
+    ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _
+    ByVal M1 As Double, ByVal Q1 As Double, ByVal sigma1 As Double, ByVal P2 As Double, ByVal M2 As Double, _
+    ByVal Q2 As Double, ByVal sigma2 As Double, ByRef left As Double, ByRef right As Double) As Long
 Private Declare PtrSafe Function c_contact_half_width Lib "rwedge.dll" Alias "rwedge_contact_half_width" ( _
     ByVal contact As LongPtr) As Double
 Private Declare PtrSafe Function c_contact_stick_half_width Lib "rwedge.dll" Alias "rwedge_contact_stick_half_width" ( _
@@ -161,6 +179,21 @@ Private Declare PtrSafe Function c_contact_dissipated_energy Lib "rwedge.dll" Al
 Private Declare PtrSafe Function c_contact_yield_factor Lib "rwedge.dll" Alias "rwedge_contact_yield_factor" ( _
     ByVal contact As LongPtr, ByVal nu As Double, ByVal k As Double, ByRef factor As Double, ByRef x As Double, _
     ByRef y As Double) As Long
+Private Declare PtrSafe Function c_von_mises Lib "rwedge.dll" Alias "rwedge_von_mises" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_out_of_plane_stress Lib "rwedge.dll" Alias "rwedge_out_of_plane_stress" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_largest_shear Lib "rwedge.dll" Alias "rwedge_largest_shear" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Double
+Private Declare PtrSafe Function c_principal_stresses Lib "rwedge.dll" Alias "rwedge_principal_stresses" ( _
+    ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByRef s1 As Double, ByRef s2 As Double, _
+    ByRef angle As Double) As Long
+Private Declare PtrSafe Function c_smith_watson_topper Lib "rwedge.dll" Alias "rwedge_smith_watson_topper" ( _
+    ByVal n As LongPtr, ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double, ByVal E As Double, _
+    ByVal nu As Double, ByRef value As Double, ByRef angle As Double) As Long
+Private Declare PtrSafe Function c_fatemi_socie Lib "rwedge.dll" Alias "rwedge_fatemi_socie" ( _
+    ByVal n As LongPtr, ByRef sxx As Double, ByRef syy As Double, ByRef txy As Double, ByVal E As Double, _
+    ByVal nu As Double, ByVal k_over_sy As Double, ByRef value As Double, ByRef angle As Double) As Long
 Private Declare PtrSafe Function c_series_fit Lib "rwedge.dll" Alias "rwedge_series_fit" ( _
     ByVal samples As LongPtr, ByRef x As Double, ByRef p As Double, ByVal terms As Long, ByRef series As LongPtr) As Long
 Private Declare PtrSafe Sub c_series_destroy Lib "rwedge.dll" Alias "rwedge_series_destroy" (ByVal series As LongPtr)
@@ -809,13 +842,164 @@ End Function
 
 ' ---- A contact with a load history -------------------------------------------------------------
 
-' Half-width b of the contact, length; 0 when separated; NaN for NULL.
+' The largest |d sigma| with which the present Q may change to another under constant P and M,
+' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+'   Q  finite
+' NaN outside the domain; NaN for NULL; 0 when separated.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal Q As Double) As Variant
+Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s). HUGE_VAL without friction."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_LARGEST_TENSION_STEP = finite(c_contact_largest_tension_step(contact, Q))
+    Else
+        RWEDGE_CONTACT_LARGEST_TENSION_STEP = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The present loads.                                                                            new
+'   P, M, Q, sigma  each receives one number
+' RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row P, M, Q, sigma.
+Public Function RWEDGE_CONTACT_LOADS( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_LOADS.VB_Description = "The present loads."
+    Dim P As Double, M As Double, Q As Double, sigma As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_loads(contact, P, M, Q, sigma)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_LOADS = Array(P, M, Q, sigma)
+    Else
+        RWEDGE_CONTACT_LOADS = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The edges of the contact, left < x < right.                                                   new
+'   left, right  length
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+' |tilt|/theta.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row left, right.
+Public Function RWEDGE_CONTACT_EDGES( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_EDGES.VB_Description = "The edges of the contact, left < x < right."
+    Dim left As Double, right As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_edges(contact, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_EDGES = Array(left, right)
+    Else
+        RWEDGE_CONTACT_EDGES = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+' |p|. Those of the contact where there is no such zone.                                        new
+'   left, right  length
+' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row left, right.
+Public Function RWEDGE_CONTACT_STICK_ZONE( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f |p|. Those of the contact where there is no such zone."
+    Dim left As Double, right As Double, contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_stick_zone(contact, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_STICK_ZONE = Array(left, right)
+    Else
+        RWEDGE_CONTACT_STICK_ZONE = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
+' 0 without a moment; NaN for NULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+Public Function RWEDGE_CONTACT_TILT( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad: |tilt| < theta. 0 without a moment; NaN for NULL."
+    Dim contact As LongPtr, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_TILT = finite(c_contact_tilt(contact))
+    Else
+        RWEDGE_CONTACT_TILT = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+' slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+' = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+' this is how a pad is matched to a specimen.                                                   new
+'   normal_left, normal_right  K_N, stress over the root of a length
+'   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+'                              sigma less what it was when the bodies touched
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL.
+' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
+' In a cell: the row normal_left, normal_right, shear_left, shear_right.
+Public Function RWEDGE_CONTACT_EDGE_ASYMPTOTES( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
+Attribute RWEDGE_CONTACT_EDGE_ASYMPTOTES.VB_Description = "How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP) = 0.001, 9 % at 0.1, 35 % at 0.5."
+    Dim normal_left As Double, normal_right As Double, shear_left As Double, shear_right As Double, contact As LongPtr
+    Dim status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = c_contact_edge_asymptotes(contact, normal_left, normal_right, shear_left, shear_right)
+    If status = RWEDGE_OK Then
+        RWEDGE_CONTACT_EDGE_ASYMPTOTES = Array(normal_left, normal_right, shear_left, shear_right)
+    Else
+        RWEDGE_CONTACT_EDGE_ASYMPTOTES = failure(status)
+    End If
+    If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' The zone that never slips while loads go to and fro between two points in a straight line, once
+' the first cycles are over, whatever was before.                                               new
+'   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+'   M1, M2          finite
+'   Q1, Q2          |Q| <= f P
+'   sigma1, sigma2  finite
+'   left, right     its edges, length
+' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
+' In a cell: the row left, right.
+Public Function RWEDGE_PERMANENT_STICK( _
+        ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _
+        ByVal M1 As Double, ByVal Q1 As Double, ByVal sigma1 As Double, ByVal P2 As Double, ByVal M2 As Double, _
+        ByVal Q2 As Double, ByVal sigma2 As Double) As Variant
+Attribute RWEDGE_PERMANENT_STICK.VB_Description = "The zone that never slips while loads go to and fro between two points in a straight line, once the first cycles are over, whatever was before."
+    Dim left As Double, right As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, right)
+    If status = RWEDGE_OK Then
+        RWEDGE_PERMANENT_STICK = Array(left, right)
+    Else
+        RWEDGE_PERMANENT_STICK = failure(status)
+    End If
+End Function
+
+' Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+' off the centre.
 '                                                                   Eq. (7), (11), (15), inverse
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_HALF_WIDTH( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contact, length; 0 when separated; NaN for NULL."
+Attribute RWEDGE_CONTACT_HALF_WIDTH.VB_Description = "Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is off the centre."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -907,6 +1091,8 @@ End Function
 '                                                                             Eq. (17) to (21); new
 '   x     length, |x| <= b: points outside have no partner
 '   slip  receives n numbers
+' RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+' or slipped after they had been added to others that slipped before, and in full sliding.
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
 ' Error below 1e-12 f theta b, for loads that differ by 1 % or more.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
@@ -934,8 +1120,9 @@ End Function
 ' time integral of the traction times the rate of slip over the contact, without the rigid
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
-' NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
-' change of Q/f where that slip reaches an older layer.
+' NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+' the change of Q/f where that slip reaches an older layer.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -977,6 +1164,141 @@ Attribute RWEDGE_CONTACT_YIELD_FACTOR.VB_Description = "How far the present stat
         RWEDGE_CONTACT_YIELD_FACTOR = failure(status)
     End If
     If contact <> 0 Then c_contact_destroy contact
+End Function
+
+' ---- Measures of a stress ----------------------------------------------------------------------
+
+' Of stresses from anywhere, in any unit; tension positive, y into the half-plane.
+'   sxx, syy, txy  stresses, of at most 1e60 in magnitude
+'   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
+'                  stress, szz = 0, give nu = 0
+' What is said of accuracy holds where the largest of the stresses is at least 1e-60.
+
+' Von Mises' equivalent stress, sqrt(3 J2).                                       von Mises (1913)
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_VON_MISES(ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_VON_MISES.VB_Description = "Von Mises' equivalent stress, sqrt(3 J2). NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_VON_MISES = finite(c_von_mises(sxx, syy, txy, nu))
+    Else
+        RWEDGE_VON_MISES = failure(status)
+    End If
+End Function
+
+' The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_OUT_OF_PLANE_STRESS(ByVal sxx As Double, ByVal syy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_OUT_OF_PLANE_STRESS.VB_Description = "The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress. NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_OUT_OF_PLANE_STRESS = finite(c_out_of_plane_stress(sxx, syy, nu))
+    Else
+        RWEDGE_OUT_OF_PLANE_STRESS = failure(status)
+    End If
+End Function
+
+' The largest shear stress on any plane: half of the difference between the largest and the
+' smallest principal stress, szz among them.                                         Tresca (1864)
+' NaN outside the domain. Relative error below 4 epsilon.
+Public Function RWEDGE_LARGEST_SHEAR( _
+        ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_LARGEST_SHEAR.VB_Description = "The largest shear stress on any plane: half of the difference between the largest and the smallest principal stress, szz among them. NaN outside the domain. Relative error below 4 epsilon."
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then
+        RWEDGE_LARGEST_SHEAR = finite(c_largest_shear(sxx, syy, txy, nu))
+    Else
+        RWEDGE_LARGEST_SHEAR = failure(status)
+    End If
+End Function
+
+' Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+'   s1, s2  each receives one number
+'   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+'           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+'           positive angles turn from +y towards +x. 0 where s1 = s2
+' RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+' two, of the angle below 4 epsilon.
+' In a cell: the row s1, s2, angle.
+Public Function RWEDGE_PRINCIPAL_STRESSES(ByVal sxx As Double, ByVal syy As Double, ByVal txy As Double) As Variant
+Attribute RWEDGE_PRINCIPAL_STRESSES.VB_Description = "Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts."
+    Dim s1 As Double, s2 As Double, angle As Double, status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = c_principal_stresses(sxx, syy, txy, s1, s2, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_PRINCIPAL_STRESSES = Array(s1, s2, angle)
+    Else
+        RWEDGE_PRINCIPAL_STRESSES = failure(status)
+    End If
+End Function
+
+' Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+' value of
+'     sn_max den/2
+' over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+' a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+' plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+' nu/(1+nu) for nu.
+'                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+'   n              number of loads of the cycle, >= 1; their order does not matter
+'   sxx, syy, txy  n stresses each
+'   E              Young's modulus, stress, 1e-60 to 1e60
+'   value, angle   each receives one number. The angle is that of the plane, as in
+'                  rwedge_principal_stresses(); of one of them where several planes have the
+'                  value, 0 where the value is 0
+' RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+' the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+' the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+' are the worst for neighbouring planes, as on a circular path.
+' In a cell: the row value, angle.
+Public Function RWEDGE_SMITH_WATSON_TOPPER( _
+        ByVal sxx As Variant, ByVal syy As Variant, ByVal txy As Variant, ByVal E As Double, ByVal nu As Double) As Variant
+Attribute RWEDGE_SMITH_WATSON_TOPPER.VB_Description = "Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest value of"
+    Dim value As Double, angle As Double, sxx_list() As Double, syy_list() As Double, txy_list() As Double, n As Long
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(sxx, sxx_list, n)
+    If status = RWEDGE_OK Then status = read_list(syy, syy_list, n)
+    If status = RWEDGE_OK Then status = read_list(txy, txy_list, n)
+    If status = RWEDGE_OK Then status = c_smith_watson_topper(n, sxx_list(0), syy_list(0), txy_list(0), E, nu, value, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_SMITH_WATSON_TOPPER = Array(value, angle)
+    Else
+        RWEDGE_SMITH_WATSON_TOPPER = failure(status)
+    End If
+End Function
+
+' Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+'     (dgamma/2) (1 + k sn_max/sy)
+' over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+' 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+' compressive it counts as it is, but no plane counts less than 0.
+'                                                 Fatemi and Socie (1988), see lib/README.md; new
+'   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+'              for most metals
+'   others     as in rwedge_smith_watson_topper()
+' RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+' (1+nu)/E.
+' In a cell: the row value, angle.
+Public Function RWEDGE_FATEMI_SOCIE( _
+        ByVal sxx As Variant, ByVal syy As Variant, ByVal txy As Variant, ByVal E As Double, ByVal nu As Double, _
+        ByVal k_over_sy As Double) As Variant
+Attribute RWEDGE_FATEMI_SOCIE.VB_Description = "Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of"
+    Dim value As Double, angle As Double, sxx_list() As Double, syy_list() As Double, txy_list() As Double, n As Long
+    Dim status As Long
+    status = find_library()
+    If status = RWEDGE_OK Then status = read_list(sxx, sxx_list, n)
+    If status = RWEDGE_OK Then status = read_list(syy, syy_list, n)
+    If status = RWEDGE_OK Then status = read_list(txy, txy_list, n)
+    If status = RWEDGE_OK Then status = c_fatemi_socie(n, sxx_list(0), syy_list(0), txy_list(0), E, nu, k_over_sy, value, angle)
+    If status = RWEDGE_OK Then
+        RWEDGE_FATEMI_SOCIE = Array(value, angle)
+    Else
+        RWEDGE_FATEMI_SOCIE = failure(status)
+    End If
 End Function
 
 ' ---- The paper's series ------------------------------------------------------------------------

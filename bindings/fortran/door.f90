@@ -107,6 +107,34 @@ contains
         case ('contact_load')
             call contact%load(v(1)%x(1), v(2)%x(1), stat)
             r = [real(c_double) ::]
+        case ('contact_apply')
+            call contact%apply(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), stat)
+            r = [real(c_double) ::]
+        case ('contact_largest_tension_step')
+            r = [contact%largest_tension_step(v(1)%x(1))]
+        case ('contact_loads')
+            allocate (s(1, 1, 4))
+            call contact%loads(s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), s(1, 1, 4), stat)
+            r = [s]
+        case ('contact_edges')
+            allocate (s(1, 1, 2))
+            call contact%edges(s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('contact_stick_zone')
+            allocate (s(1, 1, 2))
+            call contact%stick_zone(s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('contact_tilt')
+            r = [contact%tilt()]
+        case ('contact_edge_asymptotes')
+            allocate (s(1, 1, 4))
+            call contact%edge_asymptotes(s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), s(1, 1, 4), stat)
+            r = [s]
+        case ('permanent_stick')
+            allocate (s(1, 1, 2))
+            call rwedge_permanent_stick(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), v(5)%x(1), v(6)%x(1), v(7)%x(1), &
+                v(8)%x(1), v(9)%x(1), v(10)%x(1), v(11)%x(1), v(12)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
         case ('contact_half_width')
             r = [contact%half_width()]
         case ('contact_stick_half_width')
@@ -121,6 +149,20 @@ contains
             allocate (s(size(v(1)%x), 1, 3))
             call contact%stresses(v(1)%x, v(2)%x, s(:, 1, 1), s(:, 1, 2), s(:, 1, 3), stat)
             r = [s]
+        case ('contact_stress_history')
+            allocate (s(size(v(5)%x), size(v(1)%x), 3))
+            call contact%stress_history(v(1)%x, v(2)%x, v(3)%x, v(4)%x, v(5)%x, v(6)%x, s(:, :, 1), s(:, :, 2), s(:, :, 3), &
+                stat)
+            r = [s]
+        case ('contact_state_size')
+            r = [real(contact%state_size(), c_double)]
+        case ('contact_state')
+            allocate (s(int(contact%state_size()), 1, 1))
+            call contact%state(s(:, 1, 1), stat)
+            r = [s]
+        case ('contact_restore')
+            call contact%restore(v(1)%x, stat)
+            r = [real(c_double) ::]
         case ('contact_slip')
             allocate (s(size(v(1)%x), 1, 1))
             call contact%slip(v(1)%x, s(:, 1, 1), stat)
@@ -130,6 +172,33 @@ contains
         case ('contact_yield_factor')
             allocate (s(1, 1, 3))
             call contact%yield_factor(v(1)%x(1), v(2)%x(1), s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), stat)
+            r = [s]
+        case ('von_mises')
+            r = [rwedge_von_mises(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))]
+        case ('out_of_plane_stress')
+            r = [rwedge_out_of_plane_stress(v(1)%x(1), v(2)%x(1), v(3)%x(1))]
+        case ('largest_shear')
+            r = [rwedge_largest_shear(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))]
+        case ('principal_stresses')
+            allocate (s(1, 1, 3))
+            call rwedge_principal_stresses(v(1)%x(1), v(2)%x(1), v(3)%x(1), s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), stat)
+            r = [s]
+        case ('smith_watson_topper')
+            allocate (s(1, 1, 2))
+            call rwedge_smith_watson_topper(v(1)%x, v(2)%x, v(3)%x, v(4)%x(1), v(5)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('smith_watson_topper_field')
+            allocate (s(size(v(3)%xx, 1), 1, 2))
+            call rwedge_smith_watson_topper_field(v(1)%xx, v(2)%xx, v(3)%xx, v(4)%x(1), v(5)%x(1), s(:, 1, 1), s(:, 1, 2), stat)
+            r = [s]
+        case ('fatemi_socie')
+            allocate (s(1, 1, 2))
+            call rwedge_fatemi_socie(v(1)%x, v(2)%x, v(3)%x, v(4)%x(1), v(5)%x(1), v(6)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('fatemi_socie_field')
+            allocate (s(size(v(3)%xx, 1), 1, 2))
+            call rwedge_fatemi_socie_field(v(1)%xx, v(2)%xx, v(3)%xx, v(4)%x(1), v(5)%x(1), v(6)%x(1), s(:, 1, 1), s(:, 1, &
+                2), stat)
             r = [s]
         case ('series_create')
             call series%create(v(1)%x(1), int(v(2)%x(1), c_int32_t), stat)

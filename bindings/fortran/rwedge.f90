@@ -23,7 +23,7 @@ module rwedge
     private
 
     integer(c_int32_t), parameter, public :: rwedge_ok = 0, rwedge_edomain = 1, rwedge_enull = 2, rwedge_erange = 3, &
-        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, &
+        rwedge_enoconv = 4, rwedge_enomem = 5, rwedge_esliding = 6, rwedge_erank = 7, rwedge_eabsent = 8, rwedge_epath = 9, &
         rwedge_doubt_angle = 1, rwedge_doubt_coupling = 2, rwedge_doubt_yield = 4, rwedge_doubt_rounding = 8, &
         rwedge_doubt_strength = 16
 
@@ -32,7 +32,9 @@ module rwedge
         rwedge_transition_pressure, rwedge_coefficient, rwedge_stick_width, rwedge_shear_ratio, rwedge_shear, rwedge_stress, &
         rwedge_stresses, rwedge_max_tension, rwedge_elastic_limit, rwedge_elastic_limits, rwedge_yield_point, &
         rwedge_subsurface_yield, rwedge_surface_yield, rwedge_critical_friction, rwedge_validity, rwedge_validity_text, &
-        rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load
+        rwedge_radius, rwedge_rounding, rwedge_half_width, rwedge_normal_load, rwedge_yield_load, rwedge_permanent_stick, &
+        rwedge_von_mises, rwedge_out_of_plane_stress, rwedge_largest_shear, rwedge_principal_stresses, &
+        rwedge_smith_watson_topper, rwedge_smith_watson_topper_field, rwedge_fatemi_socie, rwedge_fatemi_socie_field
 
     ! One contact and what it remembers of its loads.
     type, public :: rwedge_contact
@@ -43,11 +45,23 @@ module rwedge
         procedure :: copy => contact_copy
         procedure :: destroy => contact_destroy
         procedure :: load => contact_load
+        procedure :: apply => contact_apply
+        procedure :: obstacle => contact_obstacle
+        procedure :: largest_tension_step => contact_largest_tension_step
+        procedure :: loads => contact_loads
+        procedure :: edges => contact_edges
+        procedure :: stick_zone => contact_stick_zone
+        procedure :: tilt => contact_tilt
+        procedure :: edge_asymptotes => contact_edge_asymptotes
         procedure :: half_width => contact_half_width
         procedure :: stick_half_width => contact_stick_half_width
         procedure :: memory => contact_memory
         procedure :: tractions => contact_tractions
         procedure :: stresses => contact_stresses
+        procedure :: stress_history => contact_stress_history
+        procedure :: state_size => contact_state_size
+        procedure :: state => contact_state
+        procedure :: restore => contact_restore
         procedure :: slip => contact_slip
         procedure :: dissipated_energy => contact_dissipated_energy
         procedure :: yield_factor => contact_yield_factor
@@ -294,6 +308,71 @@ module rwedge
             integer(c_int32_t) :: status
         end function
 
+        function c_contact_apply(contact, P, M, Q, sigma) bind(C, name="rwedge_contact_apply") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), value :: P, M, Q, sigma
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_obstacle(contact, P, M, Q, sigma) bind(C, name="rwedge_contact_obstacle") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), value :: P, M, Q, sigma
+            type(c_ptr) :: value
+        end function
+
+        pure function c_contact_largest_tension_step(contact, Q) &
+            &bind(C, name="rwedge_contact_largest_tension_step") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), value :: Q
+            real(c_double) :: value
+        end function
+
+        function c_contact_loads(contact, P, M, Q, sigma) bind(C, name="rwedge_contact_loads") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), intent(inout) :: P, M, Q, sigma
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_edges(contact, left, right) bind(C, name="rwedge_contact_edges") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), intent(inout) :: left, right
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_stick_zone(contact, left, right) bind(C, name="rwedge_contact_stick_zone") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), intent(inout) :: left, right
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_contact_tilt(contact) bind(C, name="rwedge_contact_tilt") result(value)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double) :: value
+        end function
+
+        function c_contact_edge_asymptotes(contact, normal_left, normal_right, shear_left, shear_right) &
+            &bind(C, name="rwedge_contact_edge_asymptotes") result(status)
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: contact
+            real(c_double), intent(inout) :: normal_left, normal_right, shear_left, shear_right
+            integer(c_int32_t) :: status
+        end function
+
+        function c_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, right) &
+            &bind(C, name="rwedge_permanent_stick") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2
+            real(c_double), intent(inout) :: left, right
+            integer(c_int32_t) :: status
+        end function
+
         pure function c_contact_half_width(contact) bind(C, name="rwedge_contact_half_width") result(value)
             import :: c_double, c_ptr
             type(c_ptr), value :: contact
@@ -330,6 +409,40 @@ module rwedge
             integer(c_int32_t) :: status
         end function
 
+        function c_contact_stress_history(contact, loads, P, M, Q, sigma, n, x, y, sxx, syy, txy) &
+            &bind(C, name="rwedge_contact_stress_history") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t), value :: loads
+            real(c_double), intent(in) :: P(*), M(*), Q(*), sigma(*)
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: x(*), y(*)
+            real(c_double), intent(inout) :: sxx(*), syy(*), txy(*)
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_contact_state_size(contact) bind(C, name="rwedge_contact_state_size") result(value)
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t) :: value
+        end function
+
+        function c_contact_state(contact, n, state) bind(C, name="rwedge_contact_state") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            type(c_ptr), value :: contact
+            integer(c_size_t), value :: n
+            real(c_double), intent(inout) :: state(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_contact_restore(n, state, contact) bind(C, name="rwedge_contact_restore") result(status)
+            import :: c_double, c_int32_t, c_ptr, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: state(*)
+            type(c_ptr), intent(out) :: contact
+            integer(c_int32_t) :: status
+        end function
+
         function c_contact_slip(contact, n, x, slip) bind(C, name="rwedge_contact_slip") result(status)
             import :: c_double, c_int32_t, c_ptr, c_size_t
             type(c_ptr), value :: contact
@@ -351,6 +464,71 @@ module rwedge
             type(c_ptr), value :: contact
             real(c_double), value :: nu, k
             real(c_double), intent(inout) :: factor, x, y
+            integer(c_int32_t) :: status
+        end function
+
+        pure function c_von_mises(sxx, syy, txy, nu) bind(C, name="rwedge_von_mises") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, txy, nu
+            real(c_double) :: value
+        end function
+
+        pure function c_out_of_plane_stress(sxx, syy, nu) bind(C, name="rwedge_out_of_plane_stress") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, nu
+            real(c_double) :: value
+        end function
+
+        pure function c_largest_shear(sxx, syy, txy, nu) bind(C, name="rwedge_largest_shear") result(value)
+            import :: c_double
+            real(c_double), value :: sxx, syy, txy, nu
+            real(c_double) :: value
+        end function
+
+        function c_principal_stresses(sxx, syy, txy, s1, s2, angle) bind(C, name="rwedge_principal_stresses") result(status)
+            import :: c_double, c_int32_t
+            real(c_double), value :: sxx, syy, txy
+            real(c_double), intent(inout) :: s1, s2, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_smith_watson_topper(n, sxx, syy, txy, E, nu, value, angle) &
+            &bind(C, name="rwedge_smith_watson_topper") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu
+            real(c_double), intent(inout) :: value, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_smith_watson_topper_field(loads, n, sxx, syy, txy, E, nu, value, angle) &
+            &bind(C, name="rwedge_smith_watson_topper_field") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: loads, n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu
+            real(c_double), intent(inout) :: value(*), angle(*)
+            integer(c_int32_t) :: status
+        end function
+
+        function c_fatemi_socie(n, sxx, syy, txy, E, nu, k_over_sy, value, angle) &
+            &bind(C, name="rwedge_fatemi_socie") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu, k_over_sy
+            real(c_double), intent(inout) :: value, angle
+            integer(c_int32_t) :: status
+        end function
+
+        function c_fatemi_socie_field(loads, n, sxx, syy, txy, E, nu, k_over_sy, value, angle) &
+            &bind(C, name="rwedge_fatemi_socie_field") result(status)
+            import :: c_double, c_int32_t, c_size_t
+            integer(c_size_t), value :: loads, n
+            real(c_double), intent(in) :: sxx(*), syy(*), txy(*)
+            real(c_double), value :: E, nu, k_over_sy
+            real(c_double), intent(inout) :: value(*), angle(*)
             integer(c_int32_t) :: status
         end function
 
@@ -434,6 +612,14 @@ contains
         integer(c_int32_t), intent(in) :: status
         character(:), allocatable :: text
         text = text_of(c_strerror(status))
+    end function
+
+    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
+    function contact_obstacle(this, P, M, Q, sigma) result(text)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: P, M, Q, sigma
+        character(:), allocatable :: text
+        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
     end function
 
     function text_of(c_text) result(text)
@@ -951,9 +1137,10 @@ contains
     !>      P
     !> RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
     !> peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
-    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
-    !> RWEDGE_ENULL; RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most
-    !> two points of the history per load, and of them only those that no later load has wiped out.
+    !> 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+    !> after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
+    !> RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+    !> of them only those that no later load has wiped out.
     subroutine contact_load(this, P, Q, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, Q
@@ -963,7 +1150,135 @@ contains
             'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; |Q| <= f P', stat, errmsg)
     end subroutine
 
-    !> Half-width b of the contact, length; 0 when separated; NaN for NULL.
+    !> The next point of the history with a moment and a bulk tension, reached in a straight line of all
+    !> four.   new
+    !>   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+    !>   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
+    !>          where P is 0
+    !>   Q      |Q| <= f P, as for rwedge_contact_load()
+    !>   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
+    !>          surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
+    !>          adds: apply it before P to have it without slip
+    !> rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact without
+    !> moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
+    !> one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
+    !> of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
+    !> closed form, nor those that end with the front of slip between two patches of the memory at one
+    !> edge and between two others at the other, or with a part beyond the front that sticks:
+    !> lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+    !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
+    !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
+    !> surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
+    subroutine contact_apply(this, P, M, Q, sigma, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: P, M, Q, sigma
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_apply(this%handle, P, M, Q, sigma), 'rwedge_contact%apply(P, M, Q, sigma)', [P, M, Q, sigma], &
+            'P 0, or at least 1e-8 of the last P; M finite; |Q| <= f P; sigma finite', stat, errmsg)
+    end subroutine
+
+    !> The largest |d sigma| with which the present Q may change to another under constant P and M,
+    !> stress: 4 |dQ|/(pi s). HUGE_VAL without friction.   new
+    !>   Q  finite
+    !> NaN outside the domain; NaN for NULL; 0 when separated.
+    elemental function contact_largest_tension_step(this, Q) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: Q
+        real(c_double) :: value
+        value = c_contact_largest_tension_step(this%handle, Q)
+    end function
+
+    !> The present loads.   new
+    !>   P, M, Q, sigma  each receives one number
+    !> RWEDGE_ENULL.
+    impure elemental subroutine contact_loads(this, P, M, Q, sigma, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(inout) :: P, M, Q, sigma
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_loads(this%handle, P, M, Q, sigma), 'rwedge_contact%loads()', [real(c_double) ::], &
+            '', stat, errmsg)
+    end subroutine
+
+    !> The edges of the contact, left < x < right.   new
+    !>   left, right  length
+    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
+    !> |tilt|/theta.
+    impure elemental subroutine contact_edges(this, left, right, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(inout) :: left, right
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_edges(this%handle, left, right), 'rwedge_contact%edges()', [real(c_double) ::], &
+            '', stat, errmsg)
+    end subroutine
+
+    !> The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+    !> |p|. Those of the contact where there is no such zone.   new
+    !>   left, right  length
+    !> RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL.
+    impure elemental subroutine contact_stick_zone(this, left, right, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(inout) :: left, right
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_stick_zone(this%handle, left, right), 'rwedge_contact%stick_zone()', [real(c_double) ::], &
+            '', stat, errmsg)
+    end subroutine
+
+    !> The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
+    !> 0 without a moment; NaN for NULL.
+    pure function contact_tilt(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double) :: value
+        value = c_contact_tilt(this%handle)
+    end function
+
+    !> How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+    !> slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+    !> = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+    !> this is how a pad is matched to a specimen.   new
+    !>   normal_left, normal_right  K_N, stress over the root of a length
+    !>   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+    !>                              sigma less what it was when the bodies touched
+    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL.
+    impure elemental subroutine contact_edge_asymptotes(this, normal_left, normal_right, shear_left, shear_right, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(inout) :: normal_left, normal_right, shear_left, shear_right
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_contact_edge_asymptotes(this%handle, normal_left, normal_right, shear_left, shear_right), &
+            'rwedge_contact%edge_asymptotes()', [real(c_double) ::], &
+            '', stat, errmsg)
+    end subroutine
+
+    !> The zone that never slips while loads go to and fro between two points in a straight line, once
+    !> the first cycles are over, whatever was before.   new
+    !>   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+    !>   M1, M2          finite
+    !>   Q1, Q2          |Q| <= f P
+    !>   sigma1, sigma2  finite
+    !>   left, right     its edges, length
+    !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+    !> directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
+    impure elemental subroutine rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, &
+        right, stat, errmsg)
+        real(c_double), intent(in) :: theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2
+        real(c_double), intent(inout) :: left, right
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, right), &
+            'rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)', [theta, a, compliance, &
+            f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2], &
+            '0 < theta < pi/2; a finite, >= 0; compliance finite, > 0; 0 <= f <= 1e6; P1 finite, >= 0; M1' // &
+            ' finite; Q1 |Q| <= f P; sigma1 finite; P2 finite, >= 0; M2 finite; Q2 |Q| <= f P; sigma2 ' // &
+            'finite', stat, errmsg)
+    end subroutine
+
+    !> Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
+    !> off the centre.
     !>    Eq. (7), (11), (15), inverse
     pure function contact_half_width(this) result(value)
         class(rwedge_contact), intent(in) :: this
@@ -1049,6 +1364,127 @@ contains
             ' of a loaded sharp wedge; arrays of one size', stat, errmsg)
     end subroutine
 
+    !> Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
+    !> rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
+    !> it was is not computed again.
+    !> new
+    !>   P              0, or at least 1e-8 of the last P
+    !>   M, Q, sigma    finite: loads numbers each, as P
+    !>   x, y           length, finite, y >= 0: n numbers each
+    !>   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+    !>                  inputs
+    !> The contact then has the last of the loads. After an error the contact is as before and
+    !> nothing is written. As both functions; RWEDGE_ENOMEM.
+    subroutine contact_stress_history(this, P, M, Q, sigma, x, y, sxx, syy, txy, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: P(:), M(:), Q(:), sigma(:), x(:), y(:)
+        real(c_double), intent(inout) :: sxx(:, :), syy(:, :), txy(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(M), size(Q), size(sigma)] == size(P)) .and. size(y) == size(x) .and. all(shape(sxx) == [size(x), &
+            size(P)]) .and. all(shape(syy) == [size(x), size(P)]) .and. all(shape(txy) == [size(x), size(P)])) &
+            status = c_contact_stress_history(this%handle, size(P, kind=c_size_t), P, M, Q, sigma, size(x, kind=c_size_t), x, &
+                y, sxx, syy, txy)
+        i = first_outside(P, 1e-08_c_double, huge(1.0_c_double), .false., .false., .true.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(M, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(Q, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(sigma, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(x, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(x, y)', [x(i), y(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(y, 0.0_c_double, huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%stress_history(x, y)', [x(i), y(i)], &
+                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
+                'finite, y >= 0', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_contact%stress_history(size(P), size(x))', [real(size(P), c_double), real(size(x), &
+            c_double)], &
+            'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y finite, y' // &
+            ' >= 0; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.
+    !> new
+    pure function contact_state_size(this) result(value)
+        class(rwedge_contact), intent(in) :: this
+        integer(c_size_t) :: value
+        value = c_contact_state_size(this%handle)
+    end function
+
+    !> The contact as numbers, for restarts and for other processes: what is made of them again gives
+    !> the same bits for ever after. They are of no other use. Their form has a version: this library
+    !> reads what it and the older ones have written.   new
+    !>   n      rwedge_contact_state_size()
+    !>   state  receives n numbers
+    !> RWEDGE_ENULL; RWEDGE_ERANGE for another n.
+    subroutine contact_state(this, state, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(inout) :: state(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = c_contact_state(this%handle, size(state, kind=c_size_t), state)
+        call conclude(status, 'rwedge_contact%state()', [real(c_double) ::], '', stat, errmsg)
+    end subroutine
+
+    !> The contact of such numbers.   new
+    !>   state    not other than rwedge_contact_state() gave it: HUGE_VAL and NaN may be in it
+    !>   contact  receives the handle
+    !> RWEDGE_EDOMAIN where the numbers are not those of a contact, RWEDGE_ENULL, RWEDGE_ENOMEM. Free
+    !> with rwedge_contact_destroy().
+    subroutine contact_restore(this, state, stat, errmsg)
+        class(rwedge_contact), intent(inout) :: this
+        real(c_double), intent(in) :: state(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+        integer :: i
+        status = c_contact_restore(size(state, kind=c_size_t), state, created)
+        if (status == rwedge_ok) call own_contact(this, created)
+        i = first_outside(state, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_contact%restore(state)', [state(i)], &
+                'state not other than rwedge_contact_state() gave it', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_contact%restore(size(state))', [real(size(state), c_double)], &
+            'state not other than rwedge_contact_state() gave it', stat, errmsg)
+    end subroutine
+
     !> Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
     !> relative to the wedge's, since the point last came into contact. It has the sign of q while it
     !> grows, so that q d(slip) is the heat. It is 0 where a point has stuck ever since. In full
@@ -1057,6 +1493,8 @@ contains
     !>    Eq. (17) to (21); new
     !>   x     length, |x| <= b: points outside have no partner
     !>   slip  receives n numbers
+    !> RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+    !> or slipped after they had been added to others that slipped before, and in full sliding.
     !> RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
     !> Error below 1e-12 f theta b, for loads that differ by 1 % or more.
     subroutine contact_slip(this, x, slip, stat, errmsg)
@@ -1085,8 +1523,9 @@ contains
     !> time integral of the traction times the rate of slip over the contact, without the rigid
     !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
-    !> NaN for NULL. Relative error of each load's share below 1e-12, and epsilon times P over the
-    !> change of Q/f where that slip reaches an older layer.
+    !> NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
+    !> has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+    !> the change of Q/f where that slip reaches an older layer.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
@@ -1117,6 +1556,199 @@ contains
         if (status == rwedge_ok .and. present(x)) x = place(1)
         if (status == rwedge_ok .and. present(y)) y = place(2)
         call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k finite, > 0', stat, errmsg)
+    end subroutine
+
+    ! ---- Measures of a stress -----------------------------------------------------------------------------------------
+
+    !> Von Mises' equivalent stress, sqrt(3 J2).   von Mises (1913)
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_von_mises(sxx, syy, txy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, txy, nu
+        real(c_double) :: value
+        value = c_von_mises(sxx, syy, txy, nu)
+    end function
+
+    !> The stress across the plane of x and y, szz = nu (sxx+syy). It is a principal stress.
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_out_of_plane_stress(sxx, syy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, nu
+        real(c_double) :: value
+        value = c_out_of_plane_stress(sxx, syy, nu)
+    end function
+
+    !> The largest shear stress on any plane: half of the difference between the largest and the
+    !> smallest principal stress, szz among them.   Tresca (1864)
+    !> NaN outside the domain. Relative error below 4 epsilon.
+    elemental function rwedge_largest_shear(sxx, syy, txy, nu) result(value)
+        real(c_double), intent(in) :: sxx, syy, txy, nu
+        real(c_double) :: value
+        value = c_largest_shear(sxx, syy, txy, nu)
+    end function
+
+    !> Principal stresses in the plane of x and y, s1 >= s2, and the plane on which s1 acts.
+    !>   s1, s2  each receives one number
+    !>   angle   receives the angle between that plane's normal and the surface's normal, the y axis,
+    !>           rad, -pi/2 < angle <= pi/2. The plane's normal is (x, y) = (sin(angle), cos(angle)):
+    !>           positive angles turn from +y towards +x. 0 where s1 = s2
+    !> RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of s1 and s2 below 4 epsilon of the larger magnitude of the
+    !> two, of the angle below 4 epsilon.
+    impure elemental subroutine rwedge_principal_stresses(sxx, syy, txy, s1, s2, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx, syy, txy
+        real(c_double), intent(inout) :: s1, s2, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call conclude(c_principal_stresses(sxx, syy, txy, s1, s2, angle), 'rwedge_principal_stresses(sxx, syy, txy)', [sxx, &
+            syy, txy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude', stat, errmsg)
+    end subroutine
+
+    !> Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
+    !> value of
+    !>     sn_max den/2
+    !> over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
+    !> a plane that is never in tension), den the range of its normal strain. Strains are elastic and
+    !> plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+    !> nu/(1+nu) for nu.
+    !>    Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
+    !>   n              number of loads of the cycle, >= 1; their order does not matter
+    !>   sxx, syy, txy  n stresses each
+    !>   E              Young's modulus, stress, 1e-60 to 1e60
+    !>   value, angle   each receives one number. The angle is that of the plane, as in
+    !>                  rwedge_principal_stresses(); of one of them where several planes have the
+    !>                  value, 0 where the value is 0
+    !> RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
+    !> the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
+    !> the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
+    !> are the worst for neighbouring planes, as on a circular path.
+    subroutine rwedge_smith_watson_topper(sxx, syy, txy, E, nu, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:), syy(:), txy(:), E, nu
+        real(c_double), intent(inout) :: value, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(syy), size(txy)] == size(sxx))) &
+            status = c_smith_watson_topper(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, value, angle)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_smith_watson_topper(size(sxx), E, nu)', [real(size(sxx), c_double), E, nu], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> The same at n points.
+    !>   loads          number of loads of the cycle, >= 1
+    !>   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+    !>   value, angle   each receives n numbers
+    !> Nothing is written unless every stress is in the domain.
+    subroutine rwedge_smith_watson_topper_field(sxx, syy, txy, E, nu, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:, :), syy(:, :), txy(:, :), E, nu
+        real(c_double), intent(inout) :: value(:), angle(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(angle) == size(value) .and. all(shape(syy) == [size(value), size(sxx, &
+            2)]) .and. all(shape(txy) == [size(value), size(sxx, 2)])) &
+            status = c_smith_watson_topper_field(size(sxx, 2, kind=c_size_t), size(value, kind=c_size_t), sxx, syy, txy, E, &
+                nu, value, angle)
+        call conclude(status, 'rwedge_smith_watson_topper_field(size(sxx, 2), size(value), E, nu)', [real(size(sxx, 2), &
+            c_double), real(size(value), c_double), E, nu], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; loads >= 1; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
+    !>     (dgamma/2) (1 + k sn_max/sy)
+    !> over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
+    !> 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+    !> compressive it counts as it is, but no plane counts less than 0.
+    !>    Fatemi and Socie (1988), see lib/README.md; new
+    !>   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
+    !>              for most metals
+    !>   others     as in rwedge_smith_watson_topper()
+    !> RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
+    !> (1+nu)/E.
+    subroutine rwedge_fatemi_socie(sxx, syy, txy, E, nu, k_over_sy, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:), syy(:), txy(:), E, nu, k_over_sy
+        real(c_double), intent(inout) :: value, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        integer :: i
+        status = rwedge_erange
+        if (all([size(syy), size(txy)] == size(sxx))) &
+            status = c_fatemi_socie(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, k_over_sy, value, angle)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        if (status == rwedge_edomain .and. i > 0) then
+            call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
+                'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
+                'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
+            return
+        end if
+        call conclude(status, 'rwedge_fatemi_socie(size(sxx), E, nu, k_over_sy)', [real(size(sxx), c_double), E, nu, &
+            k_over_sy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1; arrays of ' // &
+            'one size', stat, errmsg)
+    end subroutine
+
+    !> The same at n points.
+    !>   loads          number of loads of the cycle, >= 1
+    !>   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+    !>   value, angle   each receives n numbers
+    !> Nothing is written unless every stress is in the domain.
+    subroutine rwedge_fatemi_socie_field(sxx, syy, txy, E, nu, k_over_sy, value, angle, stat, errmsg)
+        real(c_double), intent(in) :: sxx(:, :), syy(:, :), txy(:, :), E, nu, k_over_sy
+        real(c_double), intent(inout) :: value(:), angle(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status
+        status = rwedge_erange
+        if (size(angle) == size(value) .and. all(shape(syy) == [size(value), size(sxx, &
+            2)]) .and. all(shape(txy) == [size(value), size(sxx, 2)])) &
+            status = c_fatemi_socie_field(size(sxx, 2, kind=c_size_t), size(value, kind=c_size_t), sxx, syy, txy, E, nu, &
+                k_over_sy, value, angle)
+        call conclude(status, 'rwedge_fatemi_socie_field(size(sxx, 2), size(value), E, nu, k_over_sy)', [real(size(sxx, 2), &
+            c_double), real(size(value), c_double), E, nu, k_over_sy], &
+            'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 in ' // &
+            'magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; loads >= 1; arrays' // &
+            ' of one size', stat, errmsg)
     end subroutine
 
     ! ---- The paper's series -------------------------------------------------------------------------------------------

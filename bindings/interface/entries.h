@@ -14,9 +14,9 @@
 #include <math.h>
 
 enum {
-    ENTRY_ARGUMENTS = 6, /* the most that a function has */
-    ENTRY_RESULTS = 3,
-    ENTRY_SIZES = 1
+    ENTRY_ARGUMENTS = 12, /* the most that a function has */
+    ENTRY_RESULTS = 4,
+    ENTRY_SIZES = 2
 };
 
 /* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
@@ -307,6 +307,71 @@ static const entry_argument contact_load_arguments[] = {
     {"P", "0, or 1e-60 to 1e60, not below 1e-8 of the last P", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}},
     {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
 
+ENTRY(contact_apply, return rwedge_contact_apply((rwedge_contact *)object, v[0][0], v[1][0],
+      v[2][0], v[3][0]))
+static const entry_argument contact_apply_arguments[] = {
+    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, {-1, -1}},
+    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
+
+ENTRY(contact_largest_tension_step, r[0][0] = rwedge_contact_largest_tension_step((const
+      rwedge_contact *)object, v[0][0]); return RWEDGE_OK)
+static const entry_argument contact_largest_tension_step_arguments[] = {
+    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result contact_largest_tension_step_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(contact_loads, return rwedge_contact_loads((const rwedge_contact *)object, r[0], r[1], r[2],
+      r[3]))
+static const entry_result contact_loads_results[] = {
+    {"P", {-1, -1}},
+    {"M", {-1, -1}},
+    {"Q", {-1, -1}},
+    {"sigma", {-1, -1}}};
+
+ENTRY(contact_edges, return rwedge_contact_edges((const rwedge_contact *)object, r[0], r[1]))
+static const entry_result contact_edges_results[] = {
+    {"left", {-1, -1}},
+    {"right", {-1, -1}}};
+
+ENTRY(contact_stick_zone, return rwedge_contact_stick_zone((const rwedge_contact *)object, r[0],
+      r[1]))
+static const entry_result contact_stick_zone_results[] = {
+    {"left", {-1, -1}},
+    {"right", {-1, -1}}};
+
+ENTRY(contact_tilt, r[0][0] = rwedge_contact_tilt((const rwedge_contact *)object); return RWEDGE_OK)
+static const entry_result contact_tilt_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(contact_edge_asymptotes, return rwedge_contact_edge_asymptotes((const rwedge_contact *)object,
+      r[0], r[1], r[2], r[3]))
+static const entry_result contact_edge_asymptotes_results[] = {
+    {"normal_left", {-1, -1}},
+    {"normal_right", {-1, -1}},
+    {"shear_left", {-1, -1}},
+    {"shear_right", {-1, -1}}};
+
+ENTRY(permanent_stick, return rwedge_permanent_stick(v[0][0], v[1][0], v[2][0], v[3][0], v[4][0],
+      v[5][0], v[6][0], v[7][0], v[8][0], v[9][0], v[10][0], v[11][0], r[0], r[1]))
+static const entry_argument permanent_stick_arguments[] = {
+    {"theta", "0 < theta < pi/2", 0.0, 1.5707963267948966, 1, 1, 0, 1, 0, {-1, -1}},
+    {"a", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"A", "finite, > 0", 0.0, INFINITY, 1, 0, 0, 1, 0, {-1, -1}},
+    {"f", "0 <= f <= 1e6", 0.0, 1000000.0, 0, 0, 0, 1, 0, {-1, -1}},
+    {"P1", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"M1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q1", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma1", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"P2", "finite, >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"M2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"Q2", "|Q| <= f P", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}},
+    {"sigma2", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result permanent_stick_results[] = {
+    {"left", {-1, -1}},
+    {"right", {-1, -1}}};
+
 ENTRY(contact_half_width, r[0][0] = rwedge_contact_half_width((const rwedge_contact *)object);
       return RWEDGE_OK)
 static const entry_result contact_half_width_results[] = {
@@ -344,6 +409,40 @@ static const entry_result contact_stresses_results[] = {
 static const entry_size contact_stresses_sizes[] = {
     {"n", NULL, ""}};
 
+ENTRY(contact_stress_history, return rwedge_contact_stress_history((rwedge_contact *)object, n[0],
+      v[0], v[1], v[2], v[3], n[1], v[4], v[5], r[0], r[1], r[2]))
+static const entry_argument contact_stress_history_arguments[] = {
+    {"P", "0, or at least 1e-8 of the last P", 1e-08, INFINITY, 0, 0, 1, 1, 0, {0, -1}},
+    {"M", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"Q", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"sigma", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}},
+    {"x", "finite", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {1, -1}},
+    {"y", "finite, y >= 0", 0.0, INFINITY, 0, 0, 0, 1, 0, {1, -1}}};
+static const entry_result contact_stress_history_results[] = {
+    {"sxx", {0, 1}},
+    {"syy", {0, 1}},
+    {"txy", {0, 1}}};
+static const entry_size contact_stress_history_sizes[] = {
+    {"loads", NULL, ""},
+    {"n", NULL, ""}};
+
+ENTRY(contact_state_size, r[0][0] = (double)rwedge_contact_state_size((const rwedge_contact
+      *)object); return RWEDGE_OK)
+static const entry_result contact_state_size_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(contact_state, return rwedge_contact_state((const rwedge_contact *)object, n[0], r[0]))
+static const entry_result contact_state_results[] = {
+    {"state", {0, -1}}};
+static const entry_size contact_state_sizes[] = {
+    {"n", "contact_state_size", ""}};
+
+ENTRY(contact_restore, return rwedge_contact_restore(n[0], v[0], (rwedge_contact **)made))
+static const entry_argument contact_restore_arguments[] = {
+    {"state", "not other than rwedge_contact_state() gave it", -INFINITY, INFINITY, 0, 0, 0, 0, 0, {0, -1}}};
+static const entry_size contact_restore_sizes[] = {
+    {"n", NULL, ""}};
+
 ENTRY(contact_slip, return rwedge_contact_slip((const rwedge_contact *)object, n[0], v[0], r[0]))
 static const entry_argument contact_slip_arguments[] = {
     {"x", "|x| <= b", -INFINITY, INFINITY, 0, 0, 0, 1, 0, {0, -1}}};
@@ -366,6 +465,105 @@ static const entry_result contact_yield_factor_results[] = {
     {"factor", {-1, -1}},
     {"x", {-1, -1}},
     {"y", {-1, -1}}};
+
+ENTRY(von_mises, r[0][0] = rwedge_von_mises(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
+static const entry_argument von_mises_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result von_mises_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(out_of_plane_stress, r[0][0] = rwedge_out_of_plane_stress(v[0][0], v[1][0], v[2][0]); return
+      RWEDGE_OK)
+static const entry_argument out_of_plane_stress_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result out_of_plane_stress_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(largest_shear, r[0][0] = rwedge_largest_shear(v[0][0], v[1][0], v[2][0], v[3][0]); return
+      RWEDGE_OK)
+static const entry_argument largest_shear_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result largest_shear_results[] = {
+    {"value", {-1, -1}}};
+
+ENTRY(principal_stresses, return rwedge_principal_stresses(v[0][0], v[1][0], v[2][0], r[0], r[1],
+      r[2]))
+static const entry_argument principal_stresses_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result principal_stresses_results[] = {
+    {"s1", {-1, -1}},
+    {"s2", {-1, -1}},
+    {"angle", {-1, -1}}};
+
+ENTRY(smith_watson_topper, return rwedge_smith_watson_topper(n[0], v[0], v[1], v[2], v[3][0],
+      v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_results[] = {
+    {"value", {-1, -1}},
+    {"angle", {-1, -1}}};
+static const entry_size smith_watson_topper_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(smith_watson_topper_field, return rwedge_smith_watson_topper_field(n[0], n[1], v[0], v[1],
+      v[2], v[3][0], v[4][0], r[0], r[1]))
+static const entry_argument smith_watson_topper_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}}};
+static const entry_result smith_watson_topper_field_results[] = {
+    {"value", {1, -1}},
+    {"angle", {1, -1}}};
+static const entry_size smith_watson_topper_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
+
+ENTRY(fatemi_socie, return rwedge_fatemi_socie(n[0], v[0], v[1], v[2], v[3][0], v[4][0], v[5][0],
+      r[0], r[1]))
+static const entry_argument fatemi_socie_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}}};
+static const entry_result fatemi_socie_results[] = {
+    {"value", {-1, -1}},
+    {"angle", {-1, -1}}};
+static const entry_size fatemi_socie_sizes[] = {
+    {"n", NULL, ">= 1"}};
+
+ENTRY(fatemi_socie_field, return rwedge_fatemi_socie_field(n[0], n[1], v[0], v[1], v[2], v[3][0],
+      v[4][0], v[5][0], r[0], r[1]))
+static const entry_argument fatemi_socie_field_arguments[] = {
+    {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"syy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"txy", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0, 0, 0, 1, 0, {0, 1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 0, 1, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0, 0, 0, 1, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0, 0, 1, 1, 0, {-1, -1}}};
+static const entry_result fatemi_socie_field_results[] = {
+    {"value", {1, -1}},
+    {"angle", {1, -1}}};
+static const entry_size fatemi_socie_field_sizes[] = {
+    {"loads", NULL, ">= 1"},
+    {"n", NULL, ""}};
 
 ENTRY(series_create, return rwedge_series_create(v[0][0], (int32_t)v[1][0], (rwedge_series **)made))
 static const entry_argument series_create_arguments[] = {
@@ -483,8 +681,24 @@ static const entry entries[] = {
      NULL, 4, 0, 0, contact_create_arguments, NULL, NULL},
     {"contact_copy", "contact", entry_contact_copy, 1, 0, 1, 1, 0, 0x24,
      NULL, 0, 0, 0, NULL, NULL, NULL},
-    {"contact_load", "contact", entry_contact_load, 1, 1, 0, 1, 0, 0x6e,
+    {"contact_load", "contact", entry_contact_load, 1, 1, 0, 1, 0, 0x26e,
      NULL, 2, 0, 0, contact_load_arguments, NULL, NULL},
+    {"contact_apply", "contact", entry_contact_apply, 1, 1, 0, 1, 0, 0x26e,
+     NULL, 4, 0, 0, contact_apply_arguments, NULL, NULL},
+    {"contact_largest_tension_step", "contact", entry_contact_largest_tension_step, 1, 0, 0, 0, 0, 0x0,
+     NULL, 1, 1, 0, contact_largest_tension_step_arguments, contact_largest_tension_step_results, NULL},
+    {"contact_loads", "contact", entry_contact_loads, 1, 0, 0, 1, 0, 0x4,
+     NULL, 0, 4, 0, NULL, contact_loads_results, NULL},
+    {"contact_edges", "contact", entry_contact_edges, 1, 0, 0, 1, 0, 0x104,
+     NULL, 0, 2, 0, NULL, contact_edges_results, NULL},
+    {"contact_stick_zone", "contact", entry_contact_stick_zone, 1, 0, 0, 1, 0, 0x104,
+     NULL, 0, 2, 0, NULL, contact_stick_zone_results, NULL},
+    {"contact_tilt", "contact", entry_contact_tilt, 1, 0, 0, 0, 0, 0x0,
+     NULL, 0, 1, 0, NULL, contact_tilt_results, NULL},
+    {"contact_edge_asymptotes", "contact", entry_contact_edge_asymptotes, 1, 0, 0, 1, 0, 0x104,
+     NULL, 0, 4, 0, NULL, contact_edge_asymptotes_results, NULL},
+    {"permanent_stick", "", entry_permanent_stick, 0, 0, 0, 1, 0, 0x36e,
+     NULL, 12, 2, 0, permanent_stick_arguments, permanent_stick_results, NULL},
     {"contact_half_width", "contact", entry_contact_half_width, 1, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_half_width_results, NULL},
     {"contact_stick_half_width", "contact", entry_contact_stick_half_width, 1, 0, 0, 0, 0, 0x0,
@@ -495,12 +709,36 @@ static const entry entries[] = {
      NULL, 1, 2, 1, contact_tractions_arguments, contact_tractions_results, contact_tractions_sizes},
     {"contact_stresses", "contact", entry_contact_stresses, 1, 0, 0, 1, 1, 0x6,
      NULL, 2, 3, 1, contact_stresses_arguments, contact_stresses_results, contact_stresses_sizes},
-    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 0x6,
+    {"contact_stress_history", "contact", entry_contact_stress_history, 1, 1, 0, 1, 0, 0x20,
+     NULL, 6, 3, 2, contact_stress_history_arguments, contact_stress_history_results, contact_stress_history_sizes},
+    {"contact_state_size", "contact", entry_contact_state_size, 1, 0, 0, 0, 0, 0x0,
+     NULL, 0, 1, 0, NULL, contact_state_size_results, NULL},
+    {"contact_state", "contact", entry_contact_state, 1, 0, 0, 1, 0, 0xc,
+     NULL, 0, 1, 1, NULL, contact_state_results, contact_state_sizes},
+    {"contact_restore", "contact", entry_contact_restore, 0, 0, 1, 1, 0, 0x26,
+     NULL, 1, 0, 1, contact_restore_arguments, NULL, contact_restore_sizes},
+    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 0x206,
      NULL, 1, 1, 1, contact_slip_arguments, contact_slip_results, contact_slip_sizes},
     {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, 1, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
     {"contact_yield_factor", "contact", entry_contact_yield_factor, 1, 0, 0, 1, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},
+    {"von_mises", "", entry_von_mises, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, von_mises_arguments, von_mises_results, NULL},
+    {"out_of_plane_stress", "", entry_out_of_plane_stress, 0, 0, 0, 0, 0, 0x0,
+     NULL, 3, 1, 0, out_of_plane_stress_arguments, out_of_plane_stress_results, NULL},
+    {"largest_shear", "", entry_largest_shear, 0, 0, 0, 0, 0, 0x0,
+     NULL, 4, 1, 0, largest_shear_arguments, largest_shear_results, NULL},
+    {"principal_stresses", "", entry_principal_stresses, 0, 0, 0, 1, 0, 0x6,
+     NULL, 3, 3, 0, principal_stresses_arguments, principal_stresses_results, NULL},
+    {"smith_watson_topper", "", entry_smith_watson_topper, 0, 0, 0, 1, 0, 0xe,
+     NULL, 5, 2, 1, smith_watson_topper_arguments, smith_watson_topper_results, smith_watson_topper_sizes},
+    {"smith_watson_topper_field", "", entry_smith_watson_topper_field, 0, 0, 0, 1, 0, 0xe,
+     NULL, 5, 2, 2, smith_watson_topper_field_arguments, smith_watson_topper_field_results, smith_watson_topper_field_sizes},
+    {"fatemi_socie", "", entry_fatemi_socie, 0, 0, 0, 1, 0, 0xe,
+     NULL, 6, 2, 1, fatemi_socie_arguments, fatemi_socie_results, fatemi_socie_sizes},
+    {"fatemi_socie_field", "", entry_fatemi_socie_field, 0, 0, 0, 1, 0, 0xe,
+     NULL, 6, 2, 2, fatemi_socie_field_arguments, fatemi_socie_field_results, fatemi_socie_field_sizes},
     {"series_create", "series", entry_series_create, 0, 0, 1, 1, 0, 0x2e,
      NULL, 2, 0, 0, series_create_arguments, NULL, NULL},
     {"series_fit", "series", entry_series_fit, 0, 0, 1, 1, 0, 0xbe,

@@ -11,7 +11,7 @@ from header import EQUATION, Function, Interface, Parameter
 
 WIDTH = 128
 # Written in the template: texts, which are Fortran's characters, and what frees.
-BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
+BY_HAND = {"version", "strerror", "contact_obstacle", "contact_destroy", "series_destroy"}
 NAMES = {"A": "compliance"}  # Fortran takes a and A for one name
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
 OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}

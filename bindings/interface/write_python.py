@@ -23,9 +23,9 @@ IN_GENERAL = ((r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.", ""), (r
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
 BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_half_width", "contact_stick_half_width",
            "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
-           "contact_yield_factor", "series_create", "series_fit", "series_destroy", "series_terms", "series_coefficient",
-           "series_residual", "series_pressure", "series_potential", "series_stress", "stresses", "elastic_limits", "version",
-           "strerror"}
+           "contact_yield_factor", "contact_loads", "contact_state_size", "contact_state", "contact_restore", "series_create",
+           "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure",
+           "series_potential", "series_stress", "stresses", "elastic_limits", "version", "strerror"}
 
 
 def one_line(text: str) -> str:
@@ -150,8 +150,10 @@ def points(f: Function, many: Function) -> tuple[int, int, int, str]:
 def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     rows = []
     for f in interface.functions:
-        plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL"} and (f.pointwise or not f.of("in array", "out array"))
-        of_object = f.of("handle") and f.inputs and not f.of("created") and plain
+        # EPATH is of the object, not of a point: its method asks first
+        plain = (set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and
+                 (f.pointwise or not f.of("in array", "out array")))
+        of_object = f.of("handle") and f.inputs and not f.of("created") and plain and f.result in ("value", "status")
         if is_ufunc(f) and f.result == "status" or of_object:
             many = next((g for g in interface.functions if g.array_of == f.name), f)
             rows.append(points(f, many))
@@ -231,6 +233,7 @@ from numpy import float64, ufunc
 from numpy.typing import NDArray
 
 from ._contact import Contact as Contact
+from ._contact import Loads as Loads
 from ._contact import YieldFactor as YieldFactor
 from ._library import Error as Error
 from ._library import SlidingError as SlidingError
@@ -274,7 +277,7 @@ def formula_type(f: Function) -> str:
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["Contact", "Error", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    public = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_ufunc(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")

@@ -3,6 +3,7 @@
 
 #include "loads.h"
 
+#include "text/list.h"
 #include "text/number.h"
 
 #include <math.h>
@@ -14,12 +15,11 @@ static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.732050
 /* Two ways to give the same; the second is -1 where there is one way only. */
 typedef struct {
     int one, other;
-    bool needed;
 } alternatives;
 
 static const alternatives ways[] = {
-    {INPUT_E1, -1, true},          {INPUT_NU1, -1, true}, {INPUT_THETA, INPUT_THETA_DEG, true},
-    {INPUT_A, INPUT_RADIUS, true}, {INPUT_P, -1, true},   {INPUT_K, INPUT_YIELD_STRESS, false},
+    {INPUT_E1, -1}, {INPUT_NU1, -1}, {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS},
+    {INPUT_P, -1},  {INPUT_F, -1},   {INPUT_K, INPUT_YIELD_STRESS},
 };
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
@@ -31,16 +31,28 @@ static bool excluded(const input_texts *given, int one, int other, char complain
     return false;
 }
 
-static bool missing(const input_texts *given, const alternatives *way,
-                    char complaint[COMPLAINT_SIZE])
+static bool is_needed(const input_texts *given, int input, case_needs needs)
+{
+    if (input == INPUT_K)
+        return false;
+    if (input == INPUT_P)
+        return needs != CASE_LOADS_APART;
+    if (input == INPUT_F)
+        return needs == CASE_OF_SOLVE &&
+               (input_is_given(given, INPUT_Q) || input_is_given(given, INPUT_K) ||
+                input_is_given(given, INPUT_YIELD_STRESS));
+    return true;
+}
+
+/* Adds it to the list of what is missing. */
+static void add_missing(const input_texts *given, const alternatives *way,
+                        char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
     const bool two = way->other >= 0;
-    snprintf(complaint, COMPLAINT_SIZE, "%s: missing; needed: %s%s%s%s",
-             input_name(given, way->one, first), first, two ? " or " : "",
-             two ? input_name(given, way->other, second) : "",
-             given->is_cell[way->one] ? ", as a column or an option" : "");
-    return false;
+    list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
+             complaint[0] == '\0' ? "missing: " : "", input_name(given, way->one, first),
+             two ? " or " : "", two ? input_name(given, way->other, second) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
@@ -62,17 +74,27 @@ static bool second_body_is_whole(const input_texts *given, char complaint[COMPLA
     return false;
 }
 
-bool case_is_complete(const input_texts *given, bool needs_load, char complaint[COMPLAINT_SIZE])
+bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE])
 {
+    bool cells = false, friction = false;
+    complaint[0] = '\0';
     for (int i = 0; i < WAY_COUNT; i++) {
         const bool one = input_is_given(given, ways[i].one);
         const bool other = ways[i].other >= 0 && input_is_given(given, ways[i].other);
         if (one && other)
             return excluded(given, ways[i].one, ways[i].other, complaint);
-        if (!one && !other && ways[i].needed && (needs_load || ways[i].one != INPUT_P))
-            return missing(given, &ways[i], complaint);
+        if (one || other || !is_needed(given, ways[i].one, needs))
+            continue;
+        add_missing(given, &ways[i], complaint);
+        cells = cells || given->is_cell[ways[i].one];
+        friction = friction || ways[i].one == INPUT_F;
     }
-    return second_body_is_whole(given, complaint);
+    if (friction)
+        list_add(complaint, COMPLAINT_SIZE, "; ",
+                 "friction has no default where Q or a yield stress is given");
+    if (cells)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: columns or options");
+    return complaint[0] == '\0' && second_body_is_whole(given, complaint);
 }
 
 static double either(double one, double other)
@@ -121,10 +143,10 @@ static bool has_equilibrium(const input_texts *given, const contact_case *what,
     return false;
 }
 
-bool case_read(const input_texts *given, bool needs_load, contact_case *what,
+bool case_read(const input_texts *given, case_needs needs, contact_case *what,
                char complaint[COMPLAINT_SIZE])
 {
-    if (!case_is_complete(given, needs_load, complaint))
+    if (!case_is_complete(given, needs, complaint))
         return false;
     double value[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++) {

@@ -13,12 +13,18 @@ typedef struct {
     double beta; /* Dundurs' second constant */
 } contact_case;
 
-/* Whether inputs exclude each other, or one that is needed is missing; P counts as needed where
- * needs_load is true. */
-bool case_is_complete(const input_texts *given, bool needs_load, char complaint[COMPLAINT_SIZE]);
+/* What must be given beside the bodies and their shape. */
+typedef enum {
+    CASE_LOADS_APART, /* nothing: a history has the loads */
+    CASE_WITH_LOADS,  /* P */
+    CASE_OF_SOLVE /* P; f too where Q or a yield stress is: a default would look like a result */
+} case_needs;
 
-/* Reads it; P and Q are 0 where they are not given. False, with the complaint. */
-bool case_read(const input_texts *given, bool needs_load, contact_case *what,
+/* False, with the complaint, where inputs exclude each other or some that are needed are missing. */
+bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE]);
+
+/* Reads it; P, Q and f are 0 where they are not given. False, with the complaint. */
+bool case_read(const input_texts *given, case_needs needs, contact_case *what,
                char complaint[COMPLAINT_SIZE]);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "header.h"
 
+#include "text/list.h"
 #include "text/message.h"
 
 #include <ctype.h>
@@ -21,14 +22,20 @@ static bool copy_names(const csv_input *in, header *names)
     return false;
 }
 
+/* Letters beyond ASCII count, byte by byte. */
+static bool is_filler(char c)
+{
+    return (unsigned char)c < 0x80 && !isalnum((unsigned char)c);
+}
+
 /* Whether two names have the same letters and digits, whatever stands between them. The first has
- * `length` characters. */
+ * `length` bytes. */
 static bool is_like(const char *a, size_t length, const char *b)
 {
     for (const char *end = a + length;; a++, b++) {
-        while (a < end && !isalnum((unsigned char)*a))
+        while (a < end && is_filler(*a))
             a++;
-        while (*b != '\0' && !isalnum((unsigned char)*b))
+        while (*b != '\0' && is_filler(*b))
             b++;
         if (a == end || *b == '\0')
             return a == end && *b == '\0';
@@ -64,23 +71,55 @@ static const struct {
     int input;
 } synonyms[] = {
     {"mu", INPUT_F},
+    {"\xce\xbc", INPUT_F}, /* the Greek letter */
+    {"\xc2\xb5", INPUT_F}, /* the sign for micro, which keyboards have */
     {"friction", INPUT_F},
     {"friction_coefficient", INPUT_F},
     {"coefficient_of_friction", INPUT_F},
     {"cof", INPUT_F},
+    {"Reibwert", INPUT_F},
+    {"Reibbeiwert", INPUT_F},
+    {"Reibungszahl", INPUT_F},
+    {"Reibungskoeffizient", INPUT_F},
     {"tangential_force", INPUT_Q},
     {"tangential_load", INPUT_Q},
     {"shear_force", INPUT_Q},
     {"shear_load", INPUT_Q},
+    {"Querkraft", INPUT_Q},
+    {"Tangentialkraft", INPUT_Q},
     {"load", INPUT_P},
     {"force", INPUT_P},
     {"normal_force", INPUT_P},
     {"normal_load", INPUT_P},
+    {"Normalkraft", INPUT_P},
     {"sigma_y", INPUT_YIELD_STRESS},
+    {"\xcf\x83y", INPUT_YIELD_STRESS}, /* sigma */
+    {"Sy", INPUT_YIELD_STRESS},
+    {"Re", INPUT_YIELD_STRESS},
+    {"ReH", INPUT_YIELD_STRESS},
+    {"Rp0.2", INPUT_YIELD_STRESS},
     {"yield", INPUT_YIELD_STRESS},
     {"yield_strength", INPUT_YIELD_STRESS},
+    {"Streckgrenze", INPUT_YIELD_STRESS},
+    {"Dehngrenze", INPUT_YIELD_STRESS},
+    {"Fliessgrenze", INPUT_YIELD_STRESS},
+    {"Flie\xc3\x9fgrenze", INPUT_YIELD_STRESS},
+    {"tau_y", INPUT_K},
+    {"\xcf\x84y", INPUT_K}, /* tau */
     {"E", INPUT_E1},
+    {"E-Modul", INPUT_E1},
+    {"youngs_modulus", INPUT_E1},
     {"nu", INPUT_NU1},
+    {"\xce\xbd", INPUT_NU1},
+    {"\xce\xbd\x31", INPUT_NU1},
+    {"\xce\xbd\x32", INPUT_NU2},
+    {"poissons_ratio", INPUT_NU1},
+    {"poisson", INPUT_NU1},
+    {"Querdehnzahl", INPUT_NU1},
+    {"Querkontraktionszahl", INPUT_NU1},
+    {"\xce\xb8", INPUT_THETA},
+    {"angle", INPUT_THETA},
+    {"R", INPUT_RADIUS},
 };
 
 static bool is_given(const header *names, const input_texts *options, int input)
@@ -121,7 +160,7 @@ static int synonym_for(const header *names, const char *name, size_t length,
     return INPUT_COUNT;
 }
 
-static bool is_input(const header *names, size_t column)
+bool header_is_input(const header *names, size_t column)
 {
     for (int i = 0; i < INPUT_COUNT; i++)
         if (names->column[i] == column)
@@ -149,7 +188,7 @@ static bool check_other(const csv_input *in, const header *names, size_t column,
     if (meant == INPUT_COUNT)
         return true;
     char allowed[INPUT_NAME_SIZE];
-    failure("%s: column %.60s: allowed: %s%s%s", csv_input_name(in), name,
+    failure("%s: column '%.60s': allowed: %s%s%s", csv_input_name(in), name,
             input_column(meant, allowed),
             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
             slip ? "" : ", or another name if it is something else");
@@ -178,7 +217,7 @@ bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_text
         if (wanted[i] && !find(in, i, names))
             return false;
     for (size_t i = 0; i < names->count; i++)
-        if (!is_input(names, i) && !check_other(in, names, i, wanted, options))
+        if (!header_is_input(names, i) && !check_other(in, names, i, wanted, options))
             return false;
     return true;
 }
@@ -189,6 +228,16 @@ void header_free(header *names)
         free(names->name[i]);
     free(names->name);
     *names = (header){0};
+}
+
+void header_name_unused(const header *names, const csv_input *in)
+{
+    char unused[1000] = "";
+    for (size_t i = 0; i < names->count; i++)
+        if (names->has_numbers[i] && !header_is_input(names, i))
+            list_add(unused, sizeof unused, ", ", "'%.60s'", names->name[i]);
+    if (unused[0] != '\0')
+        notice("%s: columns with numbers that are not used: %s", csv_input_name(in), unused);
 }
 
 bool header_has(const header *names, const char *name)

@@ -3,13 +3,14 @@
 #ifndef CLI_HEADER_H
 #define CLI_HEADER_H
 
-#include "rows/csv_input.h"
+#include "input/csv_input.h"
 #include "inputs.h"
 
 typedef struct {
     char **name; /* as they stand in the file */
     size_t count;
-    size_t column[INPUT_COUNT]; /* where each input is; count where it is not there */
+    size_t column[INPUT_COUNT];      /* where each input is; count where it is not there */
+    bool has_numbers[CSV_ROW_CELLS]; /* columns in whose rows a number has been seen */
 } header;
 
 /* Reads the header row and finds the wanted inputs in it; other names are columns like any other.
@@ -23,6 +24,13 @@ typedef struct {
 bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_texts *options,
                  header *names);
 void header_free(header *names);
+
+/* Whether the column is an input. */
+bool header_is_input(const header *names, size_t column);
+
+/* Says which columns are no inputs but have numbers: one of them may be meant for an input, and
+ * nobody would notice. */
+void header_name_unused(const header *names, const csv_input *in);
 
 bool header_has(const header *names, const char *name);
 

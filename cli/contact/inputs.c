@@ -103,8 +103,8 @@ void input_texts_from_options(const arguments *given, input_texts *texts)
 
 bool input_is_given(const input_texts *given, int input)
 {
-    return given->text[input] != NULL &&
-           given->text[input][strspn(given->text[input], " \t")] != '\0';
+    const char *text = given->text[input];
+    return text != NULL && (!given->is_cell[input] || text[strspn(text, " \t")] != '\0');
 }
 
 /* The commonest mistake has a reason of its own. */
@@ -136,8 +136,9 @@ bool input_read(const input_texts *given, int input, double *value, char complai
               : number_read_cell(text, decimal_sign, value) && is_in(*value, domain))
         return true;
     char name[INPUT_NAME_SIZE];
+    const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
     snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s%s", input_name(given, input, name),
-             text, domain->name, domain->domain,
+             shown, domain->name, domain->domain,
              rigid && input == INPUT_E1 ? "; a rigid body is body 2, with --E2 inf"
                                         : hint(given, input));
     return false;

@@ -51,7 +51,7 @@ const char *input_name(const input_texts *given, int input, char name[INPUT_NAME
 /* Those on a command line. */
 void input_texts_from_options(const arguments *given, input_texts *texts);
 
-/* Whether a text is there, and is more than blanks. */
+/* Whether a text is there; an empty cell is none. */
 bool input_is_given(const input_texts *given, int input);
 
 /* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be

@@ -62,13 +62,22 @@ int loads_apply_list(const char *lines, double f, rwedge_contact *contact)
 
 /* ---- A file ---- */
 
-static bool read_row(const header *names, const csv_input *row, char decimal_sign, double *P,
-                     double *Q, char complaint[COMPLAINT_SIZE])
+static void note_numbers(header *names, const csv_input *row, char decimal_sign)
+{
+    double number;
+    for (size_t i = 0; i < names->count; i++)
+        if (number_read_cell(csv_input_cell(row, i), decimal_sign, &number))
+            names->has_numbers[i] = true;
+}
+
+static bool read_row(header *names, const csv_input *row, char decimal_sign, double *P, double *Q,
+                     char complaint[COMPLAINT_SIZE])
 {
     static const int columns[] = {INPUT_P, INPUT_Q};
     double *const values[] = {P, Q};
     if (!header_fits(names, row, complaint))
         return false;
+    note_numbers(names, row, decimal_sign);
     for (int i = 0; i < 2; i++) {
         const char *text = csv_input_cell(row, names->column[columns[i]]);
         if (number_read_cell(text, decimal_sign, values[i]))
@@ -81,8 +90,8 @@ static bool read_row(const header *names, const csv_input *row, char decimal_sig
 }
 
 /* A row that cannot be applied ends it: what comes after would belong to another history. */
-static bool apply_row(const header *names, csv_input *in, bool malformed, char decimal_sign,
-                      double f, rwedge_contact *contact)
+static bool apply_row(header *names, csv_input *in, bool malformed, char decimal_sign, double f,
+                      rwedge_contact *contact)
 {
     double P, Q;
     char complaint[COMPLAINT_SIZE] = "misplaced quotes";
@@ -105,9 +114,10 @@ static int find_columns(csv_input *in, header *names)
     return STATUS_DONE;
 }
 
-int loads_apply_file(const char *path, char decimal_sign, double f, rwedge_contact *contact)
+int loads_apply_file(const char *path, const char *encoding, char decimal_sign, double f,
+                     rwedge_contact *contact)
 {
-    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',');
+    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding);
     if (in == NULL)
         return STATUS_FAILED;
     header names;
@@ -122,6 +132,8 @@ int loads_apply_file(const char *path, char decimal_sign, double f, rwedge_conta
     }
     if (status == STATUS_DONE && loads == 0)
         status = failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
+    if (status == STATUS_DONE)
+        header_name_unused(&names, in);
     header_free(&names);
     csv_input_close(in);
     return status;

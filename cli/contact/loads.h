@@ -13,6 +13,7 @@ int loads_apply_list(const char *lines, double f, rwedge_contact *contact);
 
 /* Applies the rows of a file with the columns P and Q, as --history names it; returns the exit
  * status. */
-int loads_apply_file(const char *path, char decimal_sign, double f, rwedge_contact *contact);
+int loads_apply_file(const char *path, const char *encoding, char decimal_sign, double f,
+                     rwedge_contact *contact);
 
 #endif

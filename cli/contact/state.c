@@ -3,6 +3,8 @@
 
 #include "contact_case.h"
 #include "doubts.h"
+#include "input/csv_input.h"
+#include "input/text_input.h"
 #include "loads.h"
 #include "text/message.h"
 #include "options/variable.h"
@@ -14,6 +16,7 @@ struct poptOption state_option_table[] = {
      "The next load of a history instead of --P and --Q; repeat it", "P,Q"},
     {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
      "A history from a CSV file with the columns P and Q; - is standard input", "FILE"},
+    {ENCODING_OPTION},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
      "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_Q_OVER_FP,
@@ -129,8 +132,8 @@ static int apply_loads(const arguments *given, char decimal_sign, const contact_
     if (given->value[OPTION_LOAD] != NULL)
         return loads_apply_list(given->value[OPTION_LOAD], what->f, state->contact);
     if (given->value[OPTION_HISTORY] != NULL)
-        return loads_apply_file(given->value[OPTION_HISTORY], decimal_sign, what->f,
-                                state->contact);
+        return loads_apply_file(given->value[OPTION_HISTORY], given->value[OPTION_ENCODING],
+                                decimal_sign, what->f, state->contact);
     return load_monotonic(what->P, what->Q, state);
 }
 
@@ -154,6 +157,16 @@ static int check_loads(const arguments *given, const input_texts *texts)
     return STATUS_DONE;
 }
 
+static int check_encoding(const arguments *given)
+{
+    const char *encoding = given->value[OPTION_ENCODING];
+    if (encoding == NULL)
+        return STATUS_DONE;
+    if (given->value[OPTION_HISTORY] == NULL)
+        return usage_error("--encoding %s: needs --history", encoding);
+    return text_input_check(encoding);
+}
+
 /* P_yield/P, where there is a strength and a load. */
 static double safety_of(const contact_case *what, double b)
 {
@@ -169,7 +182,8 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
     const bool has_history =
         given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL;
     int status = check_loads(given, texts);
-    if (status == STATUS_DONE && !case_read(texts, !has_history, &what, complaint))
+    if (status == STATUS_DONE &&
+        !case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &what, complaint))
         status = usage_error("%s", complaint);
     if (status == STATUS_DONE)
         status = create(what.theta, what.a, what.A, what.f, state);
@@ -189,6 +203,9 @@ int state_read(const arguments *given, char decimal_sign, contact_state *state)
     input_texts texts;
     *state = (contact_state){0};
     input_texts_from_options(given, &texts);
+    const int status = check_encoding(given);
+    if (status != STATUS_DONE)
+        return status;
     if (given->value[OPTION_A_OVER_B] != NULL)
         return read_natural(given, &texts, state);
     return read_dimensional(given, decimal_sign, &texts, state);

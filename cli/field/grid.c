@@ -19,14 +19,12 @@ int64_t grid_size(const grid *what)
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
-/* From the mean stress in the plane and Mohr's radius; szz = nu (sxx + syy). */
 static void derive(double nu, double quantity[GRID_COUNT])
 {
-    const double mean = (quantity[GRID_SXX] + quantity[GRID_SYY]) / 2;
-    const double radius = hypot((quantity[GRID_SXX] - quantity[GRID_SYY]) / 2, quantity[GRID_TXY]);
-    quantity[GRID_VON_MISES] =
-        sqrt(3 * radius * radius + (1 - 2 * nu) * (1 - 2 * nu) * mean * mean);
-    quantity[GRID_S1] = mean + radius;
+    const double sxx = quantity[GRID_SXX], syy = quantity[GRID_SYY], txy = quantity[GRID_TXY];
+    double s2, angle;
+    quantity[GRID_VON_MISES] = rwedge_von_mises(sxx, syy, txy, nu);
+    rwedge_principal_stresses(sxx, syy, txy, &quantity[GRID_S1], &s2, &angle);
 }
 
 bool grid_compute(const grid *what, double x, double y, double quantity[GRID_COUNT])

@@ -32,11 +32,9 @@ static double stick_width(const figure_case *of)
                : 0;
 }
 
-static double von_mises(double nu, double sxx, double syy, double txy)
+static double sqrt_J2(double nu, double sxx, double syy, double txy)
 {
-    const double mean = 0.5 * (sxx + syy), half = 0.5 * (sxx - syy),
-                 out_of_plane = (1 - 2 * nu) * mean;
-    return sqrt(half * half + txy * txy + out_of_plane * out_of_plane / 3);
+    return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
 static int32_t compute_field(const figure_case *of, dataset *rows)
@@ -54,7 +52,7 @@ static int32_t compute_field(const figure_case *of, dataset *rows)
             else if (status != RWEDGE_OK)
                 return status;
             dataset_add(rows,
-                        (data_row){.number = {x, y, sxx, syy, txy, von_mises(nu, sxx, syy, txy)}});
+                        (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2(nu, sxx, syy, txy)}});
         }
     return RWEDGE_OK;
 }
@@ -172,7 +170,7 @@ static double stress_at(const figure_case *of, double x, double y)
     const double f = case_value(of, FRICTION), nu = case_value(of, NU);
     const int32_t status =
         rwedge_stress(case_value(of, A_OVER_B), f, stick_width(of), x, y, &sxx, &syy, &txy);
-    return status == RWEDGE_OK ? von_mises(nu, sxx, syy, txy) : HUGE_VAL;
+    return status == RWEDGE_OK ? sqrt_J2(nu, sxx, syy, txy) : HUGE_VAL;
 }
 
 /* Along a line from (x, y) in steps (dx, dy), where the stress grows from level to level, a

@@ -17,8 +17,9 @@ enum {
     OPTION_DECIMAL_COMMA,
     OPTION_OUTPUT,
     OPTION_QUIET,
+    OPTION_ENCODING,
     OPTION_OWN,
-    OPTION_LIMIT = 48
+    OPTION_LIMIT = 56
 };
 
 typedef struct {

@@ -57,10 +57,16 @@ static void end_row(records *rows)
     rows->row_begun = false;
 }
 
+static void begin(records *rows)
+{
+    if (rows->mark)
+        output_text(rows->out, "\xef\xbb\xbf");
+}
+
 static void nothing(records *rows)
 {
     (void)rows;
 }
 
-const record_format delimited_format = {nothing, put_name, end_row, put_value,
+const record_format delimited_format = {begin,   put_name, end_row, put_value,
                                         end_row, nothing,  nothing};

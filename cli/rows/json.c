@@ -55,10 +55,11 @@ static void put_value(records *rows, const char *name, cell value)
 {
     put_key(rows, name);
     char text[NUMBER_SIZE];
-    if (value.text != NULL && value.text[0] != '\0')
+    const int digits = value.text != NULL ? NUMBER_DIGITS : rows->digits;
+    if (isfinite(value.number))
+        output_write(rows->out, text, number_write(value.number, digits, '.', text));
+    else if (value.text != NULL && value.text[0] != '\0')
         put_text(rows, value.text);
-    else if (value.text == NULL && isfinite(value.number))
-        output_write(rows->out, text, number_write(value.number, rows->digits, '.', text));
     else
         output_text(rows->out, "null");
 }

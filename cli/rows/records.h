@@ -7,7 +7,10 @@
 #include "text/number.h"
 #include "system/output.h"
 
-/* A text, or where that is NULL a number; a number that is not finite is an empty cell. */
+#include <math.h>
+
+/* A number as it was typed, with its text; or a text, whose number is NAN; or a number, whose text
+ * is NULL. A number without a text that is not finite is an empty cell. */
 typedef struct {
     const char *text;
     double number;
@@ -20,7 +23,13 @@ static inline cell cell_number(double number)
 
 static inline cell cell_text(const char *text)
 {
-    return (cell){text, 0};
+    return (cell){text, NAN};
+}
+
+/* CSV gives the text back, other formats the number. */
+static inline cell cell_typed(const char *text, double number)
+{
+    return (cell){text, number};
 }
 
 static inline cell cell_empty(void)
@@ -46,6 +55,7 @@ struct records {
     output *out;
     int digits; /* significant ones; NUMBER_DIGITS to read back the same */
     char decimal_sign, separator;
+    bool mark; /* of Unicode, in front of a text file */
     bool row_begun, any_row;
     const char *problem; /* what a format could not write */
     struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */

@@ -39,11 +39,9 @@ static void write_about(xlsx *book)
 
 static void begin(records *rows)
 {
-    rows->book = xlsx_begin(message_speaker(), true);
-    if (rows->book == NULL) {
-        rows->problem = XLSX_NOT_BEGUN;
+    rows->book = xlsx_begin(message_speaker(), true, &rows->problem);
+    if (rows->book == NULL)
         return;
-    }
     xlsx_sheet(rows->book, "Rows");
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
@@ -102,14 +100,15 @@ static void put_value(records *rows, const char *name, cell value)
     (void)name;
     if (!has_room(rows))
         return;
-    if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
+    if (isfinite(value.number))
+        xlsx_number(rows->book, rows->row, rows->column,
+                    with_digits(value.number, value.text != NULL ? NUMBER_DIGITS : rows->digits),
+                    style_for(value.number));
+    else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
         rows->problem =
             "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";
     else if (value.text != NULL && value.text[0] != '\0')
         xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
-    else if (value.text == NULL && isfinite(value.number))
-        xlsx_number(rows->book, rows->row, rows->column, with_digits(value.number, rows->digits),
-                    style_for(value.number));
     rows->column++;
 }
 

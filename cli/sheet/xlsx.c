@@ -2,6 +2,8 @@
 #include "xlsx.h"
 
 #include "system/streams.h"
+#include "text/number.h"
+#include "text/utf8.h"
 
 #include <errno.h>
 #include <math.h>
@@ -113,21 +115,22 @@ static bool make_styles(xlsx *book)
 
 /* The same file again for the same command: a date that SOURCE_DATE_EPOCH sets, as it does for
  * other tools, or a fixed one, never the clock's. */
-static time_t creation_date(void)
+static bool creation_date(time_t *date)
 {
     static const time_t fixed = 1767225600; /* 2026-01-01 */
     const char *text = getenv("SOURCE_DATE_EPOCH");
-    char *end = NULL;
-    const long long seconds = text != NULL ? strtoll(text, &end, 10) : 0;
-    return text != NULL && end != text && *end == '\0' && seconds > 0 ? (time_t)seconds : fixed;
+    int64_t seconds = fixed;
+    const bool sound = text == NULL || text[0] == '\0' ||
+                       number_read_whole(text, 0, INT64_C(253402300799), &seconds);
+    *date = seconds != 0 ? (time_t)seconds : fixed; /* 0 is the clock for the library */
+    return sound && (*date == seconds || seconds == 0);
 }
 
-static void set_properties(xlsx *book, const char *title)
+static void set_properties(xlsx *book, const char *title, time_t date)
 {
     char heading[120], version[] = "rwedge " RWEDGE_VERSION;
     snprintf(heading, sizeof heading, "%s", title);
-    lxw_doc_properties properties = {
-        .title = heading, .author = version, .created = creation_date()};
+    lxw_doc_properties properties = {.title = heading, .author = version, .created = date};
     keep(book, workbook_set_properties(book->workbook, &properties));
 }
 
@@ -149,12 +152,20 @@ static void release(xlsx *book)
     free(book);
 }
 
-xlsx *xlsx_begin(const char *title, bool in_order)
+xlsx *xlsx_begin(const char *title, bool in_order, const char **problem)
 {
+    time_t date;
+    *problem =
+        "the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to 253402300799, "
+        "the end of the year 9999";
+    if (!creation_date(&date))
+        return NULL;
+    *problem = "a temporary file for the spreadsheet cannot be made";
     errno = 0;
     xlsx *book = calloc(1, sizeof *book);
     if (book != NULL && open_workbook(book, in_order)) {
-        set_properties(book, title);
+        *problem = NULL;
+        set_properties(book, title, date);
         return book;
     }
     if (book != NULL)
@@ -224,8 +235,11 @@ void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style
 
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
 {
-    keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text,
-                                      book->style[style]));
+    if (!utf8_is_whole(text))
+        keep(book, LXW_ERROR_PARAMETER_VALIDATION);
+    else
+        keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text,
+                                          book->style[style]));
 }
 
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,

@@ -39,11 +39,9 @@ enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 
 /* NULL; or why this build cannot write such files. */
 const char *xlsx_missing(void);
 
-#define XLSX_NOT_BEGUN "a temporary file for the spreadsheet cannot be made"
-
-/* With in_order, cells come row by row from the left, and take no memory. NULL where it cannot
- * be begun. */
-xlsx *xlsx_begin(const char *title, bool in_order);
+/* With in_order, cells come row by row from the left, and take no memory. NULL, with the problem,
+ * where it cannot be begun. */
+xlsx *xlsx_begin(const char *title, bool in_order, const char **problem);
 
 /* Adds a sheet; what follows goes there, until the next or xlsx_turn_to(). */
 void xlsx_sheet(xlsx *book, const char *name);
@@ -51,6 +49,8 @@ void xlsx_turn_to(xlsx *book, int sheet);
 
 /* Rows and columns count from 0. A number that is not finite is an empty cell. */
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style);
+
+/* A text that XML cannot hold spoils the file, and is said at the end. */
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style);
 
 /* A formula, in English with commas, and the value that it has: programs that do not compute

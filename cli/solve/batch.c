@@ -4,11 +4,14 @@
 #include "contact/doubts.h"
 #include "contact/header.h"
 #include "text/message.h"
+#include "text/number.h"
 #include "system/progress.h"
 #include "results.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* What goes on from row to row. */
@@ -90,7 +93,7 @@ static int check_complete(const run *r)
         present[INPUT_E2] = "inf";
     const input_texts texts = texts_of(r, present);
     char complaint[COMPLAINT_SIZE];
-    if (case_is_complete(&texts, true, complaint))
+    if (case_is_complete(&texts, CASE_OF_SOLVE, complaint))
         return STATUS_DONE;
     return failure("%s: %s%s", csv_input_name(r->in), complaint, header_separator_hint(&r->names));
 }
@@ -117,6 +120,7 @@ static int choose_results(run *r)
 static void write_header(run *r)
 {
     const record_format *format = r->rows->format;
+    r->rows->mark = csv_input_has_mark(r->in);
     format->begin(r->rows);
     for (size_t i = 0; i < r->names.count; i++)
         format->name(r->rows, r->names.name[i]);
@@ -143,7 +147,7 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
         text[i] = has_column(r, i) ? csv_input_cell(r->in, r->names.column[i]) : NULL;
     const input_texts texts = texts_of(r, text);
     contact_case what;
-    if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, true, &what, complaint) ||
+    if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, CASE_OF_SOLVE, &what, complaint) ||
         !results_compute(&what, r->what->yield_factor, found, complaint))
         return false;
     if (texts.text[INPUT_F] == NULL)
@@ -151,12 +155,42 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
     return true;
 }
 
+/* A cell as it is in the file. A column that is no input may have names that look like numbers. */
+static cell cell_of(run *r, size_t column)
+{
+    const char *text = column < csv_input_count(r->in) ? csv_input_cell(r->in, column) : "";
+    const bool is_input = header_is_input(&r->names, column);
+    double number;
+    if (!number_read_cell(text, r->how->decimal_sign, &number))
+        return cell_text(text);
+    r->names.has_numbers[column] = true;
+    return is_input || number_is_exact(text) ? cell_typed(text, number) : cell_text(text);
+}
+
 static void pass_through(run *r)
 {
     for (size_t i = 0; i < r->names.count; i++)
-        r->rows->format->value(
-            r->rows, r->names.name[i],
-            cell_text(i < csv_input_count(r->in) ? csv_input_cell(r->in, i) : ""));
+        r->rows->format->value(r->rows, r->names.name[i], cell_of(r, i));
+}
+
+/* What the columns cannot show of a row is in its error. */
+static char *with_row(run *r, const char *complaint)
+{
+    const char *row = csv_input_row(r->in);
+    char *whole = malloc(strlen(complaint) + strlen(row) + 3);
+    if (whole == NULL)
+        r->rows->problem = "out of memory";
+    else
+        sprintf(whole, "%s: %s", complaint, row);
+    return whole;
+}
+
+static void write_error(run *r, bool malformed, const char *complaint)
+{
+    char *whole =
+        malformed || csv_input_count(r->in) > r->names.count ? with_row(r, complaint) : NULL;
+    r->rows->format->value(r->rows, error_column, cell_text(whole != NULL ? whole : complaint));
+    free(whole);
 }
 
 static void write_row(run *r, bool malformed)
@@ -169,7 +203,7 @@ static void write_row(run *r, bool malformed)
         if (r->shown[i])
             r->rows->format->value(r->rows, result_kinds[i].column,
                                    solved ? found.value[i] : cell_empty());
-    r->rows->format->value(r->rows, error_column, cell_text(complaint));
+    write_error(r, malformed, complaint);
     r->rows->format->end_row(r->rows);
     r->count++;
     r->failed += solved ? 0 : 1;
@@ -203,6 +237,8 @@ static void say_doubts(const run *r)
 static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
+    if (status == STATUS_DONE)
+        header_name_unused(&r->names, r->in);
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);
@@ -215,7 +251,8 @@ int batch_run(const batch *what, const output_options *how)
 {
     run r = {.what = what,
              .how = how,
-             .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',')};
+             .in =
+                 csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',', what->encoding)};
     if (r.in == NULL)
         return STATUS_FAILED;
     bool wanted[INPUT_COUNT];

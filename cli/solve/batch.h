@@ -7,7 +7,7 @@
 #include "rows/output_options.h"
 
 typedef struct {
-    const char *path;
+    const char *path, *encoding; /* NULL for UTF-8 */
     input_texts constants; /* of the command line: for the columns that the file does not have */
     bool yield_factor;
 } batch;

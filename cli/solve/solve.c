@@ -2,6 +2,8 @@
 #include "solve.h"
 
 #include "batch.h"
+#include "input/csv_input.h"
+#include "input/text_input.h"
 #include "text/message.h"
 #include "results.h"
 
@@ -16,6 +18,7 @@ static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
     {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
      "Solve every row of a CSV file; - is standard input", "FILE"},
+    {ENCODING_OPTION},
     {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
@@ -93,7 +96,7 @@ static int solve_one(const input_texts *texts, answer *one, const output_options
 {
     contact_case what;
     char complaint[COMPLAINT_SIZE];
-    if (!case_read(texts, true, &what, complaint))
+    if (!case_read(texts, CASE_OF_SOLVE, &what, complaint))
         return usage_error("%s", complaint);
     if (!results_compute(&what, one->yield_factor, &one->found, complaint))
         return failure("%s", complaint);
@@ -127,17 +130,29 @@ static int read_yield_factor(const arguments *given, const input_texts *texts, b
     return STATUS_DONE;
 }
 
+static int check_encoding(const batch *many)
+{
+    if (many->encoding == NULL)
+        return STATUS_DONE;
+    if (many->path == NULL)
+        return usage_error("--encoding %s: needs --input", many->encoding);
+    return text_input_check(many->encoding);
+}
+
 static int solve(const arguments *given)
 {
     output_options how;
     answer one;
-    batch many = {.path = given->value[OPTION_INPUT_FILE]};
+    batch many = {.path = given->value[OPTION_INPUT_FILE],
+                  .encoding = given->value[OPTION_ENCODING]};
     input_texts_from_options(given, &many.constants);
     int status = arguments_no_operand(given);
     if (status == STATUS_DONE)
         status = output_options_read(given, &how);
     if (status == STATUS_DONE)
         status = output_options_spare(&how, many.path);
+    if (status == STATUS_DONE)
+        status = check_encoding(&many);
     if (status == STATUS_DONE)
         status = read_layout(given, &one.row);
     if (status == STATUS_DONE)

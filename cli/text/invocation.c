@@ -1,11 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "invocation.h"
 
+#include "utf8.h"
+
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
-static char line[1024] = "rwedge";
+enum { LINE = 1024 };
+static char line[LINE] = "rwedge";
+static bool whole = true;
+
+/* For a byte that is no character. */
+static const char replacement[] = "\xef\xbf\xbd";
+static const char cut[] = " ...";
 
 static const char *without_folder(const char *path)
 {
@@ -13,19 +20,29 @@ static const char *without_folder(const char *path)
     return slash != NULL ? slash + 1 : path;
 }
 
+static void append(const char *text)
+{
+    const size_t used = strlen(line);
+    whole =
+        whole && utf8_copy(text, utf8_is_text, replacement, line + used, LINE - used - sizeof cut);
+}
+
 static void add(const char *before, const char *word)
 {
     static const char plain[] =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+%@";
     const bool quoted = word[strspn(word, plain)] != '\0' || word[0] == '\0';
-    const size_t used = strlen(line);
-    snprintf(line + used, sizeof line - used, quoted ? "%s'%s'" : "%s%s", before, word);
+    append(before);
+    append(quoted ? "'" : "");
+    append(word);
+    append(quoted ? "'" : "");
 }
 
 void invocation_keep(int argc, const char *const argv[])
 {
     static const char option[] = "--output=";
     bool path = false;
+    whole = true;
     strcpy(line, "rwedge");
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
@@ -39,6 +56,8 @@ void invocation_keep(int argc, const char *const argv[])
             add(" ", word);
         path = !path && (strcmp(word, "-o") == 0 || strcmp(word, "--output") == 0);
     }
+    if (!whole)
+        strcat(line, cut);
 }
 
 const char *invocation(void)

@@ -5,7 +5,7 @@
 
 /* Keeps it: "rwedge" and the words that follow, quoted where a shell needs it. Of an output file
  * only the name is kept, not its folder: the same command writes the same file wherever it is
- * called. */
+ * called. It is UTF-8 that every format can hold, and ends with "..." where it is long. */
 void invocation_keep(int argc, const char *const argv[]);
 
 const char *invocation(void);

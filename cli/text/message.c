@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "message.h"
 
+#include "utf8.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -16,17 +18,20 @@ const char *message_speaker(void)
     return speaker_name;
 }
 
+static bool is_shown(uint32_t code)
+{
+    return !utf8_is_command(code);
+}
+
 /* Messages quote what the user typed: a newline or an escape sequence in it must not break the
  * line or the terminal. */
 static void say(const char *format, va_list values)
 {
-    char line[2048];
+    char line[2048], shown[2048];
     if (vsnprintf(line, sizeof line, format, values) < 0)
         return;
-    for (char *c = line; *c != '\0'; c++)
-        if ((unsigned char)*c < ' ' || *c == 0x7f)
-            *c = '?';
-    fprintf(stderr, "%s: %s\n", speaker_name, line);
+    utf8_copy(line, is_shown, "?", shown, sizeof shown);
+    fprintf(stderr, "%s: %s\n", speaker_name, shown);
 }
 
 int usage_error(const char *format, ...)

@@ -41,14 +41,13 @@ static bool fill(xlsx *book, const limit_table *table)
 
 static bool write_book(const limit_table *table, output *out)
 {
-    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false);
-    if (book == NULL || !fill(book, table)) {
-        failure("%s: %s", out->name,
-                book == NULL ? XLSX_NOT_BEGUN : "a value of the tables could not be computed");
+    const char *problem;
+    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
+    if (book != NULL && !fill(book, table)) {
+        problem = "a value of the tables could not be computed";
         xlsx_discard(book);
-        return false;
-    }
-    const char *problem = xlsx_finish(book, out);
+    } else if (book != NULL)
+        problem = xlsx_finish(book, out);
     if (problem != NULL)
         failure("%s: %s", out->name, problem);
     return problem == NULL;

@@ -39,6 +39,12 @@ static inline bool rw_is_signed(double v)
     return rw_is_magnitude(fabs(v));
 }
 
+/* A stress to be measured, from wherever it comes: it may be as small as it likes. */
+static inline bool rw_is_stress(double v)
+{
+    return islessequal(fabs(v), RW_LARGEST);
+}
+
 /* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction
  * J2 is then flat to rounding between the depths a and sqrt(a b), and its maximum there cannot
  * be found. */

@@ -28,6 +28,8 @@ const char *rwedge_strerror(int32_t status)
         return "the samples do not determine that many coefficients";
     case RWEDGE_EABSENT:
         return "what was asked for does not exist for these arguments";
+    case RWEDGE_EPATH:
+        return "the loads lead where there is no closed form";
     default:
         return "unknown status";
     }

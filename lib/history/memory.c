@@ -26,14 +26,20 @@ double rw_memory_tolerance(double load)
     return ROUNDINGS * load;
 }
 
-static const rw_corner ORIGIN = {.least = -HUGE_VAL, .most = HUGE_VAL};
+static rw_corner origin(double tilt, double stretch)
+{
+    return (rw_corner){
+        .tilt = tilt, .stretch = stretch, .least = -HUGE_VAL, .most = HUGE_VAL, .patch = {0, 0}};
+}
+
+static const rw_patch UNKNOWN = {NAN, NAN};
 
 bool rw_memory_create(rw_memory *memory)
 {
     *memory = (rw_memory){0};
     if (!rw_memory_reserve(memory, 4))
         return false;
-    memory->corners[memory->count++] = ORIGIN;
+    memory->corners[memory->count++] = origin(0, 0);
     return true;
 }
 
@@ -107,9 +113,10 @@ static double joint_ratio(const rw_memory *memory, double load, double shear, do
 }
 
 /* A new end of the path. */
-static void push(rw_memory *memory, double load, double shear, double ratio)
+static void push(rw_memory *memory, rw_loading to, double ratio)
 {
-    rw_corner corner = {load, shear, ratio, -HUGE_VAL, HUGE_VAL, NAN};
+    const double load = to.load, shear = to.shear;
+    rw_corner corner = {load, shear, to.tilt, to.stretch, ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
     rw_corner *end = &memory->corners[memory->count - 1];
     if (load <= end->load) /* within rounding of the corner that is there */
         return;
@@ -153,25 +160,34 @@ static int sign_of_slip(const rw_memory *memory, double load, double shear)
 
 /* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls
  * along the path. */
-static double inside(const rw_corner *corner, int slip, double load, double shear)
+static double inside(const rw_corner *corner, int slip, rw_loading to)
 {
-    return (load - corner->load) - slip * (shear - corner->shear);
+    return (to.load - corner->load) - slip * (to.shear - corner->shear);
 }
 
-static rw_corner between(const rw_corner *before, const rw_corner *after, double fraction)
+double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to)
+{
+    return (to.tilt - corner->tilt) - slip * (to.stretch - corner->stretch);
+}
+
+static rw_corner between(const rw_corner *before, const rw_corner *after, double fraction,
+                         double tilt)
 {
     const double run = fraction * (after->load - before->load);
     return (rw_corner){.load = before->load + run,
                        .shear = before->shear + run * after->ratio,
+                       .tilt = tilt,
+                       .stretch = before->stretch + (tilt - before->tilt) * after->ratio,
                        .ratio = after->ratio,
                        .least = after->least,
                        .most = after->most,
-                       .half_width = NAN};
+                       .patch = UNKNOWN};
 }
 
 /* Where a path that does not slip is cut off, or goes on from. */
-static rw_departure stuck_departure(const rw_memory *memory, double load)
+static rw_departure stuck_departure(const rw_memory *memory, rw_loading to)
 {
+    const double load = to.load;
     size_t last = memory->count - 1;
     while (memory->corners[last].load > load)
         last--;
@@ -180,47 +196,61 @@ static rw_departure stuck_departure(const rw_memory *memory, double load)
         return (rw_departure){*before, last + 1, 0};
     const rw_corner *after = before + 1;
     const double fraction = (load - before->load) / (after->load - before->load);
-    return (rw_departure){between(before, after, fraction), last + 1, 0};
+    return (rw_departure){between(before, after, fraction, to.tilt), last + 1, 0};
 }
 
-rw_departure rw_memory_departure(const rw_memory *memory, double load, double shear)
+rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to)
 {
-    const int slip = sign_of_slip(memory, load, shear);
+    const double load = to.load;
+    const int slip = sign_of_slip(memory, load, to.shear);
     if (slip == 0)
-        return stuck_departure(memory, load);
+        return stuck_departure(memory, to);
     const double tolerance = rw_memory_tolerance(fmax(load, rw_memory_end(memory)->load));
     size_t last = memory->count - 1; /* the last corner inside the line; the origin always is */
     while (last > 0 && (memory->corners[last].load > load ||
-                        inside(&memory->corners[last], slip, load, shear) < -tolerance))
+                        inside(&memory->corners[last], slip, to) < -tolerance))
         last--;
     const rw_corner *before = &memory->corners[last];
     const rw_departure at_corner = {*before, last + 1, slip};
-    const double depth = inside(before, slip, load, shear);
+    const double depth = inside(before, slip, to);
     /* never: the end of the path is outside the line, or nothing would slip */
     if (NEVER(last + 1 == memory->count) || depth <= tolerance)
         return at_corner;
-    const double beyond = inside(before + 1, slip, load, shear);
-    const rw_corner corner = between(before, before + 1, depth / (depth - beyond));
+    const double beyond = inside(before + 1, slip, to);
+    /* what is missing shrinks by 1 -+ D on the way; the line meets no slope that is its own */
+    const double shrinks = fmax(1 - slip * (before + 1)->ratio, DBL_EPSILON);
+    const double tilt = before->tilt + rw_memory_missing_tilt(before, slip, to) / shrinks;
+    const rw_corner corner = between(before, before + 1, depth / (depth - beyond), tilt);
     /* always: the line meets the path before it ends */
     return ALWAYS(corner.load < load) ? (rw_departure){corner, last + 1, slip} : at_corner;
 }
 
 /* A step that changes less than the tolerance leaves the path as it is. It does not take over the
  * new values, or many small steps could shift it unnoticed. */
-void rw_memory_advance(rw_memory *memory, const rw_departure *departure, double load, double shear)
+void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to)
 {
+    const double load = to.load, shear = to.shear;
     const rw_corner end = *rw_memory_end(memory);
     const int slip = departure->slip;
     memory->count = departure->kept;
     if (departure->corner.load > memory->corners[memory->count - 1].load)
         memory->corners[memory->count++] = departure->corner;
     if (slip != 0) {
-        push(memory, load, shear, slip);
+        push(memory, to, slip);
     } else if (load < end.load && load > 0) {
         memory->corners[memory->count - 1].load = load; /* to the last bit */
+        memory->corners[memory->count - 1].tilt = to.tilt;
     } else if (load > end.load) {
         const double rise = shear - end.shear, run = load - end.load;
         const bool steepest = fabs(fabs(rise) - run) <= rw_memory_tolerance(load);
-        push(memory, load, shear, steepest ? (rise > 0 ? 1 : -1) : clipped(rise / run));
+        push(memory, to, steepest ? (rise > 0 ? 1 : -1) : clipped(rise / run));
     }
+}
+
+void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio)
+{
+    memory->corners[0] = origin(to.tilt, to.stretch);
+    memory->count = 1;
+    if (to.load > 0)
+        push(memory, to, ratio);
 }

@@ -6,6 +6,11 @@
  * where p(x; s) is the pressure under the load s. The path is a polygon. This file keeps its
  * corners and knows no geometry.
  *
+ * With moment and bulk tension, load and shear are pairs: the tilt stands beside the load, the
+ * stretch beside the shear. D is the one number that makes a difference of the second pair from
+ * one of the first. Load and shear decide which corner a line meets; tilt and stretch follow.
+ * path.h decides whether patches of such tilts are nested, on which all this rests.
+ *
  * A new load (P', T') extends the path where the step is not steeper than 1. Otherwise the edge
  * slips, D = +-1: a line of that slope is drawn from (P', T') back to where it meets the path.
  * What lay beyond is forgotten. The path meets each of the two lines |T - T'| = P' - s once,
@@ -13,17 +18,26 @@
 #ifndef RW_MEMORY_H
 #define RW_MEMORY_H
 
+#include "formulas/patch.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A corner, with the slope D of the path from the corner before it. The caller sets half_width,
- * that of the contact under this load; it is NaN when the corner is new. least and most bound the
- * slope: within them, no corner that was left out is farther from the path than its rounding
+/* A point of the history. In theta: tilt is what the moment takes off the slope of the profile,
+ * stretch is -A sigma/(4 theta f). */
+typedef struct {
+    double load, shear;
+    double tilt, stretch;
+} rw_loading;
+
+/* A corner, with the slope D of the path from the corner before it. The caller sets the patch, that
+ * of the contact under this load and tilt; it is NaN when the corner is new. least and most bound
+ * the slope: within them, no corner that was left out is farther from the path than its rounding
  * error. */
 typedef struct {
-    double load, shear, ratio;
-    double least, most;
-    double half_width;
+    double load, shear, tilt, stretch;
+    double ratio, least, most;
+    rw_patch patch;
 } rw_corner;
 
 /* corners[0] is the origin. */
@@ -40,20 +54,23 @@ void rw_memory_destroy(rw_memory *memory);
 /* Makes room for that many more corners. false where memory is short; the path is as before. */
 bool rw_memory_reserve(rw_memory *memory, size_t more);
 
-/* Where the path to a new load leaves the present one. Its half_width is NaN unless it is a
- * corner of the path. */
+/* Where the path to a new load leaves the present one. Its patch is NaN unless it is a corner of
+ * the path. */
 typedef struct {
     rw_corner corner;
     size_t kept; /* so many corners of the path stay */
     int slip;    /* the slope beyond: the sign of slip; 0 where nothing slips */
 } rw_departure;
 
-/* For the load (load, shear), |shear| <= load. Without slip the path is only cut off, or
- * extended. */
-rw_departure rw_memory_departure(const rw_memory *memory, double load, double shear);
+/* For a load with |shear| <= load. Without slip the path is only cut off, or extended. */
+rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to);
 
-/* Goes on to (load, shear) by way of the departure for it. There is room for two more corners. */
-void rw_memory_advance(rw_memory *memory, const rw_departure *departure, double load, double shear);
+/* Goes on to a load by way of the departure for it. There is room for two more corners. */
+void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to);
+
+/* A new path that goes straight to a load, from an origin with that load's tilt and stretch: of a
+ * contact that slides, or that has no friction. */
+void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio);
 
 /* The last corner. */
 static inline const rw_corner *rw_memory_end(const rw_memory *memory)
@@ -63,6 +80,10 @@ static inline const rw_corner *rw_memory_end(const rw_memory *memory)
 
 /* The shear where the path has that load, 0 <= load <= that of its end. */
 double rw_memory_shear(const rw_memory *memory, double load);
+
+/* What the tilt and the stretch of the front lack to those of the corner where the path is left:
+ * 0, but for rounding, where the line meets the path at the corner. */
+double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to);
 
 /* Differences of loads below this are rounding errors. */
 double rw_memory_tolerance(double load);

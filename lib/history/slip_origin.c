@@ -102,5 +102,7 @@ rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, double u)
         const double fraction = (u - origin->from_load) / (origin->to_load - origin->from_load);
         shear = origin->from_shear + fraction * (origin->to_shear - origin->from_shear);
     }
-    return rw_memory_departure(&origin->base, u, shear);
+    const rw_corner *end = rw_memory_end(&origin->base);
+    const rw_loading to = {.load = u, .shear = shear, .stretch = end->stretch};
+    return rw_memory_departure(&origin->base, to);
 }

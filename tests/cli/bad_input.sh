@@ -98,14 +98,17 @@ contact="--E1 210000 --nu1 0.3 --theta 0.05 --a 1 --P 100"
 missing() { # OPTION NEEDED: without that option and its value
     called="rwedge solve without $1"
     words=$(echo "$contact" | sed "s/ *$1 [^ ]*//")
-    refuses "rwedge solve: $1: missing; needed: $2" solve $words
+    refuses "rwedge solve: missing: $2" solve $words
 }
 missing --E1 --E1
 missing --nu1 --nu1
 missing --theta "--theta or --theta-deg"
 missing --a "--a or --radius"
 missing --P --P
-refuses "rwedge solve: --E1: missing; needed: --E1" solve
+refuses "rwedge solve: missing: --E1, --nu1, --theta or --theta-deg, --a or --radius, --P" solve
+for option in --Q=0 --k=300 --yield-stress=300; do
+    refuses "rwedge solve: missing: --f; friction has no default where Q or a yield stress is given" solve $contact $option
+done
 refuses "rwedge solve: --theta-deg 3: given together with --theta; allowed: one of the two" solve $contact --theta-deg 3
 refuses "rwedge solve: --radius 3: given together with --a; allowed: one of the two" solve $contact --radius 3
 refuses "rwedge solve: --yield-stress 3: given together with --k; allowed: one of the two" \
@@ -140,16 +143,18 @@ unphysical --theta 3 "the angle must be a number above 0 and below pi/2, in radi
 unphysical --theta inf "the angle must be a number above 0 and below pi/2, in radians"
 unphysical --a -1e-9 "the half-width of the rounding must be a number not below 0"
 unphysical --f -0.1 "the coefficient of friction must be a number from 0 to 1000000"
-unphysical --k 0 "the yield stress must be a number above 0"
-unphysical --Q ten "the tangential force must be a number"
+refuses "rwedge solve: --k 0: the yield stress must be a number above 0" solve $contact --f 0 --k 0
+refuses "rwedge solve: --Q ten: the tangential force must be a number" solve $contact --f 0 --Q ten
 refuses "rwedge solve: --theta-deg 90: the angle must be a number above 0 and below 90, in degrees" \
     solve --E1 1 --nu1 0 --theta-deg 90 --a 1 --P 1
-refuses "rwedge solve: --E1: missing; needed: --E1" solve --E1 "" --nu1 0 --theta 0.1 --a 1 --P 1
+refuses "rwedge solve: --E1 '': Young's modulus of body 1 must be a number above 0" \
+    solve --E1 "" --nu1 0 --theta 0.1 --a 1 --P 1
+refuses "rwedge solve: --P '': the normal force must be a number above 0" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --P=
 refuses "rwedge solve: --E2 0: Young's modulus must be a number above 0, or inf" solve $contact --E2 0 --nu2 0.3
 refuses "rwedge solve: --nu2 1: Poisson's ratio must be a number from 0 to 0.5" solve $contact --E2 1 --nu2 1
 refuses "rwedge solve: --Q 21: must not exceed f P = 20: there is no equilibrium" solve $contact --f 0.2 --Q 21
 refuses "rwedge solve: --Q -20.0001: must not exceed f P = 20: there is no equilibrium" solve $contact --f 0.2 --Q -20.0001
-refuses "rwedge solve: --Q 1: must not exceed f P = 0: there is no equilibrium; f is missing" solve $contact --Q 1
+refuses "rwedge profile: --Q 1: must not exceed f P = 0: there is no equilibrium; f is missing" profile $contact --Q 1
 refuses "rwedge solve: the moduli and the rounding are so large or small that results leave 1e-60 to 1e60" \
     solve --E1 1e-308 --nu1 0 --theta 1e-300 --a 1 --P 1
 
@@ -171,7 +176,7 @@ refuses "rwedge profile: --P 100: given together with --load, which has the load
     profile $contact --load 1,0
 refuses "rwedge profile: --history h.csv: given together with --load; allowed: one of the two" \
     profile --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0 --history h.csv
-refuses "rwedge profile: --P: missing; needed: --P" profile --E1 1 --nu1 0 --theta 0.1 --a 1
+refuses "rwedge profile: missing: --P" profile --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "rwedge profile: --points 5: given together with --x; allowed: one of the two" profile --a-over-b 1 --x 0 --points 5
 for points in 1 0 -5 x 2.5 "" 99999999999; do
     refuses "rwedge profile: --points $points: must be a whole number from 2 to 1000000000" \

@@ -118,13 +118,13 @@ history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 2: misplaced quotes" 'P,Q\n"3"00,1\n'
 history_fails "line 2: misplaced quotes" 'P,Q\n"300,1\n'
 history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
-history_fails "column q: allowed: Q" 'P,q\n300,0\n'
-history_fails "column Q [N/mm]: allowed: Q" 'P,Q [N/mm]\n300,0\n'
+history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
+history_fails "column 'Q [N/mm]': allowed: Q" 'P,Q [N/mm]\n300,0\n'
 history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" \
     'P;Q\n300;0\n'
 history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
 history_fails "empty; needed: a header row with the names of the columns" ''
-history_fails "line 2: a NUL byte; allowed: CSV in UTF-8 or ASCII, neither binary files nor UTF-16" 'P,Q\n1\0000\n'
+history_fails "line 2, column 2: the character U+0000 belongs to no text; allowed: text, no binary files" 'P,Q\n1\0000\n'
 
 # Doubts are said once, on stderr, as "solve" says them; the rows are as ever.
 for command in profile field; do

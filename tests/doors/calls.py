@@ -48,7 +48,13 @@ QUANTITIES = {
     "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.2, -0.1],
     "p": [-0.35, -0.92, -0.71, -1.3, -1.1, -0.6, -0.83, -0.2, -0.97],
     "terms": [4, 7, 9],
+    "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
+    "E": [200e3, 72e3, 110e3],
+    "k_over_sy": [0.0025, 0.001, 0.0042],
     "state": "@",
+    "M": [60], "sigma": [1],
+    "P1": [1000], "M1": [40], "Q1": [2, 5], "sigma1": [0.01],
+    "P2": [1010], "M2": [30, 50], "Q2": [45, 40], "sigma2": [0.05, -0.03],
 }
 # Where a function needs others.
 OWN = {
@@ -60,14 +66,19 @@ OWN = {
     ("subsurface_yield", "nu"): [0.31, 0.27, 0.33],
     ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
     ("contact_create", "f"): [0.6],
+    ("contact_stress_history", "P"): [2000],
+    ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3],
 }
 SAMPLES = {"series_fit": 9}
-# The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro.
+# The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro; with
+# moment and tension.
 OBJECTS = {
     "contact": [("contact_load", pair) for pair in
-                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))],
+                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))] +
+               [("contact_apply", four) for four in
+                ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
     "series": [],
 }
 TABLES = (
@@ -158,10 +169,15 @@ def objects():
         readers = [f for f in own if f.of("handle") and not f.of("created")]
         others = [f for f in own if f.of("changed") and f.name not in {name for name, _ in history}]
         for maker in (f for f in own if f.of("created")):
-            call(maker, sampled(maker, 0))
+            given = sampled(maker, 0)
+            if "@" in given:
+                call(interface["contact_state"], [])
+            call(maker, given)
             steps = history if maker.method == "create" else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
+                if arguments[0] == 0:
+                    continue  # separated, it tells nothing
                 for f in readers:
                     sample(f, 1 if maker.method != "create" else 2)
             for f in others:

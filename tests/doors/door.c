@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 64 }; /* numbers of an array */
+enum { MOST = 1024 }; /* numbers of an array */
 
 /* One contact and one series at a time: what makes one begins the next. */
 static rwedge_contact *contact;

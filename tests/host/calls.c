@@ -56,6 +56,8 @@ static bool is_of_kind(char kind, double v)
         return is_positive(v) || v == INFINITY;
     case 'i': /* the number of a coefficient */
         return v >= 0;
+    case 'g': /* a given stress */
+        return isfinite(v) && fabs(v) <= 1e60;
     case 's': /* the factor of a sample */
         return isfinite(v);
     case 'z': /* a status */
@@ -203,6 +205,9 @@ FORMULA_2(radius)
 FORMULA_2(rounding)
 FORMULA_4(half_width)
 FORMULA_4(normal_load)
+FORMULA_4(von_mises)
+FORMULA_3(out_of_plane_stress)
+FORMULA_4(largest_shear)
 
 static int32_t coefficient(const double v[], double out[])
 {
@@ -398,6 +403,49 @@ static int32_t contact(const double v[], double out[])
     return status;
 }
 
+/* v: theta, a, A, f, P, M/(P b), Q/(fP), part of the largest tension. First no Q and no tension. */
+static int32_t off_centre(const double v[], double out[])
+{
+    double edges[4], state[256], stress[3], loads[4];
+    rwedge_contact *made = NULL, *restored = NULL;
+    int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &made);
+    const double M = product(v[5], v[4], rwedge_half_width(v[0], v[1], v[2], v[4]));
+    const double Q = product(v[3], v[4], v[6]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(made, v[4], M, 0, 0);
+    const double largest = rwedge_contact_largest_tension_step(made, Q);
+    const double sigma = isinf(largest) ? v[7] : product(largest, v[7], 1), x = 0, y = 1;
+    const bool is_obstructed = *rwedge_contact_obstacle(made, v[4], M, Q, sigma) != '\0';
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stress_history(made, 1, &v[4], &M, &Q, &sigma, 1, &x, &y,
+                                               &stress[0], &stress[1], &stress[2]);
+    if (is_obstructed && status == RWEDGE_OK)
+        status = RWEDGE_ENOCONV; /* which is not allowed */
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_loads(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edges(made, &edges[0], &edges[1]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stick_zone(made, &edges[2], &edges[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edge_asymptotes(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_permanent_stick(v[0], v[1], v[2], v[3], v[4], M, 0, 0, v[4], M, Q, sigma,
+                                        &loads[0], &loads[1]);
+    const size_t n = rwedge_contact_state_size(made);
+    if (status == RWEDGE_OK)
+        status = n <= 256 ? rwedge_contact_state(made, n, state) : RWEDGE_ENOCONV;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_restore(n, state, &restored);
+    if (status == RWEDGE_OK) {
+        memcpy(out, edges, sizeof edges);
+        out[4] = rwedge_contact_tilt(restored);
+    }
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(made);
+    return status;
+}
+
 /* v: theta, a, A, f, P, Q/(fP), nu, k. */
 static int32_t yield_factor(const double v[], double out[])
 {
@@ -411,6 +459,60 @@ static int32_t yield_factor(const double v[], double out[])
         status = rwedge_contact_yield_factor(made, v[6], v[7], &out[0], &out[1], &out[2]);
     rwedge_contact_destroy(made);
     return status;
+}
+
+/* ---- Measures of a stress ---- */
+
+static int32_t principal_stresses(const double v[], double out[])
+{
+    return rwedge_principal_stresses(v[0], v[1], v[2], &out[0], &out[1], &out[2]);
+}
+
+enum { LOADS = 3 };
+
+/* v: one stress, as if it came to and fro and with its components exchanged. At two points the
+ * loads are the same, in another order. */
+typedef struct {
+    double sxx[2 * LOADS], syy[2 * LOADS], txy[2 * LOADS];
+} cycle;
+
+static cycle cycle_of(const double v[], int points)
+{
+    cycle c;
+    for (int i = 0; i < LOADS; i++)
+        for (int j = 0; j < points; j++) {
+            const int load = (i + j) % LOADS;
+            c.sxx[i * points + j] = load == 0 ? v[0] : load == 1 ? -v[0] : v[1];
+            c.syy[i * points + j] = load == 0 ? v[1] : load == 1 ? -v[1] : v[2];
+            c.txy[i * points + j] = load == 0 ? v[2] : load == 1 ? -v[2] : v[0];
+        }
+    return c;
+}
+
+static int32_t smith_watson_topper(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 1);
+    return rwedge_smith_watson_topper(LOADS, c.sxx, c.syy, c.txy, v[3], v[4], &out[0], &out[1]);
+}
+
+static int32_t smith_watson_topper_field(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 2);
+    return rwedge_smith_watson_topper_field(LOADS, 2, c.sxx, c.syy, c.txy, v[3], v[4], &out[0],
+                                            &out[2]);
+}
+
+static int32_t fatemi_socie(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 1);
+    return rwedge_fatemi_socie(LOADS, c.sxx, c.syy, c.txy, v[3], v[4], v[5], &out[0], &out[1]);
+}
+
+static int32_t fatemi_socie_field(const double v[], double out[])
+{
+    const cycle c = cycle_of(v, 2);
+    return rwedge_fatemi_socie_field(LOADS, 2, c.sxx, c.syy, c.txy, v[3], v[4], v[5], &out[0],
+                                     &out[2]);
 }
 
 /* ---- The series ---- */
@@ -505,9 +607,21 @@ const public_call public_calls[] = {
     {"yield_load", "hw+fn+", 1, true, BIT(RWEDGE_EDOMAIN), yield_load, NULL},
     BY_STATUS(contact, "hw+fwrwrxy", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING), NULL),
+    BY_STATUS(off_centre, "hw+fwrrr", 5,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
+                  BIT(RWEDGE_EABSENT) | BIT(RWEDGE_EPATH),
+              NULL),
     BY_STATUS(yield_factor, "hw+fwrn+", 3,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) | BIT(RWEDGE_EABSENT),
               NULL),
+    FORMULA(von_mises, "gggn", NULL),
+    FORMULA(out_of_plane_stress, "ggn", NULL),
+    FORMULA(largest_shear, "gggn", NULL),
+    BY_STATUS(principal_stresses, "ggg", 3, 0, NULL),
+    BY_STATUS(smith_watson_topper, "ggg+n", 2, 0, NULL),
+    BY_STATUS(smith_watson_topper_field, "ggg+n", 4, 0, NULL),
+    BY_STATUS(fatemi_socie, "ggg+nw", 2, 0, NULL),
+    BY_STATUS(fatemi_socie_field, "ggg+nw", 4, 0, NULL),
     BY_STATUS(series_create, "aifxy", 9, BIT(RWEDGE_ERANGE), NULL),
     BY_STATUS(series_fit, "asfxy", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV), NULL),
 };

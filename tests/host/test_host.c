@@ -192,6 +192,36 @@ static void series_spare_the_host(void **state)
     rwedge_series_destroy(series);
 }
 
+/* Cycles of three stresses of all sizes, with opposite ones and equal ones among them. */
+static double sum_of_measures(double one, double other, double third)
+{
+    const double sxx[3] = {one, -one, third}, syy[3] = {other, -other, one},
+                 txy[3] = {third, other, other};
+    double r[7] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    if (rwedge_principal_stresses(one, other, third, &r[0], &r[1], &r[2]) != RWEDGE_OK ||
+        rwedge_smith_watson_topper(3, sxx, syy, txy, 7, 0.3, &r[3], &r[4]) != RWEDGE_OK ||
+        rwedge_fatemi_socie(3, sxx, syy, txy, 7, 0.3, 0.1, &r[5], &r[6]) != RWEDGE_OK)
+        return NAN;
+    return rwedge_von_mises(one, other, third, 0.3) + rwedge_largest_shear(one, other, third, 0.3) +
+           rwedge_out_of_plane_stress(one, other, 0.3) + r[0] + r[1] + r[2] + r[3] + r[4] + r[5] +
+           r[6];
+}
+
+static void measures_spare_the_host(void **state)
+{
+    (void)state;
+    static const double sizes[] = {0,    5e-324, 1e-310, 1e-200, 1e-120, 1e-60, 1e-16,
+                                   1e-3, 0.5,    1,      1.5,    1e10,   1e60};
+    for (size_t i = 0; i < COUNT(sizes); i++)
+        for (size_t j = 0; j < COUNT(sizes); j++)
+            for (size_t k = 0; k < COUNT(sizes); k++) {
+                SPARES_THE_HOST(sum_of_measures(sizes[i], sizes[j], sizes[k]), sizes[i], sizes[j],
+                                sizes[k]);
+                SPARES_THE_HOST(sum_of_measures(-sizes[i], sizes[j], -sizes[k]), -sizes[i],
+                                sizes[j], -sizes[k]);
+            }
+}
+
 /* The rounding mode of the host is not changed, and its locale does not matter. */
 static void modes_are_left_alone(void **state)
 {
@@ -215,6 +245,7 @@ int main(void)
         cmocka_unit_test(formulas_spare_the_host),
         cmocka_unit_test(stresses_spare_the_host),
         cmocka_unit_test(strength_spares_the_host),
+        cmocka_unit_test(measures_spare_the_host),
         cmocka_unit_test(series_spare_the_host),
         cmocka_unit_test(modes_are_left_alone),
     };

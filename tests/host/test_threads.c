@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { THREADS_MAX = 8, RESULTS_PER_NUMBER = 400 };
+enum { THREADS_MAX = 8, RESULTS_PER_NUMBER = 1000 };
 static int numbers = 120;
 static shared_handles shared;
 

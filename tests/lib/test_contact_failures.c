@@ -139,6 +139,114 @@ static void creating_and_copying_without_memory_says_so(void **state)
     rwedge_contact_destroy(NULL);
 }
 
+/* ---- Moment and tension without memory ---- */
+
+enum { NUMBERS = 256 };
+
+static size_t numbers_of(const rwedge_contact *contact, double numbers[NUMBERS])
+{
+    const size_t n = rwedge_contact_state_size(contact);
+    assert_true(n <= NUMBERS);
+    assert_int_equal(rwedge_contact_state(contact, n, numbers), RWEDGE_OK);
+    return n;
+}
+
+static void assert_numbers(const rwedge_contact *contact, const double before[], size_t n)
+{
+    double now[NUMBERS];
+    assert_int_equal(numbers_of(contact, now), n);
+    assert_memory_equal(now, before, n * sizeof *now);
+}
+
+static const double STEPS[][4] = {{0.5, 0.1, 0, 0},
+                                  {0.5, 0.1, 0.1, 0.01},
+                                  {0.5, 0.1, -0.05, 0},
+                                  {0.6, 0.12, -0.05, 0},
+                                  {0.6, 0.12, 0.02, 0.01}};
+enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS };
+
+static void steps_off_centre_without_memory_leave_the_contact_as_it_was(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, 0.5);
+    int refused = 0;
+    for (int i = 0; i < STEP_COUNT; i++) {
+        const double *s = STEPS[i];
+        double before[NUMBERS];
+        const size_t n = numbers_of(contact, before);
+        int32_t status = RWEDGE_ENOMEM;
+        for (int granted = 0; status != RWEDGE_OK; granted++, refused++) {
+            assert_int_equal(status, RWEDGE_ENOMEM);
+            assert_numbers(contact, before, n);
+            allocations_left = granted;
+            status = rwedge_contact_apply(contact, s[0], s[1], s[2], s[3]);
+            allocations_left = -1;
+        }
+    }
+    assert_true(refused > 2 * STEP_COUNT);
+    rwedge_contact_destroy(contact);
+}
+
+static void a_stress_history_without_memory_leaves_the_contact_as_it_was(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, 0.5);
+    double P[STEP_COUNT], M[STEP_COUNT], Q[STEP_COUNT], sigma[STEP_COUNT], before[NUMBERS];
+    for (int i = 0; i < STEP_COUNT; i++) {
+        P[i] = STEPS[i][0];
+        M[i] = STEPS[i][1];
+        Q[i] = STEPS[i][2];
+        sigma[i] = STEPS[i][3];
+    }
+    const double x = 0.1, y = 0.2;
+    double sxx[STEP_COUNT], syy[STEP_COUNT], txy[STEP_COUNT];
+    const size_t n = numbers_of(contact, before);
+    int32_t status = RWEDGE_ENOMEM;
+    int refused = 0;
+    for (int granted = 0; status != RWEDGE_OK; granted++, refused++) {
+        assert_int_equal(status, RWEDGE_ENOMEM);
+        assert_numbers(contact, before, n);
+        allocations_left = granted;
+        status = rwedge_contact_stress_history(contact, STEP_COUNT, P, M, Q, sigma, 1, &x, &y, sxx,
+                                               syy, txy);
+        allocations_left = -1;
+    }
+    assert_true(refused > 6);
+    rwedge_contact_destroy(contact);
+}
+
+static void restoring_and_cycles_without_memory_say_so(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, 0.5), *restored = NULL;
+    double numbers[NUMBERS], left = 7, right = 7;
+    load(contact, 0.5, 0);
+    load(contact, 0.5, 0.1);
+    const size_t n = numbers_of(contact, numbers);
+    int32_t status = RWEDGE_ENOMEM;
+    int refused = 0;
+    for (int granted = 0; status != RWEDGE_OK; granted++, refused++) {
+        assert_int_equal(status, RWEDGE_ENOMEM);
+        assert_null(restored);
+        allocations_left = granted;
+        status = rwedge_contact_restore(n, numbers, &restored);
+        allocations_left = -1;
+    }
+    assert_true(refused > 4);
+    status = RWEDGE_ENOMEM;
+    for (int granted = 0; status != RWEDGE_OK; granted++, refused++) {
+        assert_int_equal(status, RWEDGE_ENOMEM);
+        assert_true(left == 7 && right == 7);
+        allocations_left = granted;
+        status = rwedge_permanent_stick(THETA, 0.4, A, 0.5, 0.5, 0.1, -0.1, 0, 0.5, 0.1, 0.1, 0.01,
+                                        &left, &right);
+        allocations_left = -1;
+    }
+    assert_true(refused > 8);
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(contact);
+}
+
 /* ---- Copies ---- */
 
 static void a_copy_is_independent(void **state)
@@ -282,6 +390,38 @@ static void bad_arguments_are_refused(void **state)
     assert_nan(rwedge_contact_stick_half_width(NULL));
     assert_nan(rwedge_contact_dissipated_energy(NULL));
     assert_int_equal(rwedge_contact_memory(NULL), 0);
+    assert_int_equal(rwedge_contact_apply(NULL, 1, 0, 0, 0), RWEDGE_ENULL);
+    assert_string_equal(rwedge_contact_obstacle(NULL, 1, 0, 0, 0), "");
+    assert_nan(rwedge_contact_largest_tension_step(NULL, 0));
+    assert_nan(rwedge_contact_tilt(NULL));
+    contact = create(0.4, 0.5);
+    assert_nan(rwedge_contact_largest_tension_step(contact, NAN));
+    assert_true(rwedge_contact_largest_tension_step(contact, 1) == 0); /* there is no contact */
+    double out[4] = {7, 7, 7, 7};
+    for (int i = 0; i < 5; i++) {
+        const rwedge_contact *first = i == 4 ? NULL : contact;
+        double *to[4] = {&out[0], &out[1], &out[2], &out[3]};
+        if (i < 4)
+            to[i] = NULL;
+        assert_int_equal(rwedge_contact_loads(first, to[0], to[1], to[2], to[3]), RWEDGE_ENULL);
+        assert_int_equal(rwedge_contact_edge_asymptotes(first, to[0], to[1], to[2], to[3]),
+                         RWEDGE_ENULL);
+        if (i < 2 || i == 4) {
+            assert_int_equal(rwedge_contact_edges(first, to[0], to[1]), RWEDGE_ENULL);
+            assert_int_equal(rwedge_contact_stick_zone(first, to[0], to[1]), RWEDGE_ENULL);
+        }
+        if (i < 2)
+            assert_int_equal(
+                rwedge_permanent_stick(0.1, 1, 1, 0.5, 1, 0, 0, 0, 1, 0, 0.1, 0, to[0], to[1]),
+                RWEDGE_ENULL);
+    }
+    assert_int_equal(rwedge_contact_edges(contact, &out[0], &out[1]), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_contact_stick_zone(contact, &out[0], &out[1]), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_contact_edge_asymptotes(contact, &out[0], &out[1], &out[2], &out[3]),
+                     RWEDGE_EABSENT);
+    for (int i = 0; i < 4; i++)
+        assert_true(out[i] == 7);
+    rwedge_contact_destroy(contact);
 }
 
 static void bad_points_write_nothing(void **state)
@@ -388,6 +528,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_load_without_memory_leaves_the_contact_as_it_was),
         cmocka_unit_test(creating_and_copying_without_memory_says_so),
+        cmocka_unit_test(steps_off_centre_without_memory_leave_the_contact_as_it_was),
+        cmocka_unit_test(a_stress_history_without_memory_leaves_the_contact_as_it_was),
+        cmocka_unit_test(restoring_and_cycles_without_memory_say_so),
         cmocka_unit_test(a_copy_is_independent),
         cmocka_unit_test(a_refused_load_changes_nothing),
         cmocka_unit_test(equality_is_full_sliding_to_rounding),

@@ -62,9 +62,9 @@ static void bad_materials_are_not_numbers(void **state)
 static void every_status_has_a_text(void **state)
 {
     (void)state;
-    for (int32_t status = RWEDGE_OK; status <= RWEDGE_EABSENT; status++)
+    for (int32_t status = RWEDGE_OK; status <= RWEDGE_EPATH; status++)
         assert_string_not_equal(rwedge_strerror(status), "unknown status");
-    assert_string_equal(rwedge_strerror(RWEDGE_EABSENT + 1), "unknown status");
+    assert_string_equal(rwedge_strerror(RWEDGE_EPATH + 1), "unknown status");
     assert_string_equal(rwedge_strerror(INT32_MIN), "unknown status");
     assert_string_equal(rwedge_version(), RWEDGE_VERSION);
 }

@@ -11,8 +11,9 @@
 static void advance(rw_memory *path, double load, double shear)
 {
     assert_true(rw_memory_reserve(path, 2));
-    const rw_departure departure = rw_memory_departure(path, load, shear);
-    rw_memory_advance(path, &departure, load, shear);
+    const rw_loading to = {.load = load, .shear = shear};
+    const rw_departure departure = rw_memory_departure(path, to);
+    rw_memory_advance(path, &departure, to);
 }
 
 static void assert_corner(const rw_memory *path, size_t i, double load, double shear)

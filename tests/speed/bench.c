@@ -18,6 +18,7 @@
 #include <string.h>
 
 enum { POINTS = 100000, LIMITS = 650, RUNS = 7 };
+static const double TURN = 2 * 3.14159265358979323846;
 static int terms = PLAIN_TERMS;
 
 /* Points and their stresses, or cases and their elastic limits, for the longest array. */
@@ -170,6 +171,42 @@ static double load_steps(long n)
     return sum;
 }
 
+/* ---- Critical planes ---- */
+
+/* Stresses at points through a cycle of a fretting test. */
+enum { CYCLES = 1000, LOADS = 40 };
+static double cycle[3][LOADS * CYCLES];
+
+static bool make_cycles(void)
+{
+    rwedge_contact *contact;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK)
+        return false;
+    bool made = true;
+    for (int i = -LOADS; i < LOADS && made; i++) { /* the first cycle is not yet a closed one */
+        const size_t at = (size_t)(i < 0 ? 0 : i) * CYCLES;
+        made = rwedge_contact_load(contact, 20000, 9000 * sin(TURN * i / LOADS)) == RWEDGE_OK &&
+               rwedge_contact_stresses(contact, CYCLES, xs, ys, &cycle[0][at], &cycle[1][at],
+                                       &cycle[2][at]) == RWEDGE_OK;
+    }
+    rwedge_contact_destroy(contact);
+    return made;
+}
+
+static double smith_watson_topper(long n)
+{
+    rwedge_smith_watson_topper_field(LOADS, (size_t)n, cycle[0], cycle[1], cycle[2], 110000, 0.33,
+                                     out[0], out[1]);
+    return out[0][0] + out[1][n - 1];
+}
+
+static double fatemi_socie(long n)
+{
+    rwedge_fatemi_socie_field(LOADS, (size_t)n, cycle[0], cycle[1], cycle[2], 110000, 0.33, 0.001,
+                              out[0], out[1]);
+    return out[0][0] + out[1][n - 1];
+}
+
 /* ---- What is printed ---- */
 
 static void print_calls(double series, double search)
@@ -189,6 +226,8 @@ static void print_calls(double series, double search)
         {"half-width from the load", inverses, POINTS, 0},
         {"pressure", pressures, POINTS, 0},
         {"load step and 100 stress points", load_steps, 1000, 0},
+        {"Smith-Watson-Topper of 40 loads", smith_watson_topper, CYCLES, 0},
+        {"Fatemi-Socie of 40 loads", fatemi_socie, CYCLES, 0},
     };
     printf("%-34s %12s %12s %12s\n", "ns a call", "this", "plain", "plain / this");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -256,6 +295,11 @@ int main(int argc, char **argv)
         return 1;
     }
     make_points(most_points);
+    if (!make_cycles()) {
+        fprintf(stderr, "bench: no cycle of loads\n");
+        release();
+        return 1;
+    }
     const double series = fastest(plain_points, POINTS, RUNS),
                  search = fastest(plain_limits, 13, quick ? 1 : RUNS);
     print_calls(series, search);

@@ -2,13 +2,13 @@
 # For coverage/ and mutation/: which programs are the unit tests of lib/.    . unit_tests.sh
 
 # unit_tests SOURCE - their names: the tests of the rooms, and those of calls with bad arguments or too little memory.
-# test_boundary_element is left out, because it takes longer than all others.
+# Those that go along with the boundary-element solver are left out, because they take longer than all others.
 unit_tests()
 {
     for file in "$1"/tests/lib/test_*.c "$1"/tests/host/test_*.c "$1"/tests/proof/test_*.c; do
         [ -f "$file" ] || continue
         case $file in
-        */test_boundary_element.c) ;;
+        */test_boundary_element.c | */test_eccentric_histories.c) ;;
         *) basename "$file" .c ;;
         esac
     done

@@ -91,6 +91,32 @@ static void strength(const sample *s)
     give_all(s, "surface", rwedge_surface_yield(alpha, f, nu, &r[0], &r[1]), 2, r);
 }
 
+static void measures(const sample *s)
+{
+    enum { LOADS = 9, N = 2 };
+    double t[3][LOADS * N], r[3], value[N], angle[N];
+    for (int i = 0; i < LOADS * N; i++)
+        for (int k = 0; k < 3; k++)
+            t[k][i] = fmod(s->u + (i + 1) * (k + 1) * 0.381966, 1) - s->w;
+    give(s, "von_mises", rwedge_von_mises(t[0][0], t[1][0], t[2][0], s->w / 2));
+    give(s, "szz", rwedge_out_of_plane_stress(t[0][0], t[1][0], s->w / 2));
+    give(s, "largest_shear", rwedge_largest_shear(t[0][0], t[1][0], t[2][0], s->w / 2));
+    give_all(s, "principal",
+             rwedge_principal_stresses(t[0][0], t[1][0], t[2][0], &r[0], &r[1], &r[2]), 3, r);
+    give_all(s, "swt",
+             rwedge_smith_watson_topper(LOADS, t[0], t[1], t[2], 2, s->w / 2, &r[0], &r[1]), 2, r);
+    give_all(s, "fs", rwedge_fatemi_socie(LOADS, t[0], t[1], t[2], 2, s->w / 2, s->v, &r[0], &r[1]),
+             2, r);
+    const int32_t swt =
+        rwedge_smith_watson_topper_field(LOADS, N, t[0], t[1], t[2], 2, s->w / 2, value, angle);
+    give_all(s, "swt field", swt, N, value);
+    give_all(s, "swt angles", swt, N, angle);
+    const int32_t fs =
+        rwedge_fatemi_socie_field(LOADS, N, t[0], t[1], t[2], 2, s->w / 2, s->v, value, angle);
+    give_all(s, "fs field", fs, N, value);
+    give_all(s, "fs angles", fs, N, angle);
+}
+
 static void slow_strength(const sample *s)
 {
     give(s, "critical_friction", rwedge_critical_friction(s->alpha, s->w / 2));
@@ -125,6 +151,44 @@ static void yield_factor(const sample *s, const rwedge_contact *contact)
     double r[3];
     give_all(s, "yield_factor",
              rwedge_contact_yield_factor(contact, s->w / 2, 200, &r[0], &r[1], &r[2]), 3, r);
+}
+
+/* Moment and tension. */
+static void off_centre(const sample *s)
+{
+    enum { LOADS = 3, N = 9, NUMBERS = 512 };
+    const double P[] = {1000, 1000, 1000}, M[] = {200 * s->u, 200 * s->u, 200 * s->u};
+    const double Q[] = {0, 400 * s->v, -300 * s->u}, sigma[] = {0, 10 * s->v, -5 * s->w};
+    double x[N], y[N], r[3][LOADS * N], v[4], numbers[NUMBERS];
+    rwedge_contact *contact = NULL, *again = NULL;
+    if (rwedge_contact_create(0.02, s->alpha, 1e-5, 0.5, &contact) != RWEDGE_OK)
+        return;
+    for (int i = 0; i < N; i++) {
+        x[i] = 2 * fmod(s->u + 0.618 * i, 1) - 1;
+        y[i] = s->v * i / 4 + 0.01;
+    }
+    const int32_t status =
+        rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, N, x, y, r[0], r[1], r[2]);
+    for (int k = 0; k < 3; k++)
+        give_all(s, "history of stresses", status, LOADS * N, r[k]);
+    give(s, "apply", rwedge_contact_apply(contact, 1000, 200 * s->u, 100, 0));
+    give(s, "obstacle", *rwedge_contact_obstacle(contact, 1000, 200 * s->u, 100, 50));
+    give(s, "largest tension", rwedge_contact_largest_tension_step(contact, 300 * s->v));
+    give(s, "tilt", rwedge_contact_tilt(contact));
+    give_all(s, "loads", rwedge_contact_loads(contact, &v[0], &v[1], &v[2], &v[3]), 4, v);
+    give_all(s, "edges", rwedge_contact_edges(contact, &v[0], &v[1]), 2, v);
+    give_all(s, "stick zone", rwedge_contact_stick_zone(contact, &v[0], &v[1]), 2, v);
+    give_all(s, "asymptotes", rwedge_contact_edge_asymptotes(contact, &v[0], &v[1], &v[2], &v[3]),
+             4, v);
+    give_all(s, "permanent stick",
+             rwedge_permanent_stick(0.02, s->alpha, 1e-5, 0.5, 1000, 100, 0, 0, 1000, 100,
+                                    400 * s->v, 10 * s->v, &v[0], &v[1]),
+             2, v);
+    const size_t n = rwedge_contact_state_size(contact);
+    if (n <= NUMBERS && rwedge_contact_state(contact, n, numbers) == RWEDGE_OK)
+        give(s, "restore", rwedge_contact_restore(n, numbers, &again));
+    rwedge_contact_destroy(again);
+    rwedge_contact_destroy(contact);
 }
 
 static void load(rwedge_contact *contact, double u, double v)
@@ -212,8 +276,10 @@ void every_function(const shared_handles *shared, int number, receiver *receive,
     formulas(&s);
     stresses(&s);
     strength(&s);
+    measures(&s);
     read_contact(&s, shared->contact);
     own_contact(&s);
+    off_centre(&s);
     read_series(&s, shared->series);
     own_series(&s);
     if (number % RARELY != 0)

@@ -60,7 +60,7 @@ size_t breakpoints(const rwedge_contact *contact, double points[])
     size_t n = 0;
     points[n++] = 0;
     for (size_t i = 1; i < path->count; i++) {
-        const double s = path->corners[i].half_width;
+        const double s = path->corners[i].patch.right;
         if (points[n - 1] < a && a < s)
             points[n++] = a;
         points[n++] = s;

@@ -5,7 +5,7 @@
 #define HISTORIES_H
 
 #include "claims.h"
-#include "history/contact.h"
+#include "contact/contact.h"
 
 static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */

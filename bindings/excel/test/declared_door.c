@@ -205,6 +205,16 @@ static void print_results(const char *line, const function *f, const numbers res
     }
 }
 
+/* A Long is a status, but where the line expects a result that no parameter receives. */
+static int is_status(const char *line, const function *f, const char is_given[])
+{
+    int outputs = 0;
+    sscanf(line, "%*[a-z_]:%d", &outputs);
+    for (int i = 0; i < f->parameters; i++)
+        outputs -= !is_given[i] && f->types[i] == (VT_BYREF | VT_R8);
+    return f->result == VT_I4 && outputs <= 0;
+}
+
 static void answer(const char *line)
 {
     static numbers given[MAX_PARAMETERS];
@@ -239,10 +249,12 @@ static void answer(const char *line)
     }
     VARIANT result = call(f, arguments);
     printf("%s", line);
-    if (f->result == VT_I4 && V_I4(&result) != 0)
-        printf(",error");
-    else if (f->result == VT_R8)
+    if (f->result == VT_R8)
         print_bits(V_R8(&result));
+    else if (f->result == VT_I4 && !is_status(line, f, is_given))
+        print_bits((double)V_I4(&result));
+    else if (f->result == VT_I4 && V_I4(&result) != 0)
+        printf(",error");
     else
         print_results(line, f, given, is_given);
     printf("\n");

@@ -9,11 +9,22 @@ classdef rwedge_contact < handle
 %
 %   c = rwedge_contact(theta, a, A, f)      a contact without load
 %   c.load(P, Q)
+%   c.apply(P, M, Q, sigma)
+%   value = c.obstacle(P, M, Q, sigma)
+%   value = c.largest_tension_step(Q)
+%   [P, M, Q, sigma] = c.loads()
+%   [left, right] = c.edges()
+%   [left, right] = c.stick_zone()
+%   value = c.tilt()
+%   [normal_left, normal_right, shear_left, shear_right] = c.edge_asymptotes()
 %   value = c.half_width()
 %   value = c.stick_half_width()
 %   value = c.memory()
 %   [p, q] = c.tractions(x)
 %   [sxx, syy, txy] = c.stresses(x, y)
+%   [sxx, syy, txy] = c.stress_history(P, M, Q, sigma, x, y)
+%   value = c.state_size()
+%   state = c.state()
 %   slip = c.slip(x)
 %   value = c.dissipated_energy()
 %   [factor, x, y] = c.yield_factor(nu, k)
@@ -57,19 +68,121 @@ classdef rwedge_contact < handle
         %        P
         %   rwedge:sliding where |Q| > f P. rwedge:domain. rwedge:range where the half-width, a/b, the
         %   peak pressure or the energy leaves the domain. rwedge:range too where P is not 0 but below
-        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads.
-        %   rwedge:handle; rwedge:memory. After an error the contact is as before; of
-        %   vectors, the loads before the one that is refused stay. It remembers at most
-        %   two points of the history per load, and of them only those that no later load has wiped out.
+        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
+        %   after a moment or another tension, as rwedge_contact.apply(). rwedge:handle; rwedge:memory. Unless
+        %   RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
+        %   of them only those that no later load has wiped out.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
             rwedge_mex('contact_load', contact.number, P, Q);
         end
 
+        function apply(contact, P, M, Q, sigma)
+        %APPLY  contact.apply(P, M, Q, sigma)
+        %   The next point of the history with a moment and a bulk tension, reached in a straight line of all
+        %   four.   new
+        %     P      0, or at least 1e-8 of the last P: as for rwedge_contact.load()
+        %     M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
+        %            where P is 0
+        %     Q      |Q| <= f P, as for rwedge_contact.load()
+        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
+        %            surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
+        %            adds: apply it before P to have it without slip
+        %   rwedge_contact.load() keeps M and sigma as they are, and drops M where P is 0. Exact without
+        %   moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
+        %   one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
+        %   of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
+        %   closed form, nor those that end with the front of slip between two patches of the memory at one
+        %   edge and between two others at the other, or with a part beyond the front that sticks:
+        %   lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+        %   RWEDGE_EPATH where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
+        %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
+        %   surface. rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory: as rwedge_contact.load().
+            if nargin < 5
+                error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
+            end
+            rwedge_mex('contact_apply', contact.number, P, M, Q, sigma);
+        end
+
+        function value = obstacle(contact, P, M, Q, sigma)
+        %OBSTACLE  value = contact.obstacle(P, M, Q, sigma)
+        %   Why rwedge_contact.apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+        %   English; empty where it would not.   new
+        %     arguments as for rwedge_contact.apply(); the contact stays as it is
+        %   Static text.
+        %     P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+        %     M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0 where P is 0
+        %     Q      |Q| <= f P, as for rwedge_contact_load()
+        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only adds: apply it before P to have it without slip
+            if nargin < 5
+                error('rwedge:arguments', 'too few arguments: value = contact.obstacle(P, M, Q, sigma)');
+            end
+            value = rwedge_mex('contact_obstacle', contact.number, P, M, Q, sigma);
+        end
+
+        function value = largest_tension_step(contact, Q)
+        %LARGEST_TENSION_STEP  value = contact.largest_tension_step(Q)
+        %   The largest |d sigma| with which the present Q may change to another under constant P and M,
+        %   stress: 4 |dQ|/(pi s). Inf without friction.   new
+        %     Q  finite
+        %   NaN outside the domain; 0 when separated.
+            if nargin < 2
+                error('rwedge:arguments', 'too few arguments: value = contact.largest_tension_step(Q)');
+            end
+            value = rwedge_mex('contact_largest_tension_step', contact.number, Q);
+        end
+
+        function [P, M, Q, sigma] = loads(contact)
+        %LOADS  [P, M, Q, sigma] = contact.loads()
+        %   The present loads.   new
+        %     P, M, Q, sigma  each receives one number
+        %   rwedge:handle.
+            [P, M, Q, sigma] = rwedge_mex('contact_loads', contact.number);
+        end
+
+        function [left, right] = edges(contact)
+        %EDGES  [left, right] = contact.edges()
+        %   The edges of the contact, left < x < right.   new
+        %     left, right  length
+        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, over 1 -
+        %   |tilt|/theta.
+            [left, right] = rwedge_mex('contact_edges', contact.number);
+        end
+
+        function [left, right] = stick_zone(contact)
+        %STICK_ZONE  [left, right] = contact.stick_zone()
+        %   The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
+        %   |p|. Those of the contact where there is no such zone.   new
+        %     left, right  length
+        %   rwedge:absent in full sliding, and when separated; rwedge:handle.
+            [left, right] = rwedge_mex('contact_stick_zone', contact.number);
+        end
+
+        function value = tilt(contact)
+        %TILT  value = contact.tilt()
+        %   The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
+        %   0 without a moment.
+            value = rwedge_mex('contact_tilt', contact.number);
+        end
+
+        function [normal_left, normal_right, shear_left, shear_right] = edge_asymptotes(contact)
+        %EDGE_ASYMPTOTES  [normal_left, normal_right, shear_left, shear_right] = contact.edge_asymptotes()
+        %   How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
+        %   slip is short, q ~ -K_T/sqrt(r), which slips over the length 2 |K_T|/(f K_N): to 0.1 % at Q/(fP)
+        %   = 0.001, 9 % at 0.1, 35 % at 0.5. Two contacts of the same K_N and K_T are alike at their edges:
+        %   this is how a pad is matched to a specimen.   new
+        %     normal_left, normal_right  K_N, stress over the root of a length
+        %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
+        %                                sigma less what it was when the bodies touched
+        %   rwedge:absent when separated; rwedge:handle.
+            [normal_left, normal_right, shear_left, shear_right] = rwedge_mex('contact_edge_asymptotes', contact.number);
+        end
+
         function value = half_width(contact)
         %HALF_WIDTH  value = contact.half_width()
-        %   Half-width b of the contact, length; 0 when separated.
+        %   Half-width b of the contact, length; 0 when separated. Half its width where it is
+        %   off the centre.
         %      Eq. (7), (11), (15), inverse
             value = rwedge_mex('contact_half_width', contact.number);
         end
@@ -116,6 +229,43 @@ classdef rwedge_contact < handle
             [sxx, syy, txy] = rwedge_mex('contact_stresses', contact.number, x, y);
         end
 
+        function [sxx, syy, txy] = stress_history(contact, P, M, Q, sigma, x, y)
+        %STRESS_HISTORY  [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)
+        %   Stresses at n points while the contact goes on through many loads: as rwedge_contact.apply() and
+        %   rwedge_contact.stresses() after each, to the same bits, and faster, for what one load leaves as
+        %   it was is not computed again.
+        %   new
+        %     P              0, or at least 1e-8 of the last P
+        %     M, Q, sigma    finite: loads numbers each, as P
+        %     x, y           length, finite, y >= 0: n numbers each
+        %     sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+        %                    inputs
+        %   The contact then has the last of the loads. After an error the contact is as before and
+        %   nothing is written. As both functions; rwedge:memory.
+            if nargin < 7
+                error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
+            end
+            [sxx, syy, txy] = rwedge_mex('contact_stress_history', contact.number, P, M, Q, sigma, x, y);
+        end
+
+        function value = state_size(contact)
+        %STATE_SIZE  value = contact.state_size()
+        %   How many numbers rwedge_contact.state() gives, for the contact as it is.
+        %   new
+            value = rwedge_mex('contact_state_size', contact.number);
+        end
+
+        function state = state(contact)
+        %STATE  state = contact.state()
+        %   The contact as numbers, for restarts and for other processes: what is made of them again gives
+        %   the same bits for ever after. They are of no other use. Their form has a version: this library
+        %   reads what it and the older ones have written.   new
+        %     n      rwedge_contact.state_size()
+        %     state  receives n numbers
+        %   rwedge:handle; rwedge:range for another n.
+            state = rwedge_mex('contact_state', contact.number);
+        end
+
         function slip = slip(contact, x)
         %SLIP  slip = contact.slip(x)
         %   Slip at n points of the surface, length: how far the half-plane's surface has moved tangentially,
@@ -126,6 +276,8 @@ classdef rwedge_contact < handle
         %      Eq. (17) to (21); new
         %     x     length, |x| <= b: points outside have no partner
         %     slip  receives n numbers
+        %   RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+        %   or slipped after they had been added to others that slipped before, and in full sliding.
         %   rwedge:domain; rwedge:handle. Nothing is written unless every point is in the domain.
         %   Error below 1e-12 f theta b, for loads that differ by 1 % or more.
             if nargin < 2
@@ -140,8 +292,9 @@ classdef rwedge_contact < handle
         %   time integral of the traction times the rate of slip over the contact, without the rigid
         %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
-        %   Relative error of each load's share below 1e-12, and epsilon times P over the
-        %   change of Q/f where that slip reaches an older layer.
+        %   NaN too after a load off the centre that slips while P or M change, or slides: it
+        %   has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
+        %   the change of Q/f where that slip reaches an older layer.
             value = rwedge_mex('contact_dissipated_energy', contact.number);
         end
 
@@ -163,6 +316,20 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: [factor, x, y] = contact.yield_factor(nu, k)');
             end
             [factor, x, y] = rwedge_mex('contact_yield_factor', contact.number, nu, k);
+        end
+    end
+    methods (Static)
+        function contact = restore(state)
+        %RESTORE  contact = rwedge_contact.restore(state)
+        %   The contact of such numbers.   new
+        %     state    not other than rwedge_contact.state() gave it: Inf and NaN may be in it
+        %   rwedge:domain where the numbers are not those of a contact, rwedge:memory. Free
+        %   with rwedge_contact.destroy().
+            if nargin < 1
+                error('rwedge:arguments', 'too few arguments: contact = rwedge_contact.restore(state)');
+            end
+            contact = rwedge_contact();
+            contact.number = rwedge_mex('contact_restore', state);
         end
     end
 end

@@ -22,7 +22,10 @@ INSIDE = {  # an argument list inside each domain
     "max_tension": (0.25,), "elastic_limit": (0.25, 0.1, 0.3), "yield_point": (0.25, 0.1, 0.3),
     "subsurface_yield": (0.25, 0.1, 0.3), "surface_yield": (0.25, 0.1, 0.3), "critical_friction": (0.25, 0.3),
     "radius": (0.01, 2), "rounding": (0.01, 200), "half_width": (0.01, 2, 1.8e-5, 2000), "normal_load": (0.01, 2, 1.8e-5, 5),
-    "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300)}
+    "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300),
+    "permanent_stick": (0.01, 2, 1.8e-5, 0.3, 2000, 40, 20, 1, 2000, 40, 200, 3),
+    "von_mises": (120.0, -80.0, 45.0, 0.3), "out_of_plane_stress": (120.0, -80.0, 0.3),
+    "largest_shear": (120.0, -80.0, 45.0, 0.3), "principal_stresses": (120.0, -80.0, 45.0)}
 
 
 def results(name, *arguments):
@@ -40,7 +43,8 @@ def by_ctypes(name, *arguments):
 
 def test_every_formula_of_the_header_is_a_ufunc():
     numbers = {"double", "int32_t", "double *"}
-    formulas = {name for name, about in FUNCTIONS.items() if name not in ("strerror", "version", "validity", "validity_text")
+    formulas = {name for name, about in FUNCTIONS.items()
+                if name not in ("strerror", "version", "validity", "validity_text")
                 and {kind for kind, _ in about["parameters"]} <= numbers}
     assert UFUNCS.keys() == formulas == INSIDE.keys()
 
@@ -125,7 +129,7 @@ def test_nan_gives_nan_without_a_warning(name):  # pytest makes errors of warnin
 
 @pytest.mark.parametrize("name", UFUNCS)
 def test_outside_the_domain_numpy_decides(name):
-    outside = (-1.0, *INSIDE[name][1:])
+    outside = (-np.inf, *INSIDE[name][1:])
     with pytest.warns(RuntimeWarning, match=f"invalid value encountered in {name}"):
         assert np.isnan(results(name, *outside)).all()
     with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=name):

@@ -58,7 +58,7 @@ def documented():
     for kind in (rwedge.Contact, rwedge.Series):
         for name in FUNCTIONS:
             group, _, method = name.partition("_")
-            if group != kind.__name__.lower() or method in ("copy", "destroy"):
+            if group != kind.__name__.lower() or method in ("copy", "destroy", "state_size"):
                 continue
             member = {"create": kind, "coefficient": getattr(kind, "coefficients", None)}.get(method)
             yield name, inspect.getdoc(member or getattr(kind, method))

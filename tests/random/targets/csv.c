@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reader of CSV files. It comes to an end with any bytes, and its cells are texts. It reads
  * back what the writer has written. */
-#include "rows/csv_input.h"
+#include "input/csv_input.h"
 #include "file.h"
 #include "input.h"
 #include "rows/delimited.h"
@@ -20,7 +20,7 @@ static void check_row(const csv_input *in, int64_t *line)
 
 static void read_anything(const uint8_t *data, size_t size, char separator)
 {
-    csv_input *in = csv_input_open(file_of(data, size), separator);
+    csv_input *in = csv_input_open(file_of(data, size), separator, NULL);
     CLAIM(in != NULL, "open");
     csv_event event;
     size_t rows = 0;
@@ -38,8 +38,25 @@ static void read_anything(const uint8_t *data, size_t size, char separator)
 
 typedef struct {
     size_t columns, rows;
-    char cell[ROWS_MAX][COLUMNS_MAX][TEXT_MAX + 1];
+    char cell[ROWS_MAX][COLUMNS_MAX][2 * TEXT_MAX + 1];
 } table;
+
+/* One of the characters that mean something, or a letter of two bytes. */
+static void add_character(char *text, uint8_t any)
+{
+    static const char special[] = "\",;\n\r\t 'x.";
+    text += strlen(text);
+    text[0] = any < 128 ? special[any % (sizeof special - 1)] : '\xc3';
+    text[1] = any < 128 ? '\0' : (char)(0x80 | (any & 0x3f));
+}
+
+static bool is_blank(const table *t, size_t row)
+{
+    for (size_t i = 0; i < t->columns; i++)
+        if (t->cell[row][i][strspn(t->cell[row][i], " \t")] != '\0')
+            return false;
+    return true;
+}
 
 static void take_table(input *in, table *t)
 {
@@ -48,11 +65,8 @@ static void take_table(input *in, table *t)
     while (t->rows < ROWS_MAX && in->left > 0) {
         for (size_t i = 0; i < t->columns; i++) {
             const size_t length = take_byte(in) % (TEXT_MAX + 1);
-            for (size_t j = 0; j < length; j++) {
-                static const char special[] = "\",;\n\r\t 'x.";
-                const uint8_t c = take_byte(in);
-                t->cell[t->rows][i][j] = c < 128 ? special[c % (sizeof special - 1)] : (char)c;
-            }
+            for (size_t j = 0; j < length; j++)
+                add_character(t->cell[t->rows][i], take_byte(in));
         }
         t->rows++;
     }
@@ -74,16 +88,14 @@ static void write_and_read(input *in, char separator)
             delimited_format.value(&rows, "", cell_text(t.cell[i][j]));
         delimited_format.end_row(&rows);
     }
-    csv_input *file = csv_input_open(file_of(out.buffer, out.used), separator);
+    csv_input *file = csv_input_open(file_of(out.buffer, out.used), separator, NULL);
     CLAIM(file != NULL, "open");
     for (size_t i = 0; i < t.rows; i++) {
+        if (is_blank(&t, i))
+            continue;
         CLAIM(csv_input_next(file) == CSV_ROW && csv_input_count(file) == t.columns, "row %zu", i);
-        for (size_t j = 0; j < t.columns; j++) {
-            /* a byte order mark that begins the file is not data */
-            const bool marked = i == 0 && j == 0 && memcmp(t.cell[0][0], "\xef\xbb\xbf", 3) == 0;
-            CLAIM(marked || strcmp(csv_input_cell(file, j), t.cell[i][j]) == 0,
-                  "row %zu, column %zu", i, j);
-        }
+        for (size_t j = 0; j < t.columns; j++)
+            CLAIM(strcmp(csv_input_cell(file, j), t.cell[i][j]) == 0, "row %zu, column %zu", i, j);
     }
     CLAIM(csv_input_next(file) == CSV_END, "end");
     csv_input_close(file);

@@ -14,7 +14,7 @@ apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed i
 what the paper does not have.
 """
 from . import _formulas, _made
-from ._contact import Contact, YieldFactor
+from ._contact import Contact, Loads, YieldFactor
 from ._library import Error, SlidingError
 from ._library import function as _function
 from ._made import *  # noqa: F403
@@ -23,13 +23,14 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-for _public in (Contact, Error, Series, SlidingError, ValidityWarning, YieldFactor):
+for _public in (Contact, Error, Loads, Series, SlidingError, ValidityWarning, YieldFactor):
     _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _formulas.UFUNCS.items()})
-__all__ = ["Contact", "Error", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses", *_formulas.UFUNCS, *_made.__all__]
+__all__ = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
+           *_formulas.UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")
 

@@ -10,6 +10,7 @@ import threading
 import weakref
 from typing import Any, NamedTuple, SupportsFloat, TypeVar
 
+import numpy as np
 from numpy.typing import NDArray
 
 from ._general import call
@@ -21,8 +22,11 @@ from ._validity import warn
 
 _create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
+_loads = function("contact_loads")
+_state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
 _dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
-_yield_factor, _formula_half_width = function("contact_yield_factor"), function("half_width")
+_yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
+_formula_half_width = function("half_width")
 _tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
 
 
@@ -67,6 +71,15 @@ class _Forks:
 _forks = _Forks()
 
 
+class Loads(NamedTuple):
+    """Normal load and tangential load, force/length; moment about x = 0, force; bulk tension, stress."""
+
+    P: float
+    M: float
+    Q: float
+    sigma: float
+
+
 class Contact(ContactMethods, Handle):
     """One contact and what it remembers of its loads (P, Q): exact for any history.
 
@@ -101,7 +114,8 @@ class Contact(ContactMethods, Handle):
     Notes
     -----
     A contact is created without load, separated, and freed with its last reference. ``copy()``, ``copy.copy`` and
-    ``copy.deepcopy`` give an independent one, history and all, with the attributes of a subclass. It cannot be pickled: send its parameters and its loads.
+    ``copy.deepcopy`` give an independent one, history and all, with the attributes of a subclass. A pickled contact goes on to
+    the same bits, by ``state()``.
 
     Threads: different contacts are independent, and their methods release the GIL. Calls for one contact from several
     threads are safe, and wait for each other; to read one at the same time, give each thread a copy. ``os.fork`` waits for
@@ -122,11 +136,11 @@ class Contact(ContactMethods, Handle):
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
-        self._begin(handle, (0.0, 0.0))
+        self._begin(handle)
         warn(theta=self.theta, f=self.f, beta=real("beta", beta))
 
-    def _begin(self, handle: ctypes.c_void_p, loads: tuple[float, float]) -> None:
-        self._lock, self._loads = threading.RLock(), loads
+    def _begin(self, handle: ctypes.c_void_p) -> None:
+        self._lock = threading.RLock()
         self._adopt(handle, _destroy)
         _forks.add(self)
 
@@ -136,7 +150,7 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             twin.__dict__.update(self.__dict__)
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
-        twin._begin(handle, twin._loads)
+        twin._begin(handle)
         return twin
 
     def __copy__(self: Self) -> Self:
@@ -155,7 +169,8 @@ class Contact(ContactMethods, Handle):
         return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
 
     def load(self, P: SupportsFloat, Q: SupportsFloat = 0.0) -> None:
-        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
+        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one; M and sigma stay
+        as they are (``apply``).
 
         Parameters
         ----------
@@ -179,7 +194,49 @@ class Contact(ContactMethods, Handle):
         warn(alpha=self.a / b if b > 0 else math.nan)
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
-            self._loads = P, Q
+
+    @property
+    def state_size(self) -> int:
+        """How many numbers ``state()`` gives, for the contact as it is. Source: new."""
+        return self._value(_state_size)
+
+    def state(self) -> NDArray[np.float64]:
+        """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
+        to the same bits. The numbers are of no other use. Source: new."""
+        with self._lock:
+            numbers = np.empty(_state_size(self._address))
+            check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
+        return numbers
+
+    @classmethod
+    def restore(cls: type[Self], state: Numbers) -> Self:
+        """The contact of the numbers that ``state()`` gave.
+
+        Raises
+        ------
+        ValueError
+            where they are not those of a contact
+
+        Source: new.
+        """
+        numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
+        contact, handle = cls.__new__(cls), ctypes.c_void_p()
+        check("contact_restore", _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle)))
+        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
+        contact._begin(handle)
+        return contact
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters")}
+        return type(self).restore, (self.state(),), own
+
+    @property
+    def loads(self) -> Loads:
+        """The present loads. Source: new."""
+        loads = [ctypes.c_double() for _ in range(4)]
+        with self._lock:
+            check("contact_loads", _loads(self._address, *map(ctypes.byref, loads)))
+        return Loads(*(load.value for load in loads))
 
     def _value(self, read: Any) -> Any:
         with self._lock:
@@ -212,12 +269,22 @@ class Contact(ContactMethods, Handle):
     @property
     def P(self) -> float:
         """The present normal load, force/length."""
-        return self._loads[0]
+        return self.loads.P
+
+    @property
+    def M(self) -> float:
+        """The present moment, force."""
+        return self.loads.M
 
     @property
     def Q(self) -> float:
         """The present tangential load, force/length."""
-        return self._loads[1]
+        return self.loads.Q
+
+    @property
+    def sigma(self) -> float:
+        """The present bulk tension, stress."""
+        return self.loads.sigma
 
     @property
     def half_width(self) -> float:
@@ -291,11 +358,12 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         ValueError
-            outside the contact
+            outside the contact; off the centre, where it is not known
 
         Source: Eq. (17) to (21); new.
         """
         with self._lock:
+            check("contact_slip", _slip_of(self._address, 0, None, None))
             return _slip(self._address, x)
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:

@@ -9,7 +9,7 @@ import operator
 import sys
 import weakref
 from pathlib import Path
-from typing import Any, Mapping, NoReturn, SupportsFloat, SupportsIndex
+from typing import Any, Mapping, SupportsFloat, SupportsIndex
 
 from ._header import FUNCTIONS
 
@@ -104,5 +104,5 @@ class Handle:
             raise Error(f"this {type(self).__name__} has been freed: it is used after the end of its life", ENULL)
         return address
 
-    def __reduce__(self) -> NoReturn:
+    def __reduce__(self) -> Any:
         raise TypeError(f"a {type(self).__name__} cannot be pickled: send what it is made from, and make it there")

@@ -4,28 +4,28 @@
  * the most. */
 #include "csv_input.h"
 
+#include "text_input.h"
 #include "text/message.h"
 
-#include <errno.h>
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include <csv.h>
 
 enum { BLOCK = 1 << 16 };
 
 struct csv_input {
-    const char *name;
-    FILE *file;
+    text_input *source;
     struct csv_parser parser;
-    unsigned char block[BLOCK];
+    char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
-    bool at_start, at_end, skipping, row_ended, in_row, too_many, after_return;
+    bool at_start, at_end, skipping, row_ended, too_many, after_return;
     int64_t line, first_line; /* of the byte that comes next; of the row */
-    size_t pushed;            /* bytes of the row */
-    char *text;               /* the cells of the row, each with its 0 */
+    char *row;                /* as it stands in the file */
+    size_t pushed, row_room;
+    char *text; /* the cells of the row, each with its 0 */
     size_t used, room;
     size_t cell[CSV_ROW_CELLS]; /* where each starts */
     size_t count;
@@ -40,23 +40,22 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static bool make_room(csv_input *in, size_t more)
+static bool make_room(char **text, size_t *room, size_t used, size_t more)
 {
-    if (in->room - in->used >= more)
+    if (*room - used >= more)
         return true;
-    const size_t room = 2 * (in->used + more);
-    char *text = realloc(in->text, room);
-    if (text == NULL)
+    char *larger = realloc(*text, 2 * (used + more));
+    if (larger == NULL)
         return false;
-    in->text = text;
-    in->room = room;
+    *text = larger;
+    *room = 2 * (used + more);
     return true;
 }
 
 static void take_cell(void *bytes, size_t length, void *data)
 {
     csv_input *in = data;
-    if (in->count == CSV_ROW_CELLS || !make_room(in, length + 1)) {
+    if (in->count == CSV_ROW_CELLS || !make_room(&in->text, &in->room, in->used, length + 1)) {
         in->too_many = true;
         return;
     }
@@ -84,22 +83,25 @@ static bool start_parser(csv_input *in, char separator)
     return true;
 }
 
-csv_input *csv_input_open(const char *path, char separator)
+/* The ending of a file whose columns are separated by tabs. */
+static bool is_tsv(const char *path)
 {
-    const bool standard = strcmp(path, "-") == 0;
-    const char *name = standard ? "standard input" : path;
+    const char *ending = strrchr(path, '.');
+    return ending != NULL && strcasecmp(ending, ".tsv") == 0;
+}
+
+csv_input *csv_input_open(const char *path, char separator, const char *encoding)
+{
     csv_input *in = calloc(1, sizeof *in);
-    if (in == NULL || !start_parser(in, separator)) {
+    if (in == NULL || !start_parser(in, is_tsv(path) ? '\t' : separator)) {
         free(in);
         failure("out of memory");
         return NULL;
     }
-    in->name = name;
     in->at_start = true;
     in->line = 1;
-    in->file = standard ? stdin : fopen(path, "rb");
-    if (in->file == NULL) {
-        failure("%s: %s", name, strerror(errno));
+    in->source = text_input_open(path, encoding);
+    if (in->source == NULL) {
         csv_input_close(in);
         return NULL;
     }
@@ -108,38 +110,10 @@ csv_input *csv_input_open(const char *path, char separator)
 
 static void stop(const csv_input *in, const char *why)
 {
-    failure("%s: line %" PRId64 ": %s", in->name, in->line, why);
+    failure("%s: line %" PRId64 ": %s", csv_input_name(in), in->line, why);
 }
 
-/* The mark that some programs put before UTF-8. */
-static void skip_mark(csv_input *in)
-{
-    static const unsigned char mark[] = {0xef, 0xbb, 0xbf};
-    if (in->at_start && in->end >= sizeof mark && memcmp(in->block, mark, sizeof mark) == 0)
-        in->begin = sizeof mark;
-    in->at_start = false;
-}
-
-/* Fills the block, unless the file ends before. */
-static bool fill(csv_input *in)
-{
-    in->begin = in->end = 0;
-    do {
-        clearerr(in->file);
-        in->end += fread(in->block + in->end, 1, BLOCK - in->end, in->file);
-    } while (ferror(in->file) && errno == EINTR);
-    in->at_end = in->end < BLOCK;
-    if (ferror(in->file)) {
-        failure("%s: %s", in->name, strerror(errno));
-        return false;
-    }
-    skip_mark(in);
-    return true;
-}
-
-/* ---- Rows ---- */
-
-/* As far as the next end of a line, that included; a return and a line feed are one. */
+/* As far as the next end of a line, that included; a return and a line feed are two. */
 static size_t line_length(const csv_input *in)
 {
     size_t i = in->begin;
@@ -148,24 +122,70 @@ static size_t line_length(const csv_input *in)
     return i - in->begin + (i < in->end ? 1 : 0);
 }
 
-static void count_line(csv_input *in, const unsigned char *bytes, size_t length)
+/* Whether there are tabs between the cells of the first row, but not the separator. */
+static bool has_tabs_only(const char *bytes, size_t count, char separator)
 {
-    const unsigned char last = bytes[length - 1];
+    bool quoted = false, tabs = false;
+    for (size_t i = 0; i < count && (quoted || strchr("\r\n", bytes[i]) == NULL); i++) {
+        quoted = quoted != (bytes[i] == '"');
+        tabs = tabs || (!quoted && bytes[i] == '\t');
+        if (!quoted && bytes[i] == separator)
+            return false;
+    }
+    return tabs;
+}
+
+/* The first line of a file may say how its columns are separated, as "sep=;" does for Excel. */
+static void find_separator(csv_input *in)
+{
+    static const char says[] = "sep=";
+    const size_t length = line_length(in), before = sizeof says - 1;
+    const char *line = in->block;
+    in->at_start = false;
+    if (length > before + 1 && strncasecmp(line, says, before) == 0 &&
+        strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
+        csv_set_delim(&in->parser, (unsigned char)line[before]);
+        in->begin = before + 1; /* a blank line is left */
+    } else if (has_tabs_only(line, in->end, (char)csv_get_delim(&in->parser)))
+        csv_set_delim(&in->parser, '\t');
+}
+
+static bool fill(csv_input *in)
+{
+    in->begin = 0;
+    if (!text_input_read(in->source, in->block, BLOCK, &in->end))
+        return false;
+    in->at_end = in->end == 0;
+    if (in->at_start)
+        find_separator(in);
+    return true;
+}
+
+/* ---- Rows ---- */
+
+static void count_line(csv_input *in, const char *bytes, size_t length)
+{
+    const char last = bytes[length - 1];
     const bool same_end = in->after_return && length == 1; /* the feed that follows a return */
     if (last == '\r' || (last == '\n' && !same_end))
         in->line++;
     in->after_return = last == '\r';
 }
 
-static bool is_sane(csv_input *in, const unsigned char *bytes, size_t length)
+/* Keeps the line as a part of the row. */
+static bool keep(csv_input *in, const char *bytes, size_t length)
 {
-    in->pushed += length;
-    const bool binary = memchr(bytes, '\0', length) != NULL;
-    if (binary)
-        stop(in, "a NUL byte; allowed: CSV in UTF-8 or ASCII, neither binary files nor UTF-16");
-    else if (in->pushed > CSV_ROW_BYTES)
+    const bool too_long = in->pushed + length > CSV_ROW_BYTES;
+    if (too_long)
         stop(in, "a row of more than 1 MiB; allowed: CSV whose quotes are closed");
-    return !binary && in->pushed <= CSV_ROW_BYTES;
+    else if (!make_room(&in->row, &in->row_room, in->pushed, length + 1))
+        stop(in, "out of memory");
+    else {
+        memcpy(in->row + in->pushed, bytes, length);
+        in->pushed += length;
+        return true;
+    }
+    return false;
 }
 
 /* After misplaced quotes, what the parser still holds is thrown away. */
@@ -188,9 +208,9 @@ static bool is_out_of_memory(csv_input *in)
 /* Pushes one line, or as much of it as the block has. */
 static csv_event push(csv_input *in)
 {
-    const unsigned char *bytes = in->block + in->begin;
+    const char *bytes = in->block + in->begin;
     const size_t length = line_length(in);
-    if (!is_sane(in, bytes, length))
+    if (!keep(in, bytes, length))
         return CSV_FAILED;
     in->begin += length;
     const bool ends = bytes[length - 1] == '\n' || bytes[length - 1] == '\r';
@@ -229,7 +249,7 @@ static csv_event finish(csv_input *in)
     return in->row_ended ? CSV_ROW : CSV_END;
 }
 
-csv_event csv_input_next(csv_input *in)
+static csv_event next_row(csv_input *in)
 {
     in->count = in->used = in->pushed = 0;
     in->row_ended = in->too_many = false;
@@ -247,6 +267,23 @@ csv_event csv_input_next(csv_input *in)
     return event;
 }
 
+static bool is_blank(const csv_input *in)
+{
+    for (size_t i = 0; i < in->count; i++)
+        if (csv_input_cell(in, i)[strspn(csv_input_cell(in, i), " \t")] != '\0')
+            return false;
+    return true;
+}
+
+csv_event csv_input_next(csv_input *in)
+{
+    csv_event event;
+    do
+        event = next_row(in);
+    while (event == CSV_ROW && is_blank(in));
+    return event;
+}
+
 size_t csv_input_count(const csv_input *in)
 {
     return in->count;
@@ -257,6 +294,17 @@ const char *csv_input_cell(const csv_input *in, size_t i)
     return in->text + in->cell[i];
 }
 
+const char *csv_input_row(csv_input *in)
+{
+    size_t length = in->pushed;
+    if (in->row == NULL)
+        return "";
+    while (length > 0 && strchr("\r\n", in->row[length - 1]) != NULL)
+        length--;
+    in->row[length] = '\0';
+    return in->row;
+}
+
 int64_t csv_input_line(const csv_input *in)
 {
     return in->first_line;
@@ -264,7 +312,12 @@ int64_t csv_input_line(const csv_input *in)
 
 const char *csv_input_name(const csv_input *in)
 {
-    return in->name;
+    return text_input_name(in->source);
+}
+
+bool csv_input_has_mark(const csv_input *in)
+{
+    return text_input_has_mark(in->source);
 }
 
 void csv_input_close(csv_input *in)
@@ -272,8 +325,8 @@ void csv_input_close(csv_input *in)
     if (in == NULL)
         return;
     csv_free(&in->parser);
-    if (in->file != NULL && in->file != stdin)
-        fclose(in->file);
+    text_input_close(in->source);
+    free(in->row);
     free(in->text);
     free(in);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact with a load history: its life, and what it knows of itself. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include <stdlib.h>
 
@@ -15,7 +15,7 @@ int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge
     rwedge_contact *created = malloc(sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    *created = (rwedge_contact){.geometry = geometry, .f = f};
+    *created = (rwedge_contact){.geometry = geometry, .f = f, .is_origin_known = true};
     if (!rw_memory_create(&created->memory)) {
         free(created);
         return RWEDGE_ENOMEM;
@@ -52,17 +52,16 @@ void rwedge_contact_destroy(rwedge_contact *contact)
     free(contact);
 }
 
-double rwedge_contact_half_width(const rwedge_contact *contact)
+int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P, double *M, double *Q,
+                             double *sigma)
 {
-    return contact ? rw_memory_end(&contact->memory)->half_width : NAN;
-}
-
-double rwedge_contact_stick_half_width(const rwedge_contact *contact)
-{
-    if (!contact)
-        return NAN;
-    const rw_corner *end = rw_memory_end(&contact->memory);
-    return fabs(end->ratio) == 1 ? (end - 1)->half_width : end->half_width;
+    if (!contact || !P || !M || !Q || !sigma)
+        return RWEDGE_ENULL;
+    *P = contact->loads.P;
+    *M = contact->loads.M;
+    *Q = contact->loads.Q;
+    *sigma = contact->loads.sigma;
+    return RWEDGE_OK;
 }
 
 size_t rwedge_contact_memory(const rwedge_contact *contact)

@@ -10,10 +10,11 @@
  * A rising load adds to the path beyond u, a falling one cuts it off there. The slip is therefore
  * w of the present path less w of the path when the point came into contact (slip_origin.h). What
  * both paths have in common is left out of both sums, because it would cancel. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/always.h"
 #include "history/gap.h"
+#include "history/off_centre.h"
 
 /* rw_gap() of a patch of half-width s. */
 static double gap(double a, double s, double x)
@@ -30,7 +31,7 @@ static double displacement(const rwedge_contact *contact, const rw_memory *memor
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {
-        const double s = memory->corners[i].half_width;
+        const double s = memory->corners[i].patch.right;
         if (s >= x)
             continue;
         const double step =
@@ -44,8 +45,8 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
                                      double x)
 {
     rw_corner corner = left->corner;
-    if (ALWAYS(isnan(corner.half_width))) /* it is no corner of the path, which would have one */
-        corner.half_width = rw_half_width(&contact->geometry, corner.load);
+    if (ALWAYS(isnan(corner.patch.left))) /* it is no corner of the path, which would have one */
+        corner.patch = rw_patch_under_tilt(&contact->geometry, corner.load, 0);
     const rw_memory alone = {.corners = &corner, .count = 1};
     return displacement(contact, &alone, 0, 1, left->slip, x);
 }
@@ -67,7 +68,7 @@ static double slip_at(const rwedge_contact *contact, double x)
 {
     const rw_geometry *g = &contact->geometry;
     const rw_memory *now = &contact->memory;
-    const double u = fmin(rw_normal_load(g, x), rw_memory_end(now)->load);
+    const double u = fmin(rwedge_normal_load(g->theta, g->a, g->A, x), rw_memory_end(now)->load);
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
@@ -87,16 +88,32 @@ static double slip_at(const rwedge_contact *contact, double x)
     return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
 }
 
+/* Off the centre: over the one origin there is. */
+static double slip_off_centre(const rwedge_contact *contact, double x)
+{
+    const rw_patch settled = contact->settled;
+    if (contact->origins.count == 0 || x < settled.left || x > settled.right)
+        return 0;
+    const double w = rw_path_displacement(&contact->memory, &contact->origins.all[0].base,
+                                          contact->geometry.a, x);
+    return contact->f > 1 ? contact->f * w * contact->geometry.theta
+                          : contact->geometry.theta * w * contact->f;
+}
+
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
                             double slip[])
 {
     if (!contact || (n > 0 && (!x || !slip)))
         return RWEDGE_ENULL;
-    const double b = rwedge_contact_half_width(contact);
+    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
     for (size_t i = 0; i < n; i++)
-        if (!rw_is_signed(x[i]) || fabs(x[i]) > b)
+        if (!rw_is_signed(x[i]) || x[i] < patch.left || x[i] > patch.right)
             return RWEDGE_EDOMAIN;
+    if (contact->was_off_centre && !contact->is_origin_known)
+        return RWEDGE_EPATH;
     for (size_t i = 0; i < n; i++)
-        slip[i] = rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i])) : 0;
+        slip[i] = contact->was_off_centre                     ? slip_off_centre(contact, x[i])
+                  : rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i]))
+                                                              : 0;
     return RWEDGE_OK;
 }

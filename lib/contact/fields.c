@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
-#include "history/contact.h"
+#include "contact/contact.h"
 #include "stress/batch.h"
 #include "stress/stress.h"
 
-/* Whether the point is in the domain, in units of the half-width too, and has a finite stress:
- * the apex of a loaded sharp wedge has none. */
-static bool is_point(const rwedge_contact *contact, double x, double y)
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
 {
     if (!rw_is_signed(x) || !rw_is_magnitude(y))
         return false;
@@ -20,13 +18,24 @@ static bool is_point(const rwedge_contact *contact, double x, double y)
 
 /* ---- Tractions ---- */
 
+static double patch_pressure(rw_patch patch, double a, double x)
+{
+    if (rw_patch_middle(patch) == 0)
+        return rw_patch_pressure(a, patch.right, x);
+    if (x <= patch.left || x >= patch.right)
+        return 0;
+    rw_eccentric potential;
+    rw_eccentric_init(&potential, a, patch);
+    return rw_eccentric_at(&potential, x, 0).G_im;
+}
+
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
                                  double p[], double q[])
 {
     if (!contact || (n > 0 && (!x || !p || !q)))
         return RWEDGE_ENULL;
     for (size_t i = 0; i < n; i++)
-        if (!is_point(contact, x[i], 0))
+        if (!rw_contact_has_stress(contact, x[i], 0))
             return RWEDGE_EDOMAIN;
     const rw_geometry *g = &contact->geometry;
     const rw_memory *memory = &contact->memory;
@@ -34,8 +43,7 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
         const double at = x[i];
         double shear = 0, pressure = 0;
         for (size_t j = 1; j < memory->count; j++) {
-            pressure =
-                rw_unit_stress(g) * rw_patch_pressure(g->a, memory->corners[j].half_width, at);
+            pressure = rw_unit_stress(g) * patch_pressure(memory->corners[j].patch, g->a, at);
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */
@@ -54,6 +62,25 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
+void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
+                     rw_fields *fields)
+{
+    rw_eccentric potential;
+    rw_eccentric_init(&potential, a, patch);
+    rw_eccentric_fields(&potential, n, x, y, fields);
+}
+
+void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
+                  rw_contact_fields *fields)
+{
+    for (int i = 0; i < n; i++) {
+        const rw_field field = rw_field_in(of_patch, i);
+        add(&fields->tangential[i], weight, field);
+        if (whole)
+            fields->normal[i] = field;
+    }
+}
+
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields)
 {
@@ -63,18 +90,26 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
     for (size_t j = 1; j < memory->count; j++) {
         const double weight = rw_patch_weight(memory, j);
         const bool whole = j + 1 == memory->count;
+        const rw_patch patch = memory->corners[j].patch;
         if (weight == 0 && !whole)
             continue;
-        rw_potential patch;
         rw_fields of_patch;
-        rw_potential_init_patch(&patch, contact->geometry.a, memory->corners[j].half_width);
-        rw_potential_fields(&patch, (int)n, x, y, &of_patch);
-        for (size_t i = 0; i < n; i++) {
-            const rw_field field = rw_field_in(&of_patch, (int)i);
-            add(&fields->tangential[i], weight, field);
-            if (whole)
-                fields->normal[i] = field;
-        }
+        rw_patch_fields(contact->geometry.a, patch, (int)n, x, y, &of_patch);
+        rw_add_patch(&of_patch, weight, whole, (int)n, fields);
+    }
+}
+
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
+                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+                              double txy[])
+{
+    const double unit = rw_unit_stress(&contact->geometry);
+    for (int i = 0; i < n; i++) {
+        const rw_field shear = rw_field_multiple(contact->f, fields->tangential[i]);
+        const rw_stress_state s = rw_superpose(fields->normal[i], shear);
+        sxx[i] = unit * (s.mean - s.difference) + sigma;
+        syy[i] = unit * (s.mean + s.difference);
+        txy[i] = unit * s.shear;
     }
 }
 
@@ -86,20 +121,14 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
     if (!contact || (n > 0 && (!x || !y || !sxx || !syy || !txy)))
         return RWEDGE_ENULL;
     for (size_t i = 0; i < n; i++)
-        if (!is_point(contact, x[i], y[i]))
+        if (!rw_contact_has_stress(contact, x[i], y[i]))
             return RWEDGE_EDOMAIN;
-    const double unit = rw_unit_stress(&contact->geometry);
     for (size_t start = 0; start < n; start += RW_BLOCK) {
         const size_t block = n - start < RW_BLOCK ? n - start : RW_BLOCK;
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
-        for (size_t i = 0; i < block; i++) {
-            const rw_field shear = rw_field_multiple(contact->f, fields.tangential[i]);
-            const rw_stress_state s = rw_superpose(fields.normal[i], shear);
-            sxx[start + i] = unit * (s.mean - s.difference);
-            syy[start + i] = unit * (s.mean + s.difference);
-            txy[start + i] = unit * s.shear;
-        }
+        rw_contact_stresses_from(contact, contact->loads.sigma, &fields, (int)block, sxx + start,
+                                 syy + start, txy + start);
     }
     return RWEDGE_OK;
 }

@@ -13,7 +13,7 @@
  * which J2 falls like r^-2, to 1e-9 of the distance to the next mark. The marks and the surface
  * are on it. Each maximum of the grid that is not far below the highest is then followed to its
  * top. */
-#include "history/contact.h"
+#include "contact/contact.h"
 
 #include "base/always.h"
 #include "stress/stress.h"
@@ -44,6 +44,7 @@ static const double ROUGHLY = 0.05;
 typedef struct {
     const rwedge_contact *contact;
     double kappa;
+    double tension; /* half the bulk tension */
     double J2, x, y;
     /* the highest top climbed, and its distance from the mark; infinite before the first */
     double top_x, top_y, top_radius;
@@ -56,8 +57,8 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     for (size_t i = 0; i < n; i++) {
         const rw_field shear = rw_field_multiple(s->contact->f, fields.tangential[i]);
         const rw_stress_state state = rw_superpose(fields.normal[i], shear);
-        J2[i] = state.difference * state.difference + state.shear * state.shear +
-                s->kappa * state.mean * state.mean;
+        const double difference = state.difference - s->tension, mean = state.mean + s->tension;
+        J2[i] = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
         if (J2[i] > s->J2) {
             s->J2 = J2[i];
             s->x = x[i];
@@ -68,19 +69,15 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
 
 /* ---- The marks ---- */
 
-typedef struct {
-    double left, right;
-} interval;
-
 /* The parts of the surface whose edges are marks: the contact, the rounding as far as it is in
  * contact, and the patches inside from the widest to the narrowest. */
-static interval marked(const rwedge_contact *contact, size_t i)
+static rw_patch marked(const rwedge_contact *contact, size_t i)
 {
     const rw_corner *corners = contact->memory.corners;
     const size_t last = contact->memory.count - 1;
-    const double s = i == 1 ? fmin(contact->geometry.a, corners[last].half_width)
-                            : corners[i == 0 ? last : last + 1 - i].half_width;
-    return (interval){-s, s};
+    const rw_patch patch = corners[i <= 1 ? last : last + 1 - i].patch;
+    const double a = contact->geometry.a;
+    return i == 1 ? (rw_patch){fmax(-a, patch.left), fmin(a, patch.right)} : patch;
 }
 
 /* First the centre, then the edges of each part. */
@@ -88,8 +85,15 @@ static double mark(const rwedge_contact *contact, size_t i)
 {
     if (i == 0)
         return 0;
-    const interval part = marked(contact, (i - 1) / 2);
+    const rw_patch part = marked(contact, (i - 1) / 2);
     return i % 2 ? part.right : part.left;
+}
+
+/* How far the contact reaches from the centre. */
+static double extent(const rwedge_contact *contact)
+{
+    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
+    return fmax(-patch.left, patch.right);
 }
 
 static size_t count_marks(const rwedge_contact *contact)
@@ -101,7 +105,7 @@ static size_t count_marks(const rwedge_contact *contact)
  * before it. Their grids take over there. */
 static double reach(const rwedge_contact *contact, size_t i)
 {
-    double nearest = 1.5 * rwedge_contact_half_width(contact);
+    double nearest = 1.5 * extent(contact);
     for (size_t j = 0; j < i; j++)
         nearest = fmin(nearest, fabs(mark(contact, i) - mark(contact, j)));
     return 2 * nearest;
@@ -112,7 +116,7 @@ static double reach(const rwedge_contact *contact, size_t i)
  * below the rounding of the mark itself. */
 static double innermost_radius(const rwedge_contact *contact, size_t i)
 {
-    double nearest = rwedge_contact_half_width(contact);
+    double nearest = extent(contact);
     for (size_t j = 0; j < count_marks(contact); j++) {
         const double distance = fabs(mark(contact, i) - mark(contact, j));
         if (distance > 0)
@@ -315,7 +319,10 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
         return RWEDGE_EDOMAIN;
     if (contact->memory.count < 2)
         return RWEDGE_EABSENT;
-    search s = {.contact = contact, .kappa = rw_plane_strain_weight(nu), .top_radius = HUGE_VAL};
+    search s = {.contact = contact,
+                .kappa = rw_plane_strain_weight(nu),
+                .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
+                .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {
         for (size_t i = 0; i < count_marks(contact); i++)

@@ -1,0 +1,26 @@
+function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)
+%RWEDGE_PERMANENT_STICK  [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)
+%   The zone that never slips while loads go to and fro between two points in a straight line, once
+%   the first cycles are over, whatever was before.   new
+%     P1, P2          finite, >= 0, as for rwedge_contact.apply()
+%     M1, M2          finite
+%     Q1, Q2          |Q| <= f P
+%     sigma1, sigma2  finite
+%     left, right     its edges, length
+%   rwedge:absent where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+%   directions, or what sticks would reach beyond one of the contacts; rwedge:sliding,
+%   rwedge:domain, rwedge:range, rwedge:memory.
+%     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
+%     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
+%     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
+%     f      coefficient of friction, 0 <= f <= 1e6
+%
+%   The arguments are arrays of one size, or scalars, which go with every element.
+%   Where rwedge:absent is said above, the results are NaN, and no error.
+if nargin < 12
+    error('rwedge:arguments', 'too few arguments: [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)');
+end
+[left, right] = rwedge_mex('permanent_stick', theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2);
+end
+
+% SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The only file that knows iconv. */
+#include "text_input.h"
+
+#include "text/message.h"
+#include "text/utf8.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include <iconv.h>
+
+enum { BLOCK = 1 << 16, CARRY = 4 };
+
+struct text_input {
+    const char *name, *encoding; /* NULL for UTF-8 */
+    int file;
+    iconv_t converter; /* of another encoding than UTF-8 */
+    bool started, at_end, has_mark;
+    char block[BLOCK]; /* as it is in the file */
+    size_t begin, end; /* what of the block has not been converted */
+    char carry[CARRY]; /* the first bytes of a character whose others are still to come */
+    size_t carried;
+    int64_t line, column; /* of the character that comes next, from 1 */
+    bool after_return;
+};
+
+/* ---- Opening ---- */
+
+int text_input_check(const char *encoding)
+{
+    const iconv_t converter = iconv_open("UTF-8", encoding);
+    if (converter == (iconv_t)-1 && errno == EINVAL)
+        return usage_error("--encoding %s: unknown encoding; allowed: utf-8, utf-16, windows-1252, "
+                           "and others that iconv knows",
+                           encoding);
+    if (converter != (iconv_t)-1)
+        iconv_close(converter);
+    return STATUS_DONE; /* a lack of memory shows when it is read */
+}
+
+static bool start_converter(text_input *in, const char *encoding)
+{
+    if (encoding == NULL)
+        return true;
+    in->converter = iconv_open("UTF-8", encoding);
+    if (in->converter == (iconv_t)-1) {
+        failure("%s: reading %s: %s", in->name, encoding, strerror(errno));
+        return false;
+    }
+    in->encoding = encoding;
+    return true;
+}
+
+text_input *text_input_open(const char *path, const char *encoding)
+{
+    const bool standard = strcmp(path, "-") == 0;
+    text_input *in = calloc(1, sizeof *in);
+    if (in == NULL) {
+        failure("out of memory");
+        return NULL;
+    }
+    *in = (text_input){.name = standard ? "standard input" : path, .line = 1, .column = 1};
+    if (!start_converter(in, encoding)) {
+        free(in);
+        return NULL;
+    }
+    in->file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (in->file < 0) {
+        failure("%s: %s", path, strerror(errno));
+        text_input_close(in);
+        return NULL;
+    }
+    return in;
+}
+
+/* ---- Bytes ---- */
+
+/* Fills the block, unless the file ends before. */
+static bool fill(text_input *in)
+{
+    memmove(in->block, in->block + in->begin, in->end - in->begin);
+    in->end -= in->begin;
+    in->begin = 0;
+    while (!in->at_end && in->end < BLOCK) {
+        const ssize_t got = read(in->file, in->block + in->end, BLOCK - in->end);
+        if (got < 0 && errno != EINTR) {
+            failure("%s: %s", in->name, strerror(errno));
+            return false;
+        }
+        in->at_end = got == 0;
+        in->end += got > 0 ? (size_t)got : 0;
+    }
+    return true;
+}
+
+static bool begins_with(const text_input *in, const char *mark, size_t length)
+{
+    return in->end >= length && memcmp(in->block, mark, length) == 0;
+}
+
+/* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. */
+static bool take_mark(text_input *in)
+{
+    static const char utf8[] = "\xef\xbb\xbf", little[] = "\xff\xfe", big[] = "\xfe\xff";
+    in->started = true;
+    if (begins_with(in, utf8, 3)) {
+        if (in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0) {
+            failure("--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8", in->encoding,
+                    in->name);
+            return false;
+        }
+        in->begin = 3;
+        in->has_mark = true;
+    } else if (begins_with(in, little, 2) || begins_with(in, big, 2)) {
+        in->has_mark = true;
+        /* for iconv the mark is a character where the encoding says the order of the bytes */
+        in->begin = in->encoding != NULL && strcasecmp(in->encoding, "utf-16") != 0 ? 2 : 0;
+        return in->encoding != NULL || start_converter(in, "utf-16");
+    }
+    return true;
+}
+
+/* ---- Characters ---- */
+
+static bool stop(const text_input *in, const char *why)
+{
+    failure("%s: line %" PRId64 ", column %" PRId64 ": %s", in->name, in->line, in->column, why);
+    return false;
+}
+
+static bool refuse_byte(const text_input *in, char byte)
+{
+    char why[200];
+    if (in->encoding != NULL)
+        snprintf(why, sizeof why, "the byte %02X is no character of %.40s", (unsigned char)byte,
+                 in->encoding);
+    else
+        snprintf(why, sizeof why,
+                 "the byte %02X is not UTF-8; allowed: UTF-8, UTF-16 with its mark, or --encoding, "
+                 "such as windows-1252",
+                 (unsigned char)byte);
+    return stop(in, why);
+}
+
+static bool refuse_character(const text_input *in, uint32_t code)
+{
+    char why[120];
+    snprintf(why, sizeof why,
+             "the character U+%04" PRIX32 " belongs to no text; allowed: text, no binary files",
+             code);
+    return stop(in, why);
+}
+
+/* Lines end with a return, a line feed, or both. */
+static void advance(text_input *in, uint32_t code)
+{
+    const bool same_end = in->after_return && code == '\n';
+    if (code == '\r' || (code == '\n' && !same_end))
+        in->line++;
+    in->column = code == '\r' || code == '\n' ? 1 : in->column + 1;
+    in->after_return = code == '\r';
+}
+
+/* Looks at every character; *checked is how many bytes are whole ones. */
+static bool check(text_input *in, const char *bytes, size_t count, size_t *checked)
+{
+    uint32_t code;
+    size_t length;
+    *checked = 0;
+    for (; *checked < count; *checked += length) {
+        length = utf8_length(bytes + *checked, count - *checked, &code);
+        const bool more_to_come = count - *checked < CARRY && !(in->at_end && in->begin == in->end);
+        if (length == 0)
+            return more_to_come || refuse_byte(in, bytes[*checked]);
+        if (!utf8_is_text(code))
+            return refuse_character(in, code);
+        advance(in, code);
+    }
+    return true;
+}
+
+/* Converts what has room, and returns its bytes. errno is EILSEQ where a character does not exist
+ * in the encoding, or is cut by the end of the file; else 0. */
+static size_t convert(text_input *in, char *bytes, size_t room)
+{
+    char *from = in->block + in->begin, *to = bytes;
+    size_t left = in->end - in->begin, free_room = room;
+    errno = 0;
+    if (in->encoding == NULL) {
+        const size_t count = left < room ? left : room;
+        memcpy(to, from, count);
+        in->begin += count;
+        return count;
+    }
+    if (iconv(in->converter, &from, &left, &to, &free_room) != (size_t)-1)
+        errno = 0;
+    const bool cut = errno == EINVAL && in->at_end;
+    errno = cut || errno == EILSEQ ? EILSEQ : 0;
+    in->begin = (size_t)(from - in->block);
+    return room - free_room;
+}
+
+bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count)
+{
+    size_t had, checked;
+    do {
+        if (!fill(in) || (!in->started && !take_mark(in)))
+            return false;
+        had = in->carried;
+        memcpy(bytes, in->carry, had);
+        const size_t all = had + convert(in, bytes + had, room - had);
+        const bool sound = errno == 0;
+        if (!check(in, bytes, all, &checked))
+            return false;
+        if (!sound)
+            return refuse_byte(in, in->block[in->begin]);
+        in->carried = all - checked;
+        memcpy(in->carry, bytes + checked, in->carried);
+    } while (checked == 0 && !(in->at_end && in->begin == in->end && in->carried == 0));
+    *count = checked;
+    return true;
+}
+
+bool text_input_has_mark(const text_input *in)
+{
+    return in->has_mark;
+}
+
+const char *text_input_name(const text_input *in)
+{
+    return in->name;
+}
+
+void text_input_close(text_input *in)
+{
+    if (in == NULL)
+        return;
+    if (in->encoding != NULL)
+        iconv_close(in->converter);
+    if (in->file > STDERR_FILENO)
+        close(in->file);
+    free(in);
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a contact with a load history is made of; the header has its functions. */
+#ifndef RW_CONTACT_H
+#define RW_CONTACT_H
+
+#include "history/slip_origin.h"
+#include "formulas/size.h"
+#include "history/path.h"
+#include "stress/eccentric.h"
+#include "rwedge.h"
+
+typedef struct {
+    double P, M, Q, sigma;
+} rw_loads;
+
+struct rwedge_contact {
+    rw_geometry geometry;
+    double f;
+    rw_loads loads;
+    double touched_at; /* the bulk tension at which the bodies touched */
+    /* their sum; the carry is what rounding left out of a long history */
+    double energy, energy_carry; /* NaN where it is not known */
+    rw_memory memory;            /* loads are P, shears Q/f */
+    bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
+    bool is_origin_known; /* of the slip that then is: see slip.c */
+    rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
+    rw_slip_origins origins;
+};
+
+/* The traction of a history is a sum of patches, one for each corner of its path: the pressure
+ * of the contact under the corner's load, times f and the step that D makes there. The last
+ * patch is the contact itself. */
+static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
+{
+    const double beyond = corner + 1 < memory->count ? memory->corners[corner + 1].ratio : 0;
+    return memory->corners[corner].ratio - beyond;
+}
+
+/* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the
+ * apex of the sharp wedge. */
+enum { RW_BLOCK = 32 };
+typedef struct {
+    rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
+} rw_contact_fields;
+
+void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
+                          const double y[], rw_contact_fields *fields);
+
+/* A patch's own fields at n <= RW_BLOCK points, and their part of the contact's, of which the last
+ * patch is the whole. */
+void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
+                     rw_fields *fields);
+void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
+                  rw_contact_fields *fields);
+
+/* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
+ * apex of a loaded sharp wedge has none. */
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
+
+/* The stresses of the fields and a bulk tension. */
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
+                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+                              double txy[]);
+
+#endif

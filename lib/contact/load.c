@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The next load of a contact: whether it is allowed, and what it does. */
+#include "contact/contact.h"
+#include "history/dissipation.h"
+#include "history/off_centre.h"
+
+#include <float.h>
+
+/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller
+ * interpolates between two loads, they are rounded like the larger. */
+static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
+
+/* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP)
+ * is, 2e-7 of it here. */
+static const double STEEPEST_FALL = 1e-8;
+
+/* Of the tilt over theta: closer to 1 the edges are not to be told from rounding. */
+static const double LARGEST_TILT = 1 - 1e-9;
+
+/* Q/f, at friction's limit exactly. */
+static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
+{
+    const double limit = contact->f * P, magnitude = fabs(Q);
+    const double last = rw_memory_end(&contact->memory)->load;
+    const double rounding = P > 0 ? SLIDING_ROUNDING * contact->f * fmax(P, last) : 0;
+    if (magnitude > limit + rounding)
+        return RWEDGE_ESLIDING;
+    if (magnitude >= limit - rounding)
+        *shear = Q > 0 ? P : Q < 0 ? -P : 0;
+    else
+        *shear = Q / limit * P;
+    return RWEDGE_OK;
+}
+
+/* Whether lengths and pressures stay in the domain. */
+static bool is_in_range(const rw_geometry *g, double P)
+{
+    const double b = rw_half_width(g, P);
+    if (!rw_is_contact_size(g, b))
+        return false;
+    return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
+}
+
+/* The energy of the step to the load, never negative. */
+static double energy_of(const rwedge_contact *contact, double P, double shear)
+{
+    const rw_geometry *g = &contact->geometry;
+    const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
+    const double f_over_pi = contact->f / RW_PI;
+    const double integral = rw_dissipation(&contact->memory, P, shear, corner_load);
+    return contact->f * g->A * (f_over_pi * fmax(0, integral));
+}
+
+static void measure_new_corners(rwedge_contact *contact)
+{
+    rw_memory *memory = &contact->memory;
+    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);)
+        memory->corners[i].patch = rw_patch_under_tilt(&contact->geometry, memory->corners[i].load,
+                                                       memory->corners[i].tilt);
+}
+
+/* Differences of rounding in P and M are none. */
+static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
+{
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    const double arm = fmax(fabs(end->patch.left), fabs(end->patch.right));
+    return fabs(to.P - contact->loads.P) <= rw_memory_tolerance(end->load) &&
+           fabs(to.M - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
+}
+
+/* What the loads are to the memory, and to the contact. */
+static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *step)
+{
+    const rw_geometry *g = &contact->geometry;
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    *step = (rw_step){.geometry = g,
+                      .memory = &contact->memory,
+                      .from_P = contact->loads.P,
+                      .from_M = contact->loads.M,
+                      .to_P = to.P,
+                      .to_M = to.M,
+                      .to = {.load = to.P}};
+    const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
+    if (status != RWEDGE_OK)
+        return status;
+    step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
+    step->patch = rw_patch_under_moment(g, to.P, to.M);
+    step->to.tilt = to.M != 0 ? rw_patch_pressing(g->a, step->patch).tilt : 0;
+    if (is_same_pressing(contact, to) && !rw_path_is_plain(&contact->memory, step->to)) {
+        step->to_P = step->from_P;
+        step->to_M = step->from_M;
+        step->to.load = end->load;
+        step->to.tilt = end->tilt;
+        step->patch = end->patch;
+    }
+    return RWEDGE_OK;
+}
+
+static int32_t check(const rwedge_contact *contact, rw_loads to)
+{
+    if (!rw_is_magnitude(to.P) || !rw_is_signed(to.M) || !rw_is_signed(to.Q) ||
+        !rw_is_signed(to.sigma) || (to.P == 0 && to.M != 0))
+        return RWEDGE_EDOMAIN;
+    if (to.P > 0 && (!is_in_range(&contact->geometry, to.P) ||
+                     to.P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
+        return RWEDGE_ERANGE;
+    return RWEDGE_OK;
+}
+
+/* A flank that lies on the surface, to rounding, has no edge to tell. */
+static bool is_tilt_possible(const rw_step *step)
+{
+    return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
+}
+
+/* The energy of a step off the centre, which has led from `before` to the present memory: NaN where
+ * there is no single integral for it. */
+static double share_off_centre(const rwedge_contact *contact, const rw_memory *before,
+                               const rw_step *step, int slip)
+{
+    const rw_geometry *g = &contact->geometry;
+    const rw_memory *after = &contact->memory;
+    if (slip == 0)
+        return 0;
+    const bool slides = after->count == 2;
+    if (step->to_P != step->from_P || slides)
+        return NAN;
+    return contact->f * g->theta * (contact->f * g->theta / g->A) *
+           rw_annuli_work(before, after, g->a);
+}
+
+static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
+               const rw_departure *departure)
+{
+    rw_memory *memory = &contact->memory;
+    if (memory->count == 1)
+        contact->touched_at = contact->loads.sigma;
+    contact->loads = *to;
+    if (memory->count == 1) /* it touches */
+        memory->corners[0].tilt = step->to.tilt;
+    if (contact->f == 0)
+        rw_memory_restart(memory, step->to, 0);
+    else if (departure->slip != 0 && departure->corner.load == 0)
+        rw_memory_restart(memory, step->to, departure->slip); /* it slides */
+    else
+        rw_memory_advance(memory, departure, step->to);
+    if (memory->count == 1) {
+        memory->corners[0].tilt = 0;
+        memory->corners[0].stretch = step->to.stretch;
+    }
+    measure_new_corners(contact);
+}
+
+static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                          const rw_departure *departure)
+{
+    const double load = step->to.load, shear = step->to.shear;
+    const double share = energy_of(contact, load, shear) + contact->energy_carry;
+    const bool is_known = !isnan(contact->energy);
+    if (isgreater(contact->energy + share, RW_LARGEST))
+        return RWEDGE_ERANGE;
+    /* the carry may be negative */
+    const double energy =
+        is_known ? fmax(contact->energy, contact->energy + share) : contact->energy;
+    if (!rw_memory_reserve(&contact->memory, 2) ||
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
+                                 shear))
+        return RWEDGE_ENOMEM;
+    go(contact, &to, step, departure);
+    contact->energy_carry = is_known ? share - (energy - contact->energy) : 0;
+    contact->energy = energy;
+    if (load == 0) {
+        contact->was_off_centre = false;
+        contact->is_origin_known = true;
+    }
+    return RWEDGE_OK;
+}
+
+static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
+{
+    return contact->f > 0 && step->to.load > 0 &&
+           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to));
+}
+
+/* One origin serves for all points that slipped, where they had touched before the first slip: no
+ * point slips that came later. */
+static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int slip)
+{
+    const rw_slip_origins *origins = &contact->origins;
+    const rw_patch from = rw_memory_end(&contact->memory)->patch;
+    if (!contact->is_origin_known || origins->count > 1)
+        return false;
+    if (slip == 0)
+        return true;
+    if (origins->count == 0)
+        return rw_patch_is_nested(step->patch, from);
+    return origins->all[0].to_load <= origins->all[0].from_load &&
+           rw_patch_is_nested(from, contact->settled) &&
+           rw_patch_is_nested(step->patch, contact->settled);
+}
+
+/* The part of a patch inside of another. */
+static rw_patch common_part(rw_patch one, rw_patch other)
+{
+    return (rw_patch){fmax(one.left, other.left), fmin(one.right, other.right)};
+}
+
+static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                             const rw_departure *departure)
+{
+    const int slip = departure->slip;
+    rw_memory before;
+    if (!rw_memory_copy(&contact->memory, &before))
+        return RWEDGE_ENOMEM;
+    const bool is_known = keeps_origin(contact, step, slip);
+    const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
+                                 ? contact->settled
+                                 : rw_memory_end(&before)->patch;
+    if (!rw_memory_reserve(&contact->memory, 2) ||
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, slip != 0, step->to.load,
+                                 step->to.shear)) {
+        rw_memory_destroy(&before);
+        return RWEDGE_ENOMEM;
+    }
+    go(contact, &to, step, departure);
+    const bool slides = contact->memory.count == 2 && slip != 0;
+    contact->was_off_centre = true;
+    contact->settled = common_part(settled, step->patch);
+    contact->is_origin_known = is_known && !slides;
+    const double share = contact->energy_carry + share_off_centre(contact, &before, step, slip);
+    const double energy = contact->energy + share; /* NaN if one of them is */
+    contact->energy_carry = isnan(energy) ? 0 : share - (energy - contact->energy);
+    contact->energy = energy;
+    rw_memory_destroy(&before);
+    return RWEDGE_OK;
+}
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    int32_t status = check(contact, to);
+    rw_step step;
+    if (status == RWEDGE_OK)
+        status = make_step(contact, to, &step);
+    if (status != RWEDGE_OK)
+        return status;
+    if (!is_tilt_possible(&step))
+        return RWEDGE_EDOMAIN;
+    rw_departure departure = {.corner = {0}};
+    if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
+        return RWEDGE_EPATH;
+    if (!is_off_centre(contact, &step))
+        return go_centred(contact, to, &step, &departure);
+    return go_off_centre(contact, to, &step, &departure);
+}
+
+int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    return contact ? apply(contact, (rw_loads){P, M, Q, sigma}) : RWEDGE_ENULL;
+}
+
+int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
+}
+
+static const char *text_of(rw_obstacle obstacle)
+{
+    switch (obstacle) {
+    case RW_EDGES_PART:
+        return "one edge of the contact would advance while the other recedes: change P with M, so "
+               "that dM/dP stays within a quarter of the contact's width from its middle";
+    case RW_SLIPS_BOTH_WAYS:
+        return "the two edges would slip in opposite directions: change sigma by less, or Q by "
+               "more, or in a load of its own at constant P and M";
+    case RW_FRONTS_PART:
+        return "slip or the edges would have passed a patch of the history at one side only, or "
+               "leave a part between that sticks: go on until all has slipped, or separate the "
+               "bodies first";
+    case RW_GROWS_UNEVENLY:
+        return "the contact would grow with a shear that does not keep to its tilt: change P and M "
+               "first, under constant Q and sigma, then Q and sigma";
+    default:
+        return "";
+    }
+}
+
+const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M, double Q,
+                                    double sigma)
+{
+    const rw_loads to = {P, M, Q, sigma};
+    rw_step step;
+    rw_departure departure;
+    if (!contact || contact->f == 0 || check(contact, to) != RWEDGE_OK ||
+        make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
+        return "";
+    return text_of(rw_path_departure(&step, &departure));
+}
+
+double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q)
+{
+    if (!contact || !rw_is_signed(Q))
+        return NAN;
+    const double s = rwedge_contact_half_width(contact);
+    if (contact->f == 0)
+        return HUGE_VAL;
+    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) : 0;
+}

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact as numbers, for restarts and for other processes. In this order: the version of this
+ * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
+ * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
+ * the original would. */
+#include "contact/contact.h"
+
+#include "base/logarithm.h"
+
+#include <stdlib.h>
+
+static const double VERSION = 1;
+
+enum { HEAD = 2, CORNER = 9, ORIGIN = 6 };
+
+/* Reads or writes one number after the other; `at` counts them. */
+typedef struct {
+    double *out;      /* NULL when reading or counting */
+    const double *in; /* NULL when writing or counting */
+    size_t at, size;
+    bool is_sound, is_short; /* of memory */
+} tape;
+
+static void pass(tape *t, double *value)
+{
+    const bool is_over = t->in && t->at >= t->size;
+    t->is_sound = t->is_sound && !is_over;
+    if (t->in)
+        *value = is_over ? 0 : t->in[t->at];
+    else if (t->out)
+        t->out[t->at] = *value;
+    t->at++;
+}
+
+/* A count or a flag, a whole number that is not above the limit. */
+static size_t pass_count(tape *t, size_t count, size_t limit)
+{
+    double value = (double)count;
+    pass(t, &value);
+    if (!(isgreaterequal(value, 0) && islessequal(value, (double)limit)) || value != floor(value)) {
+        t->is_sound = false;
+        return 0;
+    }
+    return (size_t)value;
+}
+
+static void pass_finite(tape *t, size_t count, double *const numbers[])
+{
+    for (size_t i = 0; i < count; i++) {
+        pass(t, numbers[i]);
+        t->is_sound = t->is_sound && isfinite(*numbers[i]);
+    }
+}
+
+static void pass_corner(tape *t, rw_corner *c)
+{
+    double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
+                              &c->ratio, &c->patch.left, &c->patch.right};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->least); /* infinite where nothing bounds the slope */
+    pass(t, &c->most);
+}
+
+/* What a path must be for the functions that read it to come to an end. */
+static bool is_corner_sound(const rw_corner *c, const rw_corner *before)
+{
+    const double width = c->patch.right - c->patch.left;
+    return !isnan(c->least) && !isnan(c->most) && fabs(c->ratio) <= 1 &&
+           (before ? c->load > before->load && width > 0 : c->load == 0 && width == 0);
+}
+
+static void pass_path(tape *t, rw_memory *memory)
+{
+    const size_t limit = t->in ? t->size / CORNER : memory->count;
+    const size_t count = pass_count(t, memory->count, limit);
+    if (t->in) {
+        *memory = (rw_memory){0};
+        t->is_sound = t->is_sound && count > 0;
+        if (t->is_sound && !rw_memory_reserve(memory, count))
+            t->is_short = true;
+        memory->count = t->is_sound && !t->is_short ? count : 0;
+    }
+    for (size_t i = 0; i < memory->count; i++) {
+        rw_corner *corner = &memory->corners[i];
+        pass_corner(t, corner);
+        if (t->in && !is_corner_sound(corner, i > 0 ? corner - 1 : NULL))
+            t->is_sound = false;
+    }
+}
+
+static void pass_origin(tape *t, rw_slip_origin *o)
+{
+    double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
+    pass_finite(t, sizeof numbers / sizeof *numbers, numbers);
+    pass_path(t, &o->base);
+}
+
+static void pass_origins(tape *t, rw_slip_origins *origins)
+{
+    double *const fresh[] = {&origins->fresh};
+    pass_finite(t, 1, fresh);
+    const size_t limit = t->in ? t->size / ORIGIN : origins->count;
+    const size_t count = pass_count(t, origins->count, limit);
+    if (!t->in) {
+        for (size_t i = 0; i < count; i++)
+            pass_origin(t, &origins->all[i]);
+        return;
+    }
+    *origins = (rw_slip_origins){.fresh = origins->fresh};
+    if (!t->is_sound || t->is_short || count == 0)
+        return;
+    origins->all = calloc(count, sizeof *origins->all);
+    t->is_short = !origins->all;
+    origins->capacity = t->is_short ? 0 : count;
+    for (size_t i = 0; i < origins->capacity; i++) {
+        origins->count = i + 1;
+        pass_origin(t, &origins->all[i]);
+    }
+}
+
+static void pass_contact(tape *t, rwedge_contact *c)
+{
+    double *const finite[] = {
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,    &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,       &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right, &c->energy_carry};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass(t, &c->energy); /* NaN where it is not known */
+    c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
+    c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
+    pass_path(t, &c->memory);
+    pass_origins(t, &c->origins);
+}
+
+/* A number of 52 bits. */
+static double sum_of_bits(const double *state, size_t n)
+{
+    uint64_t sum = 0xcbf29ce484222325; /* FNV-1a, by words */
+    for (size_t i = 0; i < n; i++)
+        sum = (sum ^ rw_bits_of(state[i])) * 0x100000001b3 ^ (sum >> 29);
+    return (double)(sum >> 12);
+}
+
+static size_t size_of(const rwedge_contact *contact)
+{
+    rwedge_contact same = *contact; /* is only counted */
+    tape t = {.at = HEAD, .is_sound = true};
+    pass_contact(&t, &same);
+    return t.at;
+}
+
+size_t rwedge_contact_state_size(const rwedge_contact *contact)
+{
+    return contact ? size_of(contact) : 0;
+}
+
+int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double state[])
+{
+    if (!contact || !state)
+        return RWEDGE_ENULL;
+    if (n != size_of(contact))
+        return RWEDGE_ERANGE;
+    rwedge_contact same = *contact; /* is only read */
+    tape t = {.out = state, .at = HEAD, .is_sound = true};
+    pass_contact(&t, &same);
+    state[0] = VERSION;
+    state[1] = sum_of_bits(state + HEAD, n - HEAD);
+    return RWEDGE_OK;
+}
+
+static bool is_contact_sound(const rwedge_contact *c)
+{
+    return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
+           rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
+           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0);
+}
+
+int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)
+{
+    if (!state || !contact)
+        return RWEDGE_ENULL;
+    if (n <= HEAD || state[0] != VERSION || state[1] != sum_of_bits(state + HEAD, n - HEAD))
+        return RWEDGE_EDOMAIN;
+    rwedge_contact *restored = calloc(1, sizeof *restored);
+    if (!restored)
+        return RWEDGE_ENOMEM;
+    tape t = {.in = state, .at = HEAD, .size = n, .is_sound = true};
+    pass_contact(&t, restored);
+    if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
+        rwedge_contact_destroy(restored);
+        return t.is_short ? RWEDGE_ENOMEM : RWEDGE_EDOMAIN;
+    }
+    *contact = restored;
+    return RWEDGE_OK;
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A patch of contact off the centre, as a moment or a bulk tension makes it: the wedge's profile,
+ * of rounding a, pressed to left < x < right. This room knows what a patch carries, and which patch
+ * carries what.
+ *
+ * With x = m + s sin(phi), m = (left + right)/2, s = (right - left)/2, all of it is a mean over the
+ * rounding: <> is over |x| < a, phi staying at +-pi/2 beyond the edges. In theta/A and theta,
+ *     P = 2 s <cos(phi)>,   M = m P + s^2 <sin(phi) cos(phi)>,   delta = -(2/pi) <phi>.
+ * The tilt delta is what the moment takes off the slope g of the profile. |delta| < 1: at 1 a flank
+ * would lie on the surface. */
+#ifndef RW_PATCH_H
+#define RW_PATCH_H
+
+#include <stdbool.h>
+
+/* The edges are exact: next to them it is differences from them that count. */
+typedef struct {
+    double left, right;
+} rw_patch;
+
+static inline double rw_patch_middle(rw_patch patch)
+{
+    return patch.left / 2 + patch.right / 2;
+}
+
+static inline double rw_patch_half_width(rw_patch patch)
+{
+    return patch.right / 2 - patch.left / 2;
+}
+
+/* The ends of the rounding as the patch sees them, at x = -+a; one that is outside counts as the
+ * edge. half is half the angle phi between them, middle the angle midway. */
+typedef struct {
+    double alpha, per_alpha;   /* a/s; its reciprocal, 0 where the wedge is sharp to the last bit */
+    double sine[2], cosine[2]; /* of phi */
+    double sin_half, cos_half; /* half >= 0 */
+    double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
+    double sin_middle, cos_middle;   /* cos_middle >= sin_half */
+    bool is_inside[2];
+} rw_corners;
+
+/* a >= 0 and left < right, with the rounding at least partly inside. */
+rw_corners rw_corners_of(double a, rw_patch patch);
+
+/* Load, moment about x = 0, tilt. */
+typedef struct {
+    double load, moment, tilt;
+} rw_pressing;
+
+rw_pressing rw_patch_pressing(double a, rw_patch patch);
+
+/* How fast the edges move: a load dP and a tilt d delta move the right edge by (dP + pi s d
+ * delta)/(2 at_right) and the left one by -(dP - pi s d delta)/(2 at_left). The pressure falls to
+ * each like (2/pi) at_edge sqrt(2 r/s), at the distance r. */
+typedef struct {
+    double at_left, at_right;
+} rw_edge_rates;
+
+rw_edge_rates rw_patch_edge_rates(const rw_corners *corners);
+
+/* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges
+ * to 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is
+ * 1 to rounding. */
+rw_patch rw_patch_of_moment(double a, double P, double M);
+rw_patch rw_patch_of_tilt(double a, double P, double delta);
+
+#endif

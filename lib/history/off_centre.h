@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Slip and energy where patches are off the centre. */
+#ifndef RW_OFF_CENTRE_H
+#define RW_OFF_CENTRE_H
+
+#include "history/path.h"
+
+/* How far the profile, tilted as the contact of a patch tilts it, lies above the surface that this
+ * contact deforms, at x, in theta and the unit of a: 0 inside the patch. Relative error below 1e-13
+ * over 1 - |delta|. */
+double rw_patch_gap(double a, rw_patch patch, double x);
+
+/* The tangential displacement at x, over f theta, that one path has beyond another of the same
+ * slope in its first layer. What both paths have in common is left out. */
+double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x);
+
+/* The integral of |p| times the slip of a step under constant load and moment, which took the path
+ * from `before` to `after`, over the two annuli that slip; p in theta/A, the slip in f theta. */
+double rw_annuli_work(const rw_memory *before, const rw_memory *after, double a);
+
+#endif

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Under one load both edges of a patch move outwards where the change (dP, d delta) of load and
+ * tilt is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the patch):
+ * the pressure that is added, that of a flat punch, is then positive everywhere. A straight step in
+ * P and M keeps to the cone if it does at its smaller end: the line of action dM/dP of what is added
+ * lies between m - s/2 and m + s/2, and where one edge rests, that end of the interval moves
+ * outwards.
+ *
+ * With S the sign of slip, z = f |p| - S q is what friction has left, and y >= 0 the slip so far in
+ * the direction S: z y = 0, as pressure and gap of a contact without friction, of the load
+ * N - S T. A change of N - S T in the negative cone takes z away everywhere. Then z falls and y
+ * grows at every point and all the time, because slip at one point presses every other one the same
+ * way. So y and z at the end of the step do not depend on the way there. They are what the memory
+ * diagram says if that has z >= 0, which nested patches have, and y >= 0, see one_way.h. No point
+ * slips the other way as long as z <= 2 f |p|. That is so where the pressure nowhere falls; where
+ * what sticks is still inside the contact; and where the front inside one layer stays behind the
+ * edges of the contact. */
+#include "history/path.h"
+
+#include "history/one_way.h"
+
+#include <float.h>
+
+/* Of pieces that a step is divided into, to bound what changes on them. */
+enum { TRIES = 40 };
+
+/* Loads at the limit of a cone are inside. */
+static const double SLACK = 1e-12;
+
+static double half_width(rw_patch patch)
+{
+    return rw_patch_half_width(patch);
+}
+
+/* P A/theta, a length. */
+static double length_of(const rw_geometry *g, double P)
+{
+    return P * (g->A / g->theta);
+}
+
+rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
+{
+    if (M != 0)
+        return rw_patch_of_moment(g->a, length_of(g, P), length_of(g, M));
+    const double b = rw_half_width(g, P);
+    return (rw_patch){-b, b};
+}
+
+rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
+{
+    if (tilt != 0)
+        return fabs(tilt) < 1 ? rw_patch_of_tilt(g->a, length_of(g, P), tilt)
+                              : (rw_patch){NAN, NAN};
+    const double b = rw_half_width(g, P);
+    return (rw_patch){-b, b};
+}
+
+bool rw_path_is_plain(const rw_memory *memory, rw_loading to)
+{
+    if (to.tilt != 0)
+        return false;
+    for (size_t i = memory->count; i-- > 0;)
+        if (memory->corners[i].tilt != 0 || memory->corners[i].stretch != to.stretch)
+            return false;
+    return true;
+}
+
+/* ---- Conditions ---- */
+
+static double tilt_tolerance(const rw_memory *memory, rw_loading to)
+{
+    return 64 * DBL_EPSILON * (1 + fmax(fabs(to.stretch), fabs(rw_memory_end(memory)->stretch)));
+}
+
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer)
+{
+    const double tolerance = SLACK * (outer.right - outer.left);
+    return isgreaterequal(inner.left, outer.left - tolerance) &&
+           islessequal(inner.right, outer.right + tolerance);
+}
+
+typedef struct {
+    double least, most;
+} range;
+
+static double largest(range r)
+{
+    return fmax(fabs(r.least), fabs(r.most));
+}
+
+/* Whether a change of load, a length, and of tilt adds to the traction everywhere within a patch. */
+static bool adds_everywhere(double load, range tilt, rw_patch patch, double tolerance)
+{
+    const double arm = RW_PI * half_width(patch);
+    return arm * (largest(tilt) - tolerance) <= (1 + SLACK) * load;
+}
+
+/* Whether the front that slips from the edges is between the same two patches at both, and all
+ * points that it passed have slipped. Slip that leaves nothing of the old path slides. */
+static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_departure *d)
+{
+    const rw_memory *memory = s->memory;
+    const double most = fmax(to.load, rw_memory_end(memory)->load);
+    if (to.load - d->slip * to.shear <= rw_memory_tolerance(most)) {
+        *d = (rw_departure){memory->corners[0], 1, d->slip};
+        return true;
+    }
+    const rw_corner *before = &memory->corners[d->kept - 1];
+    const bool is_corner = d->corner.load == before->load;
+    if (!is_corner)
+        d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
+    else if (fabs(rw_memory_missing_tilt(before, d->slip, to)) > tilt_tolerance(memory, to))
+        return false;
+    return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch)) &&
+           rw_patch_is_nested(d->corner.patch, memory->corners[d->kept].patch) &&
+           rw_patch_is_nested(d->corner.patch, patch) &&
+           rw_slips_one_way(memory, d, s->geometry->a);
+}
+
+/* ---- Constant load and moment ---- */
+
+static rw_obstacle constant_step(const rw_step *s, rw_departure *d)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double shear = length_of(s->geometry, fabs(s->to.shear - end->shear));
+    const double stretch = s->to.stretch - end->stretch;
+    if (!adds_everywhere(shear, (range){stretch, stretch}, end->patch,
+                         tilt_tolerance(s->memory, s->to)))
+        return RW_SLIPS_BOTH_WAYS;
+    *d = rw_memory_departure(s->memory, s->to);
+    return d->slip == 0 || front_is_known(s, s->to, s->patch, d) ? RW_NO_OBSTACLE : RW_FRONTS_PART;
+}
+
+/* ---- A moving contact ---- */
+
+static bool grows(const rw_step *s)
+{
+    return s->to_P > s->from_P;
+}
+
+/* Whether a step that is not constant moves both edges outwards, or both inwards. */
+static bool edges_go_together(const rw_step *s)
+{
+    if (s->to_P == s->from_P)
+        return false;
+    if (grows(s) ? s->from_P == 0 : s->to_P == 0)
+        return true;
+    const rw_patch smaller = grows(s) ? rw_memory_end(s->memory)->patch : s->patch;
+    const double action = (s->to_M - s->from_M) / (s->to_P - s->from_P);
+    return fabs(action - rw_patch_middle(smaller)) <= (0.5 + SLACK) * half_width(smaller);
+}
+
+/* Whether the tilt stays as it is: without moment, and for Hertz under one line of action. */
+static bool is_level(const rw_step *s)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    const rw_patch larger = grows(s) ? s->patch : end->patch;
+    const double a = s->geometry->a;
+    const bool is_hertz = larger.left >= -a && larger.right <= a;
+    return (s->from_M == 0 && s->to_M == 0) ||
+           (is_hertz &&
+            (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s->memory, s->to)));
+}
+
+/* d delta/dt = 2 (dM - m dP)/(pi s^2) while the patch is between two others; the step lasts from
+ * t = 0 to 1. */
+static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
+{
+    if (is_level(s))
+        return (range){0, 0};
+    const double P = length_of(s->geometry, s->to_P - s->from_P);
+    const double M = length_of(s->geometry, s->to_M - s->from_M);
+    const double one = M - P * (larger.left / 2 + smaller.right / 2);
+    const double other = M - P * (smaller.left / 2 + larger.right / 2);
+    const double least = fmin(one, other), most = fmax(one, other);
+    const double few = half_width(smaller), many = half_width(larger);
+    return (range){2 / RW_PI * least / pow(least > 0 ? many : few, 2),
+                   2 / RW_PI * most / pow(most > 0 ? few : many, 2)};
+}
+
+/* Whether the shear keeps to a layer of slope D all along, as the tilt bends. */
+static bool keeps_to_layer(const rw_step *s, double D, range tilt_rate)
+{
+    const double tolerance = tilt_tolerance(s->memory, s->to);
+    return fabs(s->to.stretch - rw_memory_end(s->memory)->stretch) <= tolerance &&
+           fabs(D) * largest(tilt_rate) <= tolerance;
+}
+
+/* A growing contact whose shear does not slip. */
+static rw_obstacle sticking_growth(const rw_step *s)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double rise = s->to.shear - end->shear;
+    if (rise == 0 && s->to.stretch == end->stretch)
+        return RW_NO_OBSTACLE;
+    const double D = rise / (s->to.load - end->load);
+    return keeps_to_layer(s, D, tilt_rate(s, end->patch, s->patch)) ? RW_NO_OBSTACLE
+                                                                    : RW_GROWS_UNEVENLY;
+}
+
+/* A receding contact whose shear does not slip: it is that of the last layer. */
+static rw_obstacle sticking_recession(const rw_step *s, const rw_departure *d)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    if (d->kept + 1 != s->memory->count ||
+        (d->kept > 1 && !rw_patch_is_nested(end[-1].patch, s->patch)))
+        return RW_FRONTS_PART;
+    return keeps_to_layer(s, end->ratio, tilt_rate(s, s->patch, end->patch)) ? RW_NO_OBSTACLE
+                                                                             : RW_SLIPS_BOTH_WAYS;
+}
+
+/* A moment of the step. */
+typedef struct {
+    double t;
+    rw_patch contact;
+    rw_departure front;
+    bool is_known;  /* the front; otherwise it may be in different layers at the edges */
+    rw_patch stuck; /* the last front that was known */
+} station;
+
+/* What sticks at first: all but a ring that slipped before. A contact that slides cannot go on to
+ * slip that way. */
+static station first_station(const rw_step *s, int slip)
+{
+    const size_t count = s->memory->count;
+    const rw_corner *end = rw_memory_end(s->memory);
+    const bool has_slipped = end->ratio == slip;
+    const rw_corner *front = has_slipped ? end - 1 : end;
+    return (station){.t = 0,
+                     .contact = end->patch,
+                     .front = {*front, has_slipped ? count - 2 : count - 1, slip},
+                     .is_known = true,
+                     .stuck = front->patch};
+}
+
+static station station_at(const rw_step *s, double t, int slip, const station *last)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
+    rw_loading loading = s->to;
+    if (t < 1) {
+        const double P = s->from_P + t * (s->to_P - s->from_P);
+        at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
+        loading = (rw_loading){.load = P,
+                               .shear = end->shear + t * (s->to.shear - end->shear),
+                               .tilt = rw_patch_pressing(s->geometry->a, at.contact).tilt,
+                               .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+    }
+    at.front = rw_memory_departure(s->memory, loading);
+    at.is_known = at.front.slip == slip && front_is_known(s, loading, at.contact, &at.front);
+    if (at.is_known)
+        at.stuck = at.front.corner.patch;
+    return at;
+}
+
+/* Whether the front stays in its layer, behind the edges of the contact: S (dT - D dN) adds. */
+static bool stays_behind(const rw_step *s, const station *from, const station *to, range tilt_rate)
+{
+    if (!from->is_known || !to->is_known || from->front.kept != to->front.kept)
+        return false;
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double S = to->front.slip, D = s->memory->corners[to->front.kept].ratio;
+    const double load = (s->to.shear - end->shear) - D * (s->to.load - end->load);
+    const double stretch = s->to.stretch - end->stretch;
+    const range tilt = {stretch - D * tilt_rate.least, stretch - D * tilt_rate.most};
+    return adds_everywhere(S * length_of(s->geometry, load), tilt, from->contact,
+                           tilt_tolerance(s->memory, s->to));
+}
+
+/* What is in the way between two moments. */
+static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *from,
+                                    const station *to)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    const rw_patch smaller = grows(s) ? from->contact : to->contact;
+    const rw_patch larger = grows(s) ? to->contact : from->contact;
+    const range rate = tilt_rate(s, smaller, larger);
+    const double load = slip * (s->to.shear - end->shear) - (s->to.load - end->load);
+    const double stretch = slip * (s->to.stretch - end->stretch);
+    const range tilt = {stretch - rate.most, stretch - rate.least};
+    if (!adds_everywhere(length_of(s->geometry, load), tilt, larger,
+                         tilt_tolerance(s->memory, s->to)))
+        return RW_SLIPS_BOTH_WAYS;
+    if (grows(s) || rw_patch_is_nested(from->stuck, to->contact) || stays_behind(s, from, to, rate))
+        return RW_NO_OBSTACLE;
+    return RW_FRONTS_PART;
+}
+
+/* A moving contact that slips: the step is divided until all of it is shown to slip one way. */
+static rw_obstacle slipping_step(const rw_step *s, rw_departure *d)
+{
+    station from = first_station(s, d->slip);
+    rw_obstacle obstacle = RW_NO_OBSTACLE;
+    double length = 1;
+    for (int i = 0; i < TRIES && from.t < 1; i++) {
+        const station to = station_at(s, fmin(1, from.t + length), d->slip, &from);
+        const rw_obstacle found = obstacle_between(s, d->slip, &from, &to);
+        if (found == RW_NO_OBSTACLE)
+            from = to;
+        else
+            obstacle = found;
+        length *= found == RW_NO_OBSTACLE ? 2 : 0.5;
+    }
+    if (from.t < 1)
+        return obstacle;
+    *d = from.front;
+    return from.is_known ? RW_NO_OBSTACLE : RW_FRONTS_PART;
+}
+
+static rw_obstacle moving_step(const rw_step *s, rw_departure *d)
+{
+    *d = rw_memory_departure(s->memory, s->to);
+    if (d->slip != 0)
+        return slipping_step(s, d);
+    return grows(s) ? sticking_growth(s) : sticking_recession(s, d);
+}
+
+static bool is_constant(const rw_step *s)
+{
+    return s->to_P == s->from_P && s->to_M == s->from_M;
+}
+
+rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
+{
+    if (s->to.load == 0 || rw_path_is_plain(s->memory, s->to)) {
+        *departure = rw_memory_departure(s->memory, s->to);
+        return RW_NO_OBSTACLE;
+    }
+    if (is_constant(s))
+        return constant_step(s, departure);
+    if (!edges_go_together(s))
+        return RW_EDGES_PART;
+    return moving_step(s, departure);
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Whether a load with moment and bulk tension leads to a state in closed form. The memory diagram
+ * is exact as long as its patches are nested and slip has one sign at both edges at a time; for
+ * loads without moment and under one tension that is always so. */
+#ifndef RW_PATH_H
+#define RW_PATH_H
+
+#include "formulas/size.h"
+#include "history/memory.h"
+
+/* The patch of a load P >= 0 and a moment M, or a tilt in theta, which are 0 where P is. NaN where
+ * the tilt is 1. */
+rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
+rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
+
+/* Whether one patch lies inside another, to rounding. false for NaN. */
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer);
+
+/* A straight step of the loads. The patches are those of the contact at its ends. */
+typedef struct {
+    const rw_geometry *geometry;
+    const rw_memory *memory;
+    double from_P, from_M, to_P, to_M;
+    rw_loading to;
+    rw_patch patch; /* under the new load */
+} rw_step;
+
+typedef enum {
+    RW_NO_OBSTACLE,
+    RW_EDGES_PART,      /* one edge of the contact advances while the other recedes */
+    RW_SLIPS_BOTH_WAYS, /* at the two edges */
+    RW_FRONTS_PART,     /* the fronts of slip end in different layers */
+    RW_GROWS_UNEVENLY   /* tilt or tension change while new rings come into contact with shear */
+} rw_obstacle;
+
+/* What is in the way; the departure for the step's load, its patch known, where nothing is. */
+rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
+
+/* Whether all of it has one stretch and no tilt: the history of P and Q alone. */
+bool rw_path_is_plain(const rw_memory *memory, rw_loading to);
+
+#endif

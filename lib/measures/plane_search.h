@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The plane on which a cycle of stresses has the largest product of two quantities: one that
+ * counts by its maximum over the loads, and one that counts by its range. Each is, for each load,
+ * a wave in phi, twice the angle of the plane: mean + cosine cos(phi) + sine sin(phi). */
+#ifndef RW_PLANE_SEARCH_H
+#define RW_PLANE_SEARCH_H
+
+#include "base/domain.h"
+#include "base/logarithm.h"
+
+#include <stddef.h>
+
+typedef struct {
+    double mean, cosine, sine;
+} rw_wave;
+
+/* The stresses of load i are sxx[i stride] ... With the normal stress of a plane n = s + d cos(phi)
+ * + t sin(phi), s = (sxx+syy)/2, d = (syy-sxx)/2, t = txy, and its shear stress q = t cos(phi) - d
+ * sin(phi) the two waves are
+ *     peak  = offset + gain n
+ *     range = mean s + normal (n - s) + shear q */
+typedef struct {
+    size_t loads, stride;
+    const double *sxx, *syy, *txy;
+    double offset, gain;
+    double mean, normal, shear;
+} rw_cycle;
+
+/* The largest max(0, max peak) (max range - min range), and its angle: that between the plane's
+ * normal and +y, positive towards +x; 0 where the product is 0. */
+double rw_plane_search(const rw_cycle *cycle, double *angle);
+
+/* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]. */
+static inline double rw_plane_angle(double cosine, double sine)
+{
+    const double angle = rw_angle(cosine, sine) / 2;
+    return angle > -RW_HALF_PI ? angle : RW_HALF_PI;
+}
+
+#endif

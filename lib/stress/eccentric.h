@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The potential of a patch off the centre: as potential.h has it for the centred one, to which a
+ * patch that is centred is handed on. */
+#ifndef RW_ECCENTRIC_H
+#define RW_ECCENTRIC_H
+
+#include "formulas/patch.h"
+#include "stress/batch.h"
+#include "stress/potential.h"
+
+/* What a half of the plane, right or left of the patch's middle, sees of the profile; the left
+ * half as its mirror image. */
+typedef struct {
+    double edge, end; /* of the patch on this side; of the rounding: the one that is inside, or
+                                     * the left one */
+    double sine[2], cosine[2];       /* of the angles of the rounding's ends */
+    double sin_middle, slant;        /* slant: the tangent of the angle midway */
+    double above, beside, clearance; /* see turn_part() */
+    double side;                     /* of the end that is inside, if one is: +1 flank beyond it */
+    double arc_over;
+} rw_half_view;
+
+enum { RW_SERIES_TERMS = 27 };
+
+typedef struct {
+    rw_potential centred;
+    rw_patch patch;
+    double middle, half_width, per_half_width, a;
+    rw_corners corners;
+    bool is_centred;
+    int inside;                  /* how many ends of the rounding are inside the patch */
+    rw_half_view view[2];        /* right, left */
+    double far[RW_SERIES_TERMS]; /* of the series in R, from R^1 */
+} rw_eccentric;
+
+void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
+
+/* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the
+ * middle in half-widths, over 1 - |delta|. */
+rw_field rw_eccentric_at(const rw_eccentric *potential, double x, double y);
+void rw_eccentric_fields(const rw_eccentric *potential, int count, const double x[],
+                         const double y[], rw_fields *fields);
+
+#endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses at many points through many loads. */
+#include "histories.h"
+
+#include <float.h>
+#include <string.h>
+
+enum { LOADS = 24, POINTS = 77 };
+
+typedef struct {
+    double P[LOADS], M[LOADS], Q[LOADS], sigma[LOADS];
+    double x[POINTS], y[POINTS];
+    double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
+} history;
+
+static void fill(history *h, double M, double tension)
+{
+    for (int i = 0; i < LOADS; i++) {
+        h->P[i] = 0.5;
+        h->M[i] = M;
+        h->Q[i] = i == 0 ? 0 : 0.2 * sin(0.7 * i);
+        h->sigma[i] = i == 0 ? 0 : tension * sin(0.7 * i);
+    }
+    for (int i = 0; i < POINTS; i++) {
+        h->x[i] = 6.0 * i / POINTS - 3;
+        h->y[i] = i % 4 ? 0.1 * (i % 11) + 0.01 : 0;
+    }
+}
+
+static int32_t run(history *h, rwedge_contact *contact)
+{
+    return rwedge_contact_stress_history(contact, LOADS, h->P, h->M, h->Q, h->sigma, POINTS, h->x,
+                                         h->y, h->sxx, h->syy, h->txy);
+}
+
+static void gives_the_bits_of_single_calls(void **state)
+{
+    (void)state;
+    static history h;
+    static const double cases[][3] = {
+        {0.4, 0, 0}, {0.4, 0, 0.02}, {0.4, 0.1, 0.02}, {0, 0.1, 0.02}, {9, 0.1, 0}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        fill(&h, cases[k][1], cases[k][2]);
+        rwedge_contact *contact = create(cases[k][0], 0.5), *single = create(cases[k][0], 0.5);
+        assert_int_equal(run(&h, contact), RWEDGE_OK);
+        for (int i = 0; i < LOADS; i++) {
+            double sxx[POINTS], syy[POINTS], txy[POINTS];
+            assert_int_equal(rwedge_contact_apply(single, h.P[i], h.M[i], h.Q[i], h.sigma[i]),
+                             RWEDGE_OK);
+            assert_int_equal(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy),
+                             RWEDGE_OK);
+            assert_memory_equal(sxx, h.sxx + i * POINTS, sizeof sxx);
+            assert_memory_equal(syy, h.syy + i * POINTS, sizeof syy);
+            assert_memory_equal(txy, h.txy + i * POINTS, sizeof txy);
+        }
+        assert_true(rwedge_contact_stick_half_width(contact) ==
+                    rwedge_contact_stick_half_width(single));
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(single);
+    }
+}
+
+static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
+{
+    (void)state;
+    static history h, before;
+    fill(&h, 0.1, 0.02);
+    h.Q[LOADS - 1] = 0.3;
+    before = h;
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(run(&h, contact), RWEDGE_ESLIDING);
+    h.Q[LOADS - 1] = 0;
+    h.y[3] = -1;
+    assert_int_equal(run(&h, contact), RWEDGE_EDOMAIN);
+    assert_memory_equal(h.sxx, before.sxx, sizeof h.sxx);
+    assert_true(rwedge_contact_half_width(contact) == 0);
+    assert_int_equal(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL, 0, NULL,
+                                                   NULL, NULL, NULL, NULL),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stress_history(NULL, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL,
+                                                   NULL, NULL, NULL),
+                     RWEDGE_ENULL);
+    rwedge_contact_destroy(contact);
+}
+
+/* Random histories of P and Q. */
+static void gives_the_bits_of_single_calls_along_random_histories(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0, 0);
+    for (int number = 0; number < 60; number++) {
+        random_history random;
+        rwedge_contact *single = begin(&random, number), *contact;
+        assert_int_equal(rwedge_contact_copy(single, &contact), RWEDGE_OK);
+        double last[3][POINTS];
+        for (int i = 0; i < LOADS; i++) {
+            go_on(&random, single);
+            h.P[i] = random.P;
+            h.Q[i] = random.Q;
+        }
+        if (single->geometry.a == 0)
+            h.x[POINTS / 2] = 0.01; /* not the apex */
+        assert_int_equal(
+            rwedge_contact_stresses(single, POINTS, h.x, h.y, last[0], last[1], last[2]),
+            RWEDGE_OK);
+        assert_int_equal(run(&h, contact), RWEDGE_OK);
+        assert_memory_equal(last[0], h.sxx + (LOADS - 1) * POINTS, sizeof last[0]);
+        assert_memory_equal(last[1], h.syy + (LOADS - 1) * POINTS, sizeof last[1]);
+        assert_memory_equal(last[2], h.txy + (LOADS - 1) * POINTS, sizeof last[2]);
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(single);
+    }
+}
+
+/* Steps of slope f, each to rounding, leave corners with the same slope on both sides. */
+static void corners_of_one_slope_add_nothing(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0, 0);
+    rwedge_contact *single = create(0.1, 0.5), *contact;
+    double P = 0.1, ratio = 0;
+    load(single, P, 0);
+    for (int i = 0; i < 400; i++) {
+        P += 1e-4;
+        ratio += 1e-4 + (i < 200 ? -2 : 2) * DBL_EPSILON * P;
+        load(single, P, 0.5 * ratio);
+    }
+    assert_int_equal(rwedge_contact_copy(single, &contact), RWEDGE_OK);
+    for (int i = 0; i < LOADS; i++) {
+        h.P[i] = P;
+        h.Q[i] = 0.5 * ratio;
+    }
+    double sxx[POINTS], syy[POINTS], txy[POINTS];
+    load(single, P, 0.5 * ratio);
+    assert_int_equal(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy), RWEDGE_OK);
+    assert_int_equal(run(&h, contact), RWEDGE_OK);
+    assert_memory_equal(sxx, h.sxx, sizeof sxx);
+    assert_memory_equal(syy, h.syy + POINTS, sizeof syy);
+    assert_memory_equal(txy, h.txy + 2 * POINTS, sizeof txy);
+    rwedge_contact_destroy(single);
+    rwedge_contact_destroy(contact);
+}
+
+/* One argument at a time. */
+static void what_is_missing_is_said(void **state)
+{
+    (void)state;
+    static history h;
+    fill(&h, 0.1, 0.02);
+    rwedge_contact *contact = create(0.4, 0.5);
+    for (int i = 0; i < 9; i++) {
+        const double *in[6] = {h.P, h.M, h.Q, h.sigma, h.x, h.y};
+        double *out[3] = {h.sxx, h.syy, h.txy};
+        if (i < 6)
+            in[i] = NULL;
+        else
+            out[i - 6] = NULL;
+        assert_int_equal(rwedge_contact_stress_history(contact, LOADS, in[0], in[1], in[2], in[3],
+                                                       POINTS, in[4], in[5], out[0], out[1],
+                                                       out[2]),
+                         RWEDGE_ENULL);
+        if (i >= 6) /* no load gives no stress */
+            assert_int_equal(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL,
+                                                           POINTS, h.x, h.y, out[0], out[1],
+                                                           out[2]),
+                             RWEDGE_OK);
+    }
+    assert_true(rwedge_contact_half_width(contact) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gives_the_bits_of_single_calls),
+        cmocka_unit_test(gives_the_bits_of_single_calls_along_random_histories),
+        cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
+        cmocka_unit_test(corners_of_one_slope_add_nothing),
+        cmocka_unit_test(what_is_missing_is_said),
+    };
+    return RUN_CLAIMS("stress_history", tests);
+}

@@ -9,7 +9,7 @@ from header import EQUATION, Function, Interface
 
 IDENTIFIERS = {"DOMAIN": "domain", "RANGE": "range", "NOCONV": "noconv", "NOMEM": "memory", "SLIDING": "sliding", "RANK": "rank",
                "ABSENT": "absent"}
-ARRAYS = "The arguments are arrays of one size, or scalars, which go with every element."
+ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
 
@@ -54,8 +54,8 @@ def help_lines(f: Function) -> list[str]:
     method = bool(f.family) and f.method not in ("create", "fit") and f.of("handle", "changed") != []
     lines = [EQUATION.sub(r"   \1", line) for line in f.comment if not re.fullmatch(r"  \w+  +receives the handle", line)]
     text = without_pointers("\n".join(lines), method).replace(" Free with rwedge_series_destroy().", "")
-    text = text.replace("Unless RWEDGE_OK, the contact is as before.", "After an error the contact is as before; of\n"
-                        "vectors, the loads before the one that is refused stay.")
+    text = re.sub(r"Unless(\s+)RWEDGE_OK, the contact\s+is as before\.", r"After an error\1the contact is as before; of\n"
+                  "vectors, the loads before the one that is refused stay.", text)
     text = re.sub(r"(rwedge_(?:contact|series))_create\(", r"\1(", text)
     text = re.sub(r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2(", text)
     text = "\n".join([*text.split("\n"), *shared(f)])
@@ -92,7 +92,14 @@ def method_text(f: Function) -> str:
     return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
             commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
             f"{margin}    " + call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]) +
-            f";\n{margin}end\n")
+            f";\n{doubts(f, margin)}{margin}end\n")
+
+
+def doubts(f: Function, margin: str) -> str:
+    """What warns where a result of the contact is doubtful: after a load, or by a factor."""
+    if f.of("changed") and "P" in inputs(f):
+        return f"{margin}    {f.family}.warn_of_size();\n"
+    return f"{margin}    {f.family}.warn('safety', factor);\n" if "factor" in outputs(f) else ""
 
 
 def maker_text(f: Function) -> str:

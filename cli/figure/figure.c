@@ -216,11 +216,13 @@ static bool draw(const work *what, output *out)
     if (on == NULL)
         failure("out of memory");
     else {
-        what->which->draw(&what->of, &what->rows, on);
+        const char *nothing = what->which->draw(&what->of, &what->rows, on);
         if (what->no_title)
             on->title[0] = '\0';
         if (on->outlines.failed)
             failure("out of memory");
+        else if (nothing != NULL)
+            failure("figure %s: nothing to draw: %s", what->which->name, nothing);
         else
             drawn = gnuplot_draw(on, what->format, out);
     }

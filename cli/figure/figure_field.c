@@ -2,6 +2,7 @@
 /* Contours of von Mises' stress below the contact. */
 #include "contact/loads.h"
 #include "picture/contour.h"
+#include "picture/names.h"
 #include "figure_field.h"
 
 #include <math.h>
@@ -115,7 +116,7 @@ static double grey_of(int level, int levels)
     return 1 - 0.55 * (level + 1) / (levels + 1);
 }
 
-static void draw_loops(contour_loops *loops, int levels, drawing *on)
+static void draw_loops(contour_loops *loops, double step, int levels, drawing *on)
 {
     for (size_t i = 0; i < loops->count; i++) {
         simplify(&loops->loop[i]);
@@ -126,7 +127,9 @@ static void draw_loops(contour_loops *loops, int levels, drawing *on)
         curve *area = drawing_curve(on, &on->outlines, KINDS * (int)i + AREA_CURVE, 0, 1);
         area->style = STYLE_AREA;
         area->grey = grey_of(one->hole ? one->level - 1 : one->level, levels);
-        drawing_curve(on, &on->outlines, KINDS * (int)i + LINE_CURVE, 0, 1)->width = 0.6;
+        curve *line = drawing_curve(on, &on->outlines, KINDS * (int)i + LINE_CURVE, 0, 1);
+        line->width = 0.6;
+        number_write((one->level + 1) * step, DRAWING_DIGITS, '.', line->legend);
     }
 }
 
@@ -139,8 +142,8 @@ static double highest(const dataset *rows)
     return top;
 }
 
-/* The contours of step, 2 step, ... below top; returns how many levels there are. */
-static int draw_contours(const dataset *rows, double step, double top, drawing *on)
+/* The contours of step, 2 step, ... below top. */
+static void draw_contours(const dataset *rows, double step, double top, drawing *on)
 {
     static double x[FIELD_COLUMNS], y[FIELD_ROWS], value[FIELD_COLUMNS * FIELD_ROWS];
     for (int i = 0; i < FIELD_COLUMNS; i++)
@@ -157,58 +160,11 @@ static int draw_contours(const dataset *rows, double step, double top, drawing *
         sound = contour_trace(&grid, (level + 1) * step, level, &loops);
     contour_sort(&loops);
     on->outlines.failed = on->outlines.failed || !sound;
-    draw_loops(&loops, levels, on);
+    draw_loops(&loops, step, levels, on);
     contour_free(&loops);
-    return levels;
 }
 
 /* ---- What stands on them ---- */
-
-static double stress_at(const figure_case *of, double x, double y)
-{
-    double sxx, syy, txy;
-    const double f = case_value(of, FRICTION), nu = case_value(of, NU);
-    const int32_t status =
-        rwedge_stress(case_value(of, A_OVER_B), f, stick_width(of), x, y, &sxx, &syy, &txy);
-    return status == RWEDGE_OK ? sqrt_J2(nu, sxx, syy, txy) : HUGE_VAL;
-}
-
-/* Along a line from (x, y) in steps (dx, dy), where the stress grows from level to level, a
- * label at each that is far enough from the last one. */
-static int label_line(const figure_case *of, double x, double y, double dx, double dy, double step,
-                      int level, int levels, drawing *on)
-{
-    const double apart = dx != 0 ? 0.3 : 0.13;
-    double since = apart;
-    for (int i = 0; i < 1000 && level < levels && fabs(x) < FIELD_HALF_WIDTH && y > 0.05; i++) {
-        if (stress_at(of, x, y) >= (level + 1) * step) {
-            if (since >= apart) {
-                char text[NUMBER_SIZE];
-                number_write((level + 1) * step, 3, '.', text);
-                label *one = drawing_label(on, x, y, "%s", text);
-                one->align = ALIGN_CENTRE;
-                one->boxed = true;
-                since = 0;
-            }
-            level++;
-        }
-        x += dx;
-        y += dy;
-        since += fabs(dx) + fabs(dy);
-    }
-    return level;
-}
-
-/* Inwards from the side below the trailing edge, then up to the yield point. */
-static void label_levels(const figure_case *of, double x, double step, int levels, drawing *on)
-{
-    const double side = 0.2 - FIELD_HALF_WIDTH, deep = 0.75 * FIELD_DEPTH;
-    int level = (int)floor(stress_at(of, side, deep) / step);
-    level = label_line(of, side, deep, 0.005, 0, step, level, levels, on);
-    const int above = (int)floor(stress_at(of, x, FIELD_DEPTH - 0.1) / step);
-    label_line(of, x, FIELD_DEPTH - 0.1, 0, -0.0025, step, above > level ? above : level, levels,
-               on);
-}
 
 static void add_bar(double from, double to, double top, double bottom, int number, drawing *on)
 {
@@ -266,45 +222,54 @@ static void draw_surface(drawing *on)
     drawing_curve(on, &on->outlines, number, 0, 1);
 }
 
-static void write_title(const figure_case *of, double c, drawing *on)
+/* How far it slips is said as it was asked for. */
+static void write_title(const figure_case *of, drawing *on)
 {
-    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], stick[NUMBER_SIZE];
-    drawing_number(case_value(of, A_OVER_B), alpha);
-    drawing_number(case_value(of, FRICTION), f);
-    drawing_number(case_value(of, NU), nu);
-    drawing_number(c, stick);
+    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], slip[NUMBER_SIZE] = "0";
+    const bool by_force = of->value[Q_OVER_FP].count > 0;
+    const int slips = by_force ? Q_OVER_FP : C_OVER_B;
+    case_text(of, A_OVER_B, 0, alpha);
+    case_text(of, FRICTION, 0, f);
+    case_text(of, NU, 0, nu);
+    if (of->value[slips].count > 0)
+        case_text(of, slips, 0, slip);
     const bool normal = case_value(of, FRICTION) == 0;
     snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
-             alpha, f, normal ? "" : ", *c*/*b* = ", normal ? "" : stick, nu);
+             alpha, f,
+             normal     ? ""
+             : by_force ? ", *Q*/(*fP*) = "
+                        : ", *c*/*b* = ",
+             normal ? "" : slip, nu);
 }
 
-static void write_caption(const figure_case *of, double c, bool found, double top, drawing *on)
+static void write_caption(const figure_case *of, double step, bool found, double top, drawing *on)
 {
-    char value[NUMBER_SIZE];
-    const char *zones = c > 0 ? ", black: stick" : case_value(of, FRICTION) > 0 ? ", sliding" : "";
+    char value[NUMBER_SIZE], lines[NUMBER_SIZE];
+    const char *zones = stick_width(of) > 0            ? ", black: stick"
+                        : case_value(of, FRICTION) > 0 ? ", sliding"
+                                                       : "";
     number_write(top, 3, '.', value);
-    snprintf(on->caption, sizeof on->caption, "bar: contact%s%s%s", zones,
+    number_write(step, 3, '.', lines);
+    snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %s%s%s", zones, lines,
              found ? "; circle: first yield, " : "", found ? value : "");
 }
 
-static void draw_field(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_field(const figure_case *of, const dataset *rows, drawing *on)
 {
-    const double c = stick_width(of), seen = highest(rows);
+    const double seen = highest(rows), step = step_of_levels(seen);
     double x = 0, y = 0, top = 0;
     const bool found = find_yield(of, &x, &y, &top, on);
-    write_title(of, c, on);
-    write_caption(of, c, found, top, on);
+    write_title(of, on);
+    write_caption(of, step, found, top, on);
     on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
     on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
-    on->equal_scale = true;
-    on->height = 0.68;
-    const double step = step_of_levels(seen);
-    const int levels = draw_contours(rows, step, seen, on);
-    draw_zones(c, on);
+    draw_contours(rows, step, seen, on);
+    draw_zones(stick_width(of), on);
     draw_surface(on);
-    label_levels(of, x, step, levels, on);
     if (found)
         mark_yield(x, y, on);
+    names_where_free(on);
+    return NULL;
 }
 
 static const char *const field_columns[] = {"x_over_b",

@@ -108,39 +108,40 @@ static double energy_of_cycle(const curve *one)
     return first[one->count - 1].number[5] - first[LOOP_STEPS].number[5];
 }
 
-static void draw_loop(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_loop(const figure_case *of, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
     double reach = 0;
-    drawing_number(case_value(of, A_OVER_B), text);
+    case_text(of, A_OVER_B, 0, text);
     snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s", text);
     for (size_t i = 0; i < rows->count; i++)
         reach = fmax(reach, rows->row[i].number[3]);
-    reach = reach > 0 ? reach : 1;
-    const double decade = pow(10, floor(log10(reach))), times = reach / decade;
-    const double tic = (times > 7 ? 5 : times > 3 ? 2 : times > 1.5 ? 1 : 0.5) * decade;
-    on->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach, tic, 0};
+    if (reach == 0)
+        return "without an amplitude nothing slips";
+    on->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach,
+                   drawing_tic(2.1 * reach), 0};
     on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
-    on->height = 0.9;
-    on->legend_at = "bottom right";
+    on->height = 0.85;
     snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
     for (int n = 0; n < of->value[Q_OVER_FP].count; n++) {
         curve *one = drawing_curve(on, rows, n, 3, 2);
         style_of_family(one, n);
         one->width = 1.3;
-        snprintf(one->legend, sizeof one->legend, "%.3g: *W* = %#.3g",
-                 range_value(&of->value[Q_OVER_FP], n), energy_of_cycle(one));
+        case_text(of, Q_OVER_FP, n, text);
+        snprintf(one->legend, sizeof one->legend, "%s: *W* = %#.3g", text, energy_of_cycle(one));
     }
+    return NULL;
 }
 
 static const char *const loop_columns[] = {
     "a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
     "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
 
-const figure figure_loop = {.name = "loop",
-                            .summary = "hysteresis loops of a cycle of Q under constant P",
-                            .use = {[A_OVER_B] = {"0.25", 1}, [Q_OVER_FP] = {"0.5,0.7,0.9", 6}},
-                            .column = loop_columns,
-                            .text_column = "part",
-                            .compute = compute_loop,
-                            .draw = draw_loop};
+const figure figure_loop = {
+    .name = "loop",
+    .summary = "hysteresis loops of a cycle of Q under constant P",
+    .use = {[A_OVER_B] = {"0.25", 1}, [Q_OVER_FP] = {"0.5,0.7,0.9", FIGURE_CURVES_MAX}},
+    .column = loop_columns,
+    .text_column = "part",
+    .compute = compute_loop,
+    .draw = draw_loop};

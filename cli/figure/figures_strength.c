@@ -2,6 +2,11 @@
 /* Figs. 3 to 5: the elastic limit, and where it yields. */
 #include "figures_strength.h"
 
+#include "picture/names.h"
+#include "picture/page.h"
+#include "picture/words.h"
+#include "text/list.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -110,24 +115,26 @@ static void draw_jump(const dataset *rows, drawing *on)
     jump->second_axis = true;
     jump->colour = VERMILLION;
     jump->dash = 2;
+    char at[NUMBER_SIZE];
     const bool left = alpha < 0.5;
-    label *one = drawing_label(on, left ? alpha + 0.08 : alpha - 0.04, 0.07,
-                               "jump at *a*/*b* = %.4f", alpha);
+    number_write(alpha, 4, '.', at);
+    label *one =
+        drawing_label(on, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07, "jump at %s", at);
     one->second_axis = true;
     one->colour = VERMILLION;
     one->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
 }
 
-static void draw_normal(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_normal(const figure_case *of, const dataset *rows, drawing *on)
 {
     char nu[NUMBER_SIZE];
-    drawing_number(case_value(of, NU), nu);
+    case_text(of, NU, 0, nu);
     snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s", nu);
     const double top = ceil(normal_at(rows, 1, 2));
     on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
     on->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
     on->second = (axis){"*y*/*b* of the yield point", 0, 1, 0.2, 0};
-    on->height = 0.8;
+    on->height = 0.85;
     for (int n = 0; n < 2; n++) {
         drawing_curve(on, rows, n, 0, 2)->width = 1.5;
         curve *depth = drawing_curve(on, rows, n, 0, 3);
@@ -138,10 +145,12 @@ static void draw_normal(const figure_case *of, const dataset *rows, drawing *on)
     }
     drawing_label(on, 0.42, normal_at(rows, 0.42, 2) + 0.05 * on->y.to, "← *P*/(*bk*)")->align =
         ALIGN_RIGHT;
-    label *depth = drawing_label(on, 0.66, normal_at(rows, 0.66, 3) - 0.07, "*y*/*b* →");
+    const double deep = normal_at(rows, 0.66, 3);
+    label *depth = drawing_label(on, 0.66, deep > 0.2 ? deep - 0.07 : deep + 0.07, "*y*/*b* →");
     depth->second_axis = true;
     depth->colour = VERMILLION;
     draw_jump(rows, on);
+    return NULL;
 }
 
 static const char *const normal_columns[] = {"a_over_b", "nu", "P_over_bk", "y_over_b", NULL};
@@ -211,37 +220,28 @@ static int32_t compute_sliding(const figure_case *of, dataset *rows)
     return status;
 }
 
-/* On the curve, at one of two frictions in turn: neighbours are closer than a text is high. */
-static void label_sliding(const dataset *rows, int n, drawing *on)
+static const char *draw_sliding(const figure_case *of, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
-    size_t first;
-    if (dataset_curve(rows, n, &first) == 0)
-        return;
-    const size_t at = first + (n % 2 == 0 ? 8 : 3);
-    const double *row = rows->row[at].number;
-    drawing_number(row[0], text);
-    label *one = drawing_label(on, row[1], row[3], "%s", text);
-    one->align = ALIGN_CENTRE;
-    one->boxed = true;
-    one->colour = on->curve[n].colour;
-}
-
-static void draw_sliding(const figure_case *of, const dataset *rows, drawing *on)
-{
-    char nu[NUMBER_SIZE];
-    double top = 1;
-    drawing_number(case_value(of, NU), nu);
-    snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s", nu);
+    double top = 0;
+    case_text(of, NU, 0, text);
+    snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
+             text);
     for (size_t i = 0; i < rows->count; i++)
-        top = fmax(top, ceil(rows->row[i].number[3]));
+        top = fmax(top, rows->row[i].number[3]);
+    if (top == 0)
+        return "the elastic limit of a sharp wedge is 0";
     on->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
-    on->y = (axis){"*P*/(*bk*)", 0, top, 1, 0};
-    on->height = 1;
+    on->y = drawing_axis(top, "*P*/(*bk*)");
+    on->height = 0.96;
     for (int n = 0; n < dataset_curves(rows); n++) {
-        style_of_family(drawing_curve(on, rows, n, 1, 3), n);
-        label_sliding(rows, n, on);
+        curve *one = drawing_curve(on, rows, n, 1, 3);
+        style_of_family(one, n);
+        case_text(of, A_OVER_B, n, text);
+        snprintf(one->legend, sizeof one->legend, "%s", text);
     }
+    names_on_curves(on);
+    return NULL;
 }
 
 static const char *const sliding_columns[] = {"a_over_b", "f", "nu", "P_over_bk", NULL};
@@ -288,69 +288,109 @@ static int32_t compute_yield_point(const figure_case *of, dataset *rows)
     return status;
 }
 
-static void style_of_crosses(curve *one)
-{
-    one->style = STYLE_CROSSES;
-}
+/* Lines from the names to the paths, in em. */
+static const double LEADER = 1.5;
 
-static void style_of_jumps(curve *one)
+/* What the marks are is said once. */
+static void draw_path(const dataset *rows, int n, bool explain, drawing *on)
 {
-    one->style = STYLE_CIRCLES;
-    one->colour = VERMILLION;
-}
-
-static void draw_path(const dataset *rows, int n, drawing *on)
-{
-    char text[NUMBER_SIZE];
     curve *line = drawing_curve(on, rows, n, 3, 4);
-    if (line->count == 0)
-        return;
     line->width = 0.6;
     line->colour = SKY;
     curve *crosses = drawing_curve(on, rows, n, 3, 4);
-    style_of_crosses(crosses);
+    crosses->style = STYLE_CROSSES;
     crosses->count--;
     curve *end = drawing_curve(on, rows, n, 3, 4);
-    style_of_jumps(end);
+    end->style = STYLE_CIRCLES;
+    end->colour = VERMILLION;
     end->first += end->count - 1;
     end->count = 1;
-    const double *row = rows->row[crosses->first].number;
-    drawing_number(row[0], text);
-    label *one = drawing_label(on, on->label_count % 2 == 0 ? -0.015 : -0.11, row[4], "%s", text);
-    /* in two columns: near Hertz' contact they are closer than a text is high */
-    one->align = ALIGN_RIGHT;
-}
-
-static void explain_marks(drawing *on)
-{
-    static const char *const words[] = {"every 0.0125 in *f*", "jump to the surface"};
-    const double x = 0.47 * on->x.to;
-    for (int i = 0; i < 2; i++) {
-        const double y = (0.06 + 0.08 * i) * on->y.from;
-        dataset_add(&on->outlines, (data_row){.curve = i, .number = {x, y}});
-        drawing_label(on, x + 0.03 * on->x.to, y, "%s", words[i]);
+    if (explain) {
+        snprintf(crosses->legend, sizeof crosses->legend, "every 0.0125 in *f*");
+        snprintf(end->legend, sizeof end->legend, "jump to the surface");
     }
-    style_of_crosses(drawing_curve(on, &on->outlines, 0, 0, 1));
-    style_of_jumps(drawing_curve(on, &on->outlines, 1, 0, 1));
 }
 
-static void draw_yield_point(const figure_case *of, const dataset *rows, drawing *on)
+/* The names stand in a column left of the paths' starts. */
+static void name_paths(const figure_case *of, const dataset *rows, drawing *on)
 {
-    char nu[NUMBER_SIZE];
-    double right = 0, down = 0.5;
-    drawing_number(case_value(of, NU), nu);
-    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", nu);
+    const page at = page_of(on);
+    const double em = (on->x.to - on->x.from) / (at.right - at.left);
+    const int before = on->label_count;
+    char text[NUMBER_SIZE];
+    size_t first;
+    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
+        if (dataset_curve(rows, n, &first) == 0)
+            continue;
+        case_text(of, A_OVER_B, n, text);
+        label *one = drawing_label(on, -LEADER * em, rows->row[first].number[4], "%s", text);
+        one->align = ALIGN_RIGHT;
+        one->colour = BLUE;
+    }
+    names_beside(on, before, 0);
+}
+
+/* How much of the plot's width the names need, in em: at least so much that the axis has room. */
+static double names_width(const figure_case *of)
+{
+    double widest = 3;
+    char text[NUMBER_SIZE];
+    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
+        case_text(of, A_OVER_B, n, text);
+        widest = fmax(widest, words_width(text));
+    }
+    return widest + LEADER + 1;
+}
+
+/* The deepest and the rightmost point, and room for the names left of x = 0. */
+static void set_axes(const figure_case *of, const dataset *rows, drawing *on)
+{
+    double right = 0, down = 0;
     for (size_t i = 0; i < rows->count; i++) {
         right = fmax(right, rows->row[i].number[3]);
         down = fmax(down, rows->row[i].number[4]);
     }
-    on->y = (axis){"*y*/*b*", ceil(10 * down + 0.2) / 10, 0, 0.1, 0};
-    on->x = (axis){"*x*/*b*", -0.2, fmax(on->y.from, ceil(10 * right + 0.5) / 10), 0.2, 0};
-    on->equal_scale = true;
-    on->height = 0.2 + 0.85 * on->y.from / (on->x.to - on->x.from);
+    on->y = drawing_axis(1.02 * down, "*y*/*b*");
+    on->y.from = on->y.to;
+    on->y.to = 0;
+    on->x = drawing_axis(fmax(1.05 * right, on->y.from), "*x*/*b*");
+    const page at = page_of(on);
+    const double part = fmin(names_width(of) / (at.right - at.left), 0.5);
+    on->x.from = -on->x.to * part / (1 - part);
+}
+
+/* Values of a/b that have no path; all texts fit, or the last is cut. */
+static void name_missing(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    size_t first;
     for (int n = 0; n < of->value[A_OVER_B].count; n++)
-        draw_path(rows, n, on);
-    explain_marks(on);
+        if (dataset_curve(rows, n, &first) == 0) {
+            case_text(of, A_OVER_B, n, text);
+            list_add(on->caption, sizeof on->caption, ", ", "%s%s",
+                     on->caption[0] == '\0' ? "always at the surface: *a*/*b* = " : "", text);
+        }
+}
+
+static const char *draw_yield_point(const figure_case *of, const dataset *rows, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    if (rows->count == 0)
+        return "it yields at the surface, whatever f is";
+    case_text(of, NU, 0, text);
+    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", text);
+    set_axes(of, rows, on);
+    name_missing(of, rows, on);
+    bool explain = true;
+    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
+        size_t first;
+        if (dataset_curve(rows, n, &first) == 0)
+            continue;
+        draw_path(rows, n, explain, on);
+        explain = false;
+    }
+    name_paths(of, rows, on);
+    return NULL;
 }
 
 static const char *const yield_point_columns[] = {"a_over_b", "f",        "nu",

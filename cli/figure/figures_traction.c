@@ -2,6 +2,8 @@
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
 #include "figures_traction.h"
 
+#include "picture/names.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -10,21 +12,51 @@
 static const double PI = 3.14159265358979323846;
 
 /* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
- * vertical tangent. */
-enum { TRACTION_STEPS = 200 };
-static double traction_x(int i)
+ * vertical tangent. Below the first step there are eight places a decade, so many as the smallest
+ * rounding or stick zone of the figure needs. They go on within it: the pressure of a sharp wedge
+ * is drawn as high as that of any rounded one. */
+enum { TRACTION_STEPS = 200, FINE_PER_DECADE = 8, FINE_MAX = 20 * FINE_PER_DECADE };
+
+static double coarse_x(int i)
 {
-    return i == 0 ? 0 : sin(0.5 * PI * i / TRACTION_STEPS);
+    return sin(0.5 * PI * i / TRACTION_STEPS);
+}
+
+static double smallest(const range *values, double least)
+{
+    for (int64_t i = 0; i < values->count; i++)
+        if (range_value(values, i) > 0)
+            least = fmin(least, range_value(values, i));
+    return least;
+}
+
+static int fine_places(const figure_case *of)
+{
+    static const double WITHIN = 8;
+    enum { FARTHER = 2 * FINE_PER_DECADE };
+    const double scale = smallest(&of->value[A_OVER_B], smallest(&of->value[C_OVER_B], 1));
+    const double places = ceil(FINE_PER_DECADE * log10(WITHIN * coarse_x(1) / scale));
+    return places > 0 ? (int)fmin(places + FARTHER, FINE_MAX) : 0;
+}
+
+/* The place i, -fine - TRACTION_STEPS <= i <= fine + TRACTION_STEPS. */
+static double traction_x(int i, int fine)
+{
+    if (i <= 0)
+        return i < 0 ? -traction_x(-i, fine) : 0;
+    return i <= fine ? coarse_x(1) * pow(10, (double)(i - fine - 1) / FINE_PER_DECADE)
+                     : coarse_x(i - fine);
 }
 
 /* ---- Fig. 2 ---- */
 
 static int32_t compute_pressure(const figure_case *of, dataset *rows)
 {
+    const int fine = fine_places(of), last = fine + TRACTION_STEPS;
     for (int n = 0; n < of->value[A_OVER_B].count; n++) {
         const double alpha = range_value(&of->value[A_OVER_B], n);
-        for (int i = -TRACTION_STEPS; i <= TRACTION_STEPS; i++) {
-            const double x = i < 0 ? -traction_x(-i) : traction_x(i);
+        for (int i = -last; i <= last; i++) {
+            const double x = traction_x(i, fine);
             dataset_add(rows, (data_row){.curve = n,
                                          .number = {alpha, x, -PI * rwedge_pressure(alpha, x)}});
         }
@@ -32,48 +64,35 @@ static int32_t compute_pressure(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* Where the curves lie farthest apart, next to the axis; left and right in turn, as they are
- * closer than a text is high. A steep peak has its label beside it. */
-static void label_pressure(double alpha, int n, drawing *on)
-{
-    char text[NUMBER_SIZE];
-    const bool beside = alpha < 0.15;
-    const double x = n % 2 == 0 ? 0.13 : -0.13,
-                 y = -PI * rwedge_pressure(alpha, beside && alpha > 0 ? 0 : x);
-    drawing_number(alpha, text);
-    label *one = drawing_label(on,
-                               !beside      ? x
-                               : alpha == 0 ? 0.06
-                                            : -0.07,
-                               alpha == 0 ? 0.96 * on->y.to : y, "%s", text);
-    one->align = !beside ? ALIGN_CENTRE : alpha == 0 ? ALIGN_LEFT : ALIGN_RIGHT;
-    one->boxed = !beside;
-    one->colour = on->curve[n].colour;
-}
+/* An infinite peak is cut, at least so high. */
+enum { SHARP = 10 };
 
-/* Of the finite peaks; the sharp wedge's is cut. */
+/* Of the finite peaks. */
 static double top_of_pressures(const figure_case *of)
 {
-    enum { SHARP = 10 };
     double top = 0;
     for (int n = 0; n < of->value[A_OVER_B].count; n++) {
         const double alpha = range_value(&of->value[A_OVER_B], n);
-        top = fmax(top, alpha == 0 ? SHARP : ceil(PI * rwedge_peak_pressure(alpha)));
+        top = fmax(top, alpha == 0 ? SHARP : PI * rwedge_peak_pressure(alpha));
     }
     return top;
 }
 
-static void draw_pressure(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_pressure(const figure_case *of, const dataset *rows, drawing *on)
 {
-    const double top = top_of_pressures(of);
+    char text[NUMBER_SIZE];
     snprintf(on->title, sizeof on->title, "Contact pressure, by *a*/*b*");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = (axis){"−*pA*π/θ", 0, top, top > 5 ? 2 : top > 2 ? 1 : 0.5, 0};
-    on->height = 0.9;
+    on->y = drawing_axis(top_of_pressures(of), "−*pA*π/θ");
+    on->height = 0.85;
     for (int n = 0; n < dataset_curves(rows); n++) {
-        style_of_family(drawing_curve(on, rows, n, 1, 2), n);
-        label_pressure(range_value(&of->value[A_OVER_B], n), n, on);
+        curve *one = drawing_curve(on, rows, n, 1, 2);
+        style_of_family(one, n);
+        case_text(of, A_OVER_B, n, text);
+        snprintf(one->legend, sizeof one->legend, "%s", text);
     }
+    names_on_curves(on);
+    return NULL;
 }
 
 static const char *const pressure_columns[] = {"a_over_b", "x_over_b", "minus_pi_A_p_over_theta",
@@ -99,16 +118,17 @@ static int32_t compute_tension(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-static void draw_tension(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_tension(const figure_case *of, const dataset *rows, drawing *on)
 {
     (void)of;
     snprintf(on->title, sizeof on->title, "Maximum tension in full sliding");
     on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
     on->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
-    on->height = 0.75;
+    on->height = 0.72;
     drawing_curve(on, rows, 0, 0, 1)->width = 1.5;
     drawing_label(on, 0.03, 1.046, "1, sharp wedge");
     drawing_label(on, 0.965, 4 / PI, "4/π, Hertz")->align = ALIGN_RIGHT;
+    return NULL;
 }
 
 static const char *const tension_columns[] = {"a_over_b", "b_sigma_over_fP", NULL};
@@ -125,9 +145,10 @@ const figure figure_tension = {.name = "6",
 static void add_shear(const figure_case *of, double c, int n, dataset *rows)
 {
     const double alpha = case_value(of, A_OVER_B);
+    const int fine = fine_places(of), last = fine + TRACTION_STEPS;
     double edge = -c;
-    for (int i = -TRACTION_STEPS; i <= TRACTION_STEPS; i++) {
-        const double x = i < 0 ? -traction_x(-i) : traction_x(i);
+    for (int i = -last; i <= last; i++) {
+        const double x = traction_x(i, fine);
         for (; edge <= c && edge < x && c > 0; edge += 2 * c)
             dataset_add(rows, (data_row){.curve = n,
                                          .number = {c, edge, -PI * rwedge_shear(alpha, c, edge)}});
@@ -145,49 +166,42 @@ static int32_t compute_shear(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* Each below its curve, at the axis; above where there is no room, aside where the last one is. */
-static void label_shear(const figure_case *of, int n, const label *last, drawing *on)
+/* Of the finite peaks. The kinks at the stick zones are to be seen. */
+static double top_of_shear(const figure_case *of, const dataset *rows)
 {
-    char text[NUMBER_SIZE];
-    const double c = range_value(&of->value[C_OVER_B], n),
-                 q = -PI * rwedge_shear(case_value(of, A_OVER_B), c, 0);
-    const double lift = 0.045 * on->y.to, y = c > 0 && q > 2 * lift ? q - lift : q + lift;
-    drawing_number(c, text);
-    label *one =
-        drawing_label(on, 0, isfinite(y) ? y : 0.95 * on->y.to,
-                      c > 0 ? "*c*/*b* = %s" : "*c*/*b* = %s, and the pressure −*pA*π/θ", text);
-    one->align = ALIGN_CENTRE;
-    one->boxed = c > 0;
-    one->colour = on->curve[n].colour;
-    if (last != NULL && fabs(one->y - last->y) < 1.5 * lift)
-        one->x = last->x < 0 ? 0 : -0.45;
-}
-
-static double top_of(const dataset *rows, int column)
-{
+    static const double LITTLE_ABOVE = 1.02;
+    const bool sharp = case_value(of, A_OVER_B) == 0;
     double top = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        if (rows->row[i].number[column] > top)
-            top = rows->row[i].number[column];
+    for (size_t i = 0; i < rows->count; i++) {
+        const double c = rows->row[i].number[0], q = rows->row[i].number[2];
+        top = fmax(top, c == 0 && sharp ? SHARP : LITTLE_ABOVE * q);
+    }
     return top;
 }
 
-static void draw_shear(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_shear(const figure_case *of, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
-    drawing_number(case_value(of, A_OVER_B), text);
+    case_text(of, A_OVER_B, 0, text);
     snprintf(on->title, sizeof on->title, "Shear traction in partial slip, *a*/*b* = %s", text);
-    const double top = top_of(rows, 2);
+    const double top = top_of_shear(of, rows);
+    if (top == 0)
+        return "without slip there is no shear traction";
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = (axis){"−*qA*π/(*f*θ)", 0, top > 0 ? 1.1 * top : 1, top > 4 ? 2 : top > 2 ? 1 : 0.5, 0};
-    on->y.to = ceil(2 * on->y.to / on->y.tic) * 0.5 * on->y.tic;
-    on->height = 0.85;
+    on->y = drawing_axis(top, "−*qA*π/(*f*θ)");
+    on->height = 0.8;
     for (int n = 0; n < dataset_curves(rows); n++) {
         curve *one = drawing_curve(on, rows, n, 1, 2);
         style_of_family(one, n);
         one->width = 1.4;
-        label_shear(of, n, n > 0 ? &on->label[n - 1] : NULL, on);
+        case_text(of, C_OVER_B, n, text);
+        snprintf(one->legend, sizeof one->legend, "*c*/*b* = %s", text);
+        if (range_value(&of->value[C_OVER_B], n) == 0)
+            snprintf(on->caption, sizeof on->caption,
+                     "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
     }
+    names_on_curves(on);
+    return NULL;
 }
 
 static const char *const shear_columns[] = {"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta",
@@ -196,7 +210,8 @@ static const char *const shear_columns[] = {"c_over_b", "x_over_b", "minus_pi_A_
 const figure figure_shear = {
     .name = "7",
     .summary = "shear tractions in partial slip over x/b",
-    .use = {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", 6}},
+    .use =
+        {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", FIGURE_CURVES_MAX}},
     .column = shear_columns,
     .compute = compute_shear,
     .draw = draw_shear};

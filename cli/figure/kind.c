@@ -1,9 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "kind.h"
 
+#include <string.h>
+
 double case_value(const figure_case *of, int variable)
 {
     return range_value(&of->value[variable], 0);
+}
+
+static bool need_all_digits(const range *values)
+{
+    char one[NUMBER_SIZE], other[NUMBER_SIZE];
+    for (int64_t i = 0; i < values->count; i++)
+        for (int64_t k = 0; k < i; k++) {
+            drawing_number(range_value(values, i), DRAWING_DIGITS, one);
+            drawing_number(range_value(values, k), DRAWING_DIGITS, other);
+            if (strcmp(one, other) == 0)
+                return true;
+        }
+    return false;
+}
+
+void case_text(const figure_case *of, int variable, int64_t i, char text[NUMBER_SIZE])
+{
+    const range *values = &of->value[variable];
+    drawing_number(range_value(values, i), need_all_digits(values) ? NUMBER_DIGITS : DRAWING_DIGITS,
+                   text);
 }
 
 void style_of_family(curve *one, int i)

@@ -25,13 +25,17 @@ typedef struct {
 
 double case_value(const figure_case *of, int variable);
 
+/* A value as the name of its curve: with all digits where fewer do not tell the values apart. */
+void case_text(const figure_case *of, int variable, int64_t i, char text[NUMBER_SIZE]);
+
 typedef struct {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
     const char *const *column;
     const char *text_column;
     int32_t (*compute)(const figure_case *of, dataset *rows);
-    void (*draw)(const figure_case *of, const dataset *rows, drawing *on);
+    /* returns NULL, or why there is nothing to draw */
+    const char *(*draw)(const figure_case *of, const dataset *rows, drawing *on);
 } figure;
 
 /* Style of the curve i of a family: colour and dashes both change, so that either tells

@@ -29,6 +29,22 @@ label *drawing_label(drawing *on, double x, double y, const char *format, ...)
     return next;
 }
 
+double drawing_tic(double span)
+{
+    static const double MOST = 6.5;
+    const double decade = pow(10, floor(log10(span / MOST))), times = span / MOST / decade;
+    return decade * (times <= 1 ? 1 : times <= 2 ? 2 : times <= 5 ? 5 : 10);
+}
+
+axis drawing_axis(double largest, const char *text)
+{
+    axis from_0 = {.tic = drawing_tic(largest > 0 ? largest : 1)};
+    const double half = 0.5 * from_0.tic;
+    from_0.to = largest > 0 ? half * ceil(largest / half - 1e-9) : 1;
+    snprintf(from_0.text, sizeof from_0.text, "%s", text);
+    return from_0;
+}
+
 void drawing_free(drawing *on)
 {
     if (on != NULL)
@@ -36,12 +52,12 @@ void drawing_free(drawing *on)
     free(on);
 }
 
-void drawing_number(double value, char text[NUMBER_SIZE])
+void drawing_number(double value, int digits, char text[NUMBER_SIZE])
 {
     static const char *const sixths[] = {"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
     const double nearest = floor(6 * value + 0.5);
     if (nearest >= 1 && nearest <= 5 && nearest != 3 && fabs(6 * value - nearest) < 1e-9)
         snprintf(text, NUMBER_SIZE, "%s", sixths[(int)nearest]);
     else
-        number_write(value, 3, '.', text);
+        number_write(value, digits, '.', text);
 }

@@ -9,7 +9,7 @@
 
 #include "text/printf_like.h"
 
-enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 64, DRAWING_TEXT = 200 };
+enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 200, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
 
@@ -28,7 +28,7 @@ typedef struct {
     double width; /* of the line, in points */
     double grey;  /* of an area: 0 is black, 1 is white */
     bool second_axis;
-    char legend[DRAWING_TEXT]; /* empty where labels say it */
+    char legend[DRAWING_TEXT]; /* its name below the picture; empty where it has none */
 } curve;
 
 typedef enum { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT } alignment;
@@ -50,10 +50,8 @@ typedef struct {
 
 typedef struct {
     char title[DRAWING_TEXT];
-    axis x, y, second; /* the second is there where its text is */
-    bool equal_scale;
-    double height;              /* of the picture over its width */
-    const char *legend_at;      /* "top right" ...; NULL where there is none */
+    axis x, y, second;          /* the second is there where its text is */
+    double height;              /* of the plot over its width; 0 for the same scale on both axes */
     char caption[DRAWING_TEXT]; /* below the x axis */
     curve curve[DRAWING_CURVES_MAX];
     int curve_count;
@@ -69,10 +67,17 @@ curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
 /* The next label, its text made as by printf. */
 label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 
+/* An axis from 0 to a round number that is not below the largest value, a tic or between two. */
+axis drawing_axis(double largest, const char *text);
+
+/* A round distance between tics: four to seven of them in the span of an axis, mostly. */
+double drawing_tic(double span);
+
 /* NULL is allowed. */
 void drawing_free(drawing *on);
 
-/* A number for a label: few digits, and 1/6 for a sixth. */
-void drawing_number(double value, char text[NUMBER_SIZE]);
+/* A number for a text: as many digits as it has, at most so many, and 1/6 for a sixth. */
+enum { DRAWING_DIGITS = 6 };
+void drawing_number(double value, int digits, char text[NUMBER_SIZE]);
 
 #endif

@@ -2,6 +2,8 @@
 /* Writes a drawing in the language of gnuplot 5. The data are in here-documents. */
 #include "gnuplot_script.h"
 
+#include "page.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -39,7 +41,10 @@ static void put_words(FILE *script, const char *text)
         } else {
             if (*c == '"' || *c == '\\')
                 fputs("\\", script);
-            putc(*c, script);
+            if (*c == '\n')
+                fputs("\\n", script);
+            else
+                putc(*c, script);
         }
 }
 
@@ -62,32 +67,33 @@ static void put_axis(FILE *script, const char *name, const axis *which)
         fprintf(script, "set %stics %.9g\n", name, which->tic);
 }
 
-static void put_caption(FILE *script, const drawing *what)
+/* What stands below an axis is a line more of its text. */
+static void put_caption(FILE *script, const char *axis_text, const char *caption)
 {
-    if (what->caption[0] == '\0')
+    if (caption[0] == '\0')
         return;
     fputs("set xlabel \"", script);
-    put_words(script, what->x.text);
+    put_words(script, axis_text);
     fputs("\\n", script);
-    put_words(script, what->caption);
+    put_words(script, caption);
     fputs("\"\n", script);
 }
 
-static void put_legend(FILE *script, const drawing *what)
+/* Margins that do not depend on how wide a terminal takes its texts to be. */
+static void put_margins(FILE *script, const page *on)
 {
-    if (what->legend_at == NULL) {
-        fputs("unset key\n", script);
-        return;
-    }
-    fprintf(script, "set key %s reverse Left samplen 2.5 spacing 1.1 noautotitle\n",
-            what->legend_at);
+    fprintf(script,
+            "set lmargin at screen %.6f\nset rmargin at screen %.6f\n"
+            "set bmargin at screen %.6f\nset tmargin at screen %.6f\n",
+            on->left / on->width, on->right / on->width, on->bottom / on->height,
+            on->top / on->height);
 }
 
-static void put_frame(FILE *script, const drawing *what)
+static void put_frame(FILE *script, const drawing *what, const page *on)
 {
     put_axis(script, "x", &what->x);
     put_axis(script, "y", &what->y);
-    put_caption(script, what);
+    put_caption(script, what->x.text, on->caption);
     fputs("set xtics nomirror\nset ytics nomirror\n", script);
     if (what->second.text[0] != '\0') {
         put_axis(script, "y2", &what->second);
@@ -97,13 +103,10 @@ static void put_frame(FILE *script, const drawing *what)
     fputs("set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
           "set title offset 0,-0.5\nset tics scale 0.6\n",
           script);
-    if (what->equal_scale)
-        fputs("set size ratio -1\n", script);
-    fprintf(script, "set tmargin %s\nset rmargin %s\nset title ",
-            what->title[0] != '\0' ? "2" : "0.7", what->second.text[0] != '\0' ? "7.5" : "2");
-    put_text(script, what->title);
-    fputs("\n", script);
-    put_legend(script, what);
+    put_margins(script, on);
+    fputs("set title ", script);
+    put_text(script, on->title);
+    fputs("\nunset key\n", script);
 }
 
 static void put_label(FILE *script, const label *one)
@@ -132,22 +135,32 @@ static void put_data(FILE *script, const curve *one, int number)
     fputs("EOD\n", script);
 }
 
+static void put_line(FILE *script, const curve *one)
+{
+    fprintf(script, "linewidth %.3g dashtype %s linecolor rgb '%s'", one->width, dashes[one->dash],
+            colours[one->colour]);
+}
+
+static void put_point(FILE *script, const curve *one)
+{
+    fprintf(script, "%s linecolor rgb '%s'",
+            one->style == STYLE_CROSSES ? "pointtype 2 pointsize 0.35 linewidth 0.7"
+                                        : "pointtype 6 pointsize 0.7 linewidth 1.2",
+            colours[one->colour]);
+}
+
 static void put_style(FILE *script, const curve *one)
 {
-    const char *colour = colours[one->colour];
     const int level = (int)floor(255 * one->grey + 0.5);
     switch (one->style) {
     case STYLE_LINE:
-        fprintf(script, "lines linewidth %.3g dashtype %s linecolor rgb '%s'", one->width,
-                dashes[one->dash], colour);
+        fputs("lines ", script);
+        put_line(script, one);
         break;
     case STYLE_CROSSES:
-        fprintf(script, "points pointtype 2 pointsize 0.35 linewidth 0.7 linecolor rgb '%s'",
-                colour);
-        break;
     case STYLE_CIRCLES:
-        fprintf(script, "points pointtype 6 pointsize 0.7 linewidth 1.2 linecolor rgb '%s'",
-                colour);
+        fputs("points ", script);
+        put_point(script, one);
         break;
     case STYLE_AREA:
         fprintf(script,
@@ -162,20 +175,49 @@ static void put_curve(FILE *script, const curve *one, int number)
     fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", number > 0 ? ", \\\n    " : "plot ",
             number, one->second_axis ? 2 : 1);
     put_style(script, one);
-    if (one->legend[0] != '\0') {
-        fputs(" title ", script);
-        put_text(script, one->legend);
-    } else
-        fputs(" notitle", script);
+    fputs(" notitle", script);
+}
+
+/* A sample, and the name to its right. */
+static void put_entry(FILE *script, const curve *one, const page *on, double x, double y)
+{
+    const double start = (x - PAGE_GAP - PAGE_SAMPLE) / on->width, end = (x - PAGE_GAP) / on->width,
+                 height = y / on->height;
+    if (one->style == STYLE_LINE) {
+        fprintf(script, "set arrow from screen %.6f,%.6f to screen %.6f,%.6f nohead ", start,
+                height, end, height);
+        put_line(script, one);
+    } else {
+        fprintf(script, "set label \"\" at screen %.6f,%.6f point ", 0.5 * (start + end), height);
+        put_point(script, one);
+    }
+    fputs("\nset label ", script);
+    put_text(script, one->legend);
+    fprintf(script, " at screen %.6f,%.6f left\n", x / on->width, height);
+}
+
+static void put_legend(FILE *script, const drawing *what, const page *on)
+{
+    int entries = 0, next = 0;
+    for (int i = 0; i < what->curve_count; i++)
+        entries += what->curve[i].legend[0] != '\0';
+    for (int i = 0; i < what->curve_count; i++)
+        if (what->curve[i].legend[0] != '\0') {
+            put_entry(script, &what->curve[i], on, page_legend_x(on, next),
+                      page_legend_y(on, next, entries));
+            next++;
+        }
 }
 
 void gnuplot_script(const drawing *what, const picture_format *format, FILE *script)
 {
+    const page on = page_of(what);
     fputs("set terminal ", script);
-    fprintf(script, format->terminal, format->width, format->height * what->height);
+    fprintf(script, format->terminal, format->width, format->height * on.height / on.width);
     fputs("\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n",
           script);
-    put_frame(script, what);
+    put_frame(script, what, &on);
+    put_legend(script, what, &on);
     for (int i = 0; i < what->label_count; i++)
         put_label(script, &what->label[i]);
     for (int i = 0; i < what->curve_count; i++)

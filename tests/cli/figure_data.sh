@@ -79,6 +79,11 @@ exact 'NR == FNR { peak[$1] = $4 * 3.14159265358979324; next } $1 > 0 && $2 == 0
 close_rows "Fig. 2: peaks" 1e-12 0
 same "peaks" 10 "$(wc -l <both | tr -d ' ')"
 
+# The sharp wedge's pressure is drawn higher than that of any rounded one.
+run figure 2 --data --a-over-b 0,0.001
+exact 'FNR > 1 && $3 > top[$1] { top[$1] = $3 } END { print (top[0] > 1.2 * top[0.001]) ? "yes" : "no" }' out >higher
+same "Fig. 2: the sharp wedge is above a/b = 0.001" yes "$(cat higher)"
+
 # Fig. 6 in its closed form.
 run figure 6 --data
 status_is 0

@@ -7,6 +7,7 @@
 #include "text/invocation.h"
 #include "text/list.h"
 #include "text/message.h"
+#include "text/nearest.h"
 #include "field/profile.h"
 #include "system/signals.h"
 #include "system/streams.h"
@@ -19,8 +20,10 @@
 
 #include <rwedge.h>
 
+static const command help_command;
 static const command *const commands[] = {&solve_command, &table_command,  &profile_command,
-                                          &field_command, &figure_command, &workbook_command};
+                                          &field_command, &figure_command, &workbook_command,
+                                          &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
@@ -51,7 +54,29 @@ static int unknown_command(const char *name)
         list_add(allowed, sizeof allowed, ", ", "%s", commands[i]->name);
     if (name == NULL)
         return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
-    return usage_error("%s: unknown command; allowed: %s", name, allowed);
+    nearest to = nearest_to(name);
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        nearest_try(&to, commands[i]->name);
+    return usage_error("%s: unknown command; %s%s%sallowed: %s", name,
+                       to.name != NULL ? "the nearest is " : "", to.name != NULL ? to.name : "",
+                       to.name != NULL ? "; " : "", allowed);
+}
+
+/* NULL where there is none of that name. */
+static const command *command_named(const char *name)
+{
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(name, commands[i]->name) == 0)
+            return commands[i];
+    return NULL;
+}
+
+/* words[0] is the whole name of the command. */
+static int run_command(const command *which, int count, const char **words)
+{
+    words[0] = which->whole_name;
+    message_speaker_is(words[0]);
+    return arguments_run(which->grammar, count, words, which->run);
 }
 
 static int show_version(void)
@@ -80,6 +105,35 @@ static int without_command(int argc, const char **argv)
     return status;
 }
 
+/* ---- rwedge help [COMMAND] ---- */
+
+static int help(const arguments *given)
+{
+    const char *words[] = {"rwedge", "--help", NULL};
+    const char *name = given->operand != NULL ? given->operand[0] : NULL;
+    const command *which = name != NULL ? command_named(name) : NULL;
+    if (name != NULL && given->operand[1] != NULL)
+        return usage_error("%s: unexpected; allowed: one command", given->operand[1]);
+    if (name != NULL && which == NULL)
+        return unknown_command(name);
+    return which != NULL ? run_command(which, 2, words) : without_command(2, words);
+}
+
+static void describe_help(FILE *stream)
+{
+    fputs("\nThe help of a command, or of rwedge itself, as --help prints it.\n", stream);
+}
+
+static const char *command_name(int i)
+{
+    return i < COMMAND_COUNT ? commands[i]->name : NULL;
+}
+
+static const struct poptOption help_options[] = {{HELP_OPTION}, POPT_TABLEEND};
+static const syntax help_grammar = {help_options, "[COMMAND]", describe_help, 0};
+static const command help_command = {"help",        "rwedge help", "the help of a command",
+                                     &help_grammar, command_name,  help};
+
 int main(int argc, char **argv)
 {
     const char *no_arguments[] = {"rwedge", NULL};
@@ -88,12 +142,11 @@ int main(int argc, char **argv)
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);
-    for (int i = 0; argc > 1 && i < COMMAND_COUNT; i++)
-        if (strcmp(words[1], commands[i]->name) == 0) {
-            words[1] = commands[i]->whole_name;
-            message_speaker_is(words[1]);
-            return arguments_run(commands[i]->grammar, argc - 1, words + 1, commands[i]->run);
-        }
+    const command *which = argc > 1 ? command_named(words[1]) : NULL;
+    if (which != NULL)
+        return run_command(which, argc - 1, words + 1);
+    if (argc > 1 && words[1][0] != '-')
+        return unknown_command(words[1]);
     words[0] = "rwedge";
     return without_command(argc > 0 ? argc : 1, words);
 }

@@ -11,7 +11,7 @@ const char *xlsx_missing(void)
            "(on Debian and Ubuntu the package libxlsxwriter-dev)";
 }
 
-/* Nobody gets as far as these. */
+/* The linker needs these. No command uses them, because it has said first that it cannot write. */
 const record_format xlsx_format = {0};
 
 bool book_write(output *out)

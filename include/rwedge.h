@@ -16,8 +16,9 @@
  * 2/E1 + 2/E2.
  *
  * Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
- * lengths, loads, moduli, stresses, the compliance, friction, and ratios of lengths such as a/b
- * and x/b. A result that would leave this range is an error.
+ * lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios of
+ * lengths such as a/b and x/b. A result that would leave this range is an error. Without a size
+ * are nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
  *
  * Arguments that return everywhere:
  *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
@@ -306,7 +307,7 @@ typedef struct rwedge_contact rwedge_contact;
 
 /* A contact without load, separated.
  *   contact  receives the handle
- * RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+ * RWEDGE_EDOMAIN where theta/A leaves the domain too; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 
@@ -349,7 +350,8 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
- * surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load(). */
+ * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
@@ -449,23 +451,22 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
 
 /* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
  * rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
- * it was is not computed again.                                                                    
- * new
+ * it was is not computed again.                                                               new
  *   P              0, or at least 1e-8 of the last P
  *   M, Q, sigma    finite: loads numbers each, as P
  *   x, y           length, finite, y >= 0: n numbers each
  *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
  *                  inputs
  * The contact then has the last of the loads. After an error the contact is as before and
- * nothing is written. As both functions; RWEDGE_ENOMEM. */
+ * nothing is written. RWEDGE_EDOMAIN where one of both functions has it; RWEDGE_EPATH;
+ * RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
                                                  const double Q[], const double sigma[], size_t n,
                                                  const double x[], const double y[], double sxx[],
                                                  double syy[], double txy[]);
 
-/* How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.          
- * new */
+/* How many numbers rwedge_contact_state() gives for the contact as it is; 0 for NULL.        new */
 RWEDGE_API size_t rwedge_contact_state_size(const rwedge_contact *contact);
 
 /* The contact as numbers, for restarts and for other processes: what is made of them again gives

@@ -6,6 +6,7 @@
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/tests/support/install.sh"
+accept_path "$top"
 case $#${1:-} in
 [3-9]* | ?-*) echo "usage: $0 [FOLDER [TOOL]]" >&2; exit 2 ;;
 esac

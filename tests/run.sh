@@ -17,6 +17,7 @@ began=$(date +%s)
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 . tests/support/install.sh
+accept_path "$top"
 . tests/support/compilers.sh
 
 compilers=no sanitize=no campaign=no elsewhere=no strict=no

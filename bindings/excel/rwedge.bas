@@ -31,8 +31,9 @@ Attribute VB_Name = "rwedge"
 ' 2/E1 + 2/E2.
 '
 ' Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
-' lengths, loads, moduli, stresses, the compliance, friction, and ratios of lengths such as a/b
-' and x/b. A result that would leave this range is an error.
+' lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios of
+' lengths such as a/b and x/b. A result that would leave this range is an error. Without a size
+' are nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
 '
 ' Arguments that return everywhere:
 '   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is

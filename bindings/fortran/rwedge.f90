@@ -674,14 +674,15 @@ contains
     end function
 
     ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
-    pure function first_outside(x, low, high, low_open, high_open, or_zero) result(element)
-        real(c_double), intent(in) :: x(:), low, high
+    pure function first_outside(x, low, high, smallest, low_open, high_open, or_zero) result(element)
+        real(c_double), intent(in) :: x(:), low, high, smallest
         logical, intent(in) :: low_open, high_open, or_zero
         integer :: element
         do element = 1, size(x)
             if (ieee_is_nan(x(element))) return
             if (or_zero .and. .not. abs(x(element)) > 0) cycle
             if (x(element) < low .or. x(element) > high) return
+            if (abs(x(element)) > 0 .and. abs(x(element)) < smallest) return
             if ((low_open .and. .not. x(element) > low) .or. (high_open .and. .not. x(element) < high)) return
         end do
         element = 0
@@ -888,8 +889,9 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_stress(alpha, f, c, x, y, sxx, syy, txy), 'rwedge_stress(alpha, f, c, x, y)', [alpha, f, c, x, y], &
-            'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the sharp ' // &
-            'wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge', stat, errmsg)
+            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at least ' // &
+            '1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge; y 0, or ' // &
+            '1e-60 to 1e60, not the apex (0, 0) of the sharp wedge', stat, errmsg)
     end subroutine
 
     !> The same at n points: x[i], y[i] -> sxx[i], syy[i], txy[i]. Nothing is written unless every
@@ -909,14 +911,16 @@ contains
             do i = 1, size(x)
                 if (c_stresses(alpha, f, c, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_stresses(alpha, f, c, x, y)', [alpha, f, c, x(i), y(i)], &
-                    'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the' // &
-                    ' sharp wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge', stat, errmsg, i)
+                    'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at ' // &
+                    'least 1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp ' // &
+                    'wedge; y 0, or 1e-60 to 1e60, not the apex (0, 0) of the sharp wedge', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_stresses(...)', [real(c_double) ::], &
-            'alpha finite, >= 0; 0 <= f <= 1e6; 0 <= c <= 1; x finite, not the apex (0, 0) of the sharp ' // &
-            'wedge; y finite, y >= 0, not the apex (0, 0) of the sharp wedge; arrays of one size', stat, errmsg)
+            'alpha 0, or 1e-60 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= c <= 1, 0 or at least ' // &
+            '1e-60; x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of the sharp wedge; y 0, or ' // &
+            '1e-60 to 1e60, not the apex (0, 0) of the sharp wedge; arrays of one size', stat, errmsg)
     end subroutine
 
     ! ---- Strength -----------------------------------------------------------------------------------------------------
@@ -958,12 +962,13 @@ contains
             do i = 1, size(alpha)
                 if (c_elastic_limits(1_c_size_t, alpha(i:i), f(i:i), nu, s(1:1)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_elastic_limits(alpha, f, nu)', [alpha(i), f(i), nu], &
-                    'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg, i)
+                    'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_elastic_limits(...)', [real(c_double) ::], &
-            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5; arrays of one size', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5; arrays of one' // &
+            ' size', stat, errmsg)
     end subroutine
 
     !> The elastic limit and where it yields: y = 0 is at the surface.   Fig. 5
@@ -977,7 +982,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_yield_point(alpha, f, nu, limit, x, y), 'rwedge_yield_point(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> The elastic limit has two branches, below the surface and at it. It is the smaller of the two,
@@ -994,7 +999,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_subsurface_yield(alpha, f, nu, limit, x, y), 'rwedge_subsurface_yield(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
@@ -1007,7 +1012,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_surface_yield(alpha, f, nu, limit, x), 'rwedge_surface_yield(alpha, f, nu)', [alpha, f, nu], &
-            'alpha 0, or at least 1e-14; 0 <= f <= 1e6; 0 <= nu <= 0.5', stat, errmsg)
+            'alpha 0, or 1e-14 to 1e60; 0 <= f <= 1e6, 0 or at least 1e-60; 0 <= nu <= 0.5', stat, errmsg)
     end subroutine
 
     !> Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
@@ -1101,7 +1106,7 @@ contains
 
     !> A contact without load, separated.
     !>   contact  receives the handle
-    !> RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ENOMEM.
+    !> RWEDGE_EDOMAIN where theta/A leaves the domain too; RWEDGE_ENULL; RWEDGE_ENOMEM.
     subroutine contact_create(this, theta, a, compliance, f, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: theta, a, compliance, f
@@ -1112,7 +1117,8 @@ contains
         status = c_contact_create(theta, a, compliance, f, created)
         if (status == rwedge_ok) call own_contact(this, created)
         call conclude(status, 'rwedge_contact%create(theta, a, compliance, f)', [theta, a, compliance, f], &
-            '0 < theta < pi/2; a finite, >= 0; compliance finite, > 0; 0 <= f <= 1e6', stat, errmsg)
+            '0 < theta < pi/2, at least 1e-60; a 0, or 1e-60 to 1e60; compliance 1e-60 to 1e60; 0 <= f <=' // &
+            ' 1e6, 0 or at least 1e-60', stat, errmsg)
     end subroutine
 
     !> An independent copy, history and all: to try a load and go back.
@@ -1147,7 +1153,8 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
-            'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; |Q| <= f P', stat, errmsg)
+            'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; 0, or 1e-60 to 1e60 in magnitude, |Q| ' // &
+            '<= f P', stat, errmsg)
     end subroutine
 
     !> The next point of the history with a moment and a bulk tension, reached in a straight line of all
@@ -1168,14 +1175,17 @@ contains
     !> lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
     !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
-    !> surface. RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM: as rwedge_contact_load().
+    !> surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
+    !> RWEDGE_ENOMEM.
     subroutine contact_apply(this, P, M, Q, sigma, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P, M, Q, sigma
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_contact_apply(this%handle, P, M, Q, sigma), 'rwedge_contact%apply(P, M, Q, sigma)', [P, M, Q, sigma], &
-            'P 0, or at least 1e-8 of the last P; M finite; |Q| <= f P; sigma finite', stat, errmsg)
+            'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+            'magnitude; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 to 1e60 in ' // &
+            'magnitude', stat, errmsg)
     end subroutine
 
     !> The largest |d sigma| with which the present Q may change to another under constant P and M,
@@ -1272,9 +1282,11 @@ contains
         call conclude(c_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, right), &
             'rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)', [theta, a, compliance, &
             f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2], &
-            '0 < theta < pi/2; a finite, >= 0; compliance finite, > 0; 0 <= f <= 1e6; P1 finite, >= 0; M1' // &
-            ' finite; Q1 |Q| <= f P; sigma1 finite; P2 finite, >= 0; M2 finite; Q2 |Q| <= f P; sigma2 ' // &
-            'finite', stat, errmsg)
+            '0 < theta < pi/2, at least 1e-60; a 0, or 1e-60 to 1e60; compliance 1e-60 to 1e60; 0 <= f <=' // &
+            ' 1e6, 0 or at least 1e-60; P1 0, or 1e-60 to 1e60; M1 0, or 1e-60 to 1e60 in magnitude; Q1 ' // &
+            '0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma1 0, or 1e-60 to 1e60 in magnitude; P2 0,' // &
+            ' or 1e-60 to 1e60; M2 0, or 1e-60 to 1e60 in magnitude; Q2 0, or 1e-60 to 1e60 in magnitude,' // &
+            ' |Q| <= f P; sigma2 0, or 1e-60 to 1e60 in magnitude', stat, errmsg)
     end subroutine
 
     !> Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
@@ -1325,12 +1337,13 @@ contains
             do i = 1, size(x)
                 if (c_contact_tractions(this%handle, 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%tractions(x)', [x(i)], &
-                    'x finite, not the apex 0 of a loaded sharp wedge', stat, errmsg, i)
+                    'x 0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], &
-            'x finite, not the apex 0 of a loaded sharp wedge; arrays of one size', stat, errmsg)
+            'x 0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge; arrays of one ' // &
+            'size', stat, errmsg)
     end subroutine
 
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
@@ -1354,27 +1367,27 @@ contains
             do i = 1, size(x)
                 if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], &
-                    'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the ' // &
-                    'apex (0, 0) of a loaded sharp wedge', stat, errmsg, i)
+                    'x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge; y ' // &
+                    '0, or 1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge', stat, errmsg, i)
                 return
             end do
         end if
         call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], &
-            'x finite, not the apex (0, 0) of a loaded sharp wedge; y finite, y >= 0, not the apex (0, 0)' // &
-            ' of a loaded sharp wedge; arrays of one size', stat, errmsg)
+            'x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge; y 0, or ' // &
+            '1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge; arrays of one size', stat, errmsg)
     end subroutine
 
     !> Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
     !> rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
-    !> it was is not computed again.
-    !> new
+    !> it was is not computed again.   new
     !>   P              0, or at least 1e-8 of the last P
     !>   M, Q, sigma    finite: loads numbers each, as P
     !>   x, y           length, finite, y >= 0: n numbers each
     !>   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
     !>                  inputs
     !> The contact then has the last of the loads. After an error the contact is as before and
-    !> nothing is written. As both functions; RWEDGE_ENOMEM.
+    !> nothing is written. RWEDGE_EDOMAIN where one of both functions has it; RWEDGE_EPATH;
+    !> RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM.
     subroutine contact_stress_history(this, P, M, Q, sigma, x, y, sxx, syy, txy, stat, errmsg)
         class(rwedge_contact), intent(inout) :: this
         real(c_double), intent(in) :: P(:), M(:), Q(:), sigma(:), x(:), y(:)
@@ -1388,56 +1401,62 @@ contains
             size(P)]) .and. all(shape(syy) == [size(x), size(P)]) .and. all(shape(txy) == [size(x), size(P)])) &
             status = c_contact_stress_history(this%handle, size(P, kind=c_size_t), P, M, Q, sigma, size(x, kind=c_size_t), x, &
                 y, sxx, syy, txy)
-        i = first_outside(P, 1e-08_c_double, huge(1.0_c_double), .false., .false., .true.)
+        i = first_outside(P, 0.0_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
-        i = first_outside(M, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(M, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
-        i = first_outside(Q, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(Q, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
-        i = first_outside(sigma, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(sigma, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(P, M, Q, sigma)', [P(i), M(i), Q(i), sigma(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
-        i = first_outside(x, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(x, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(x, y)', [x(i), y(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
-        i = first_outside(y, 0.0_c_double, huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(y, 0.0_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%stress_history(x, y)', [x(i), y(i)], &
-                'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y ' // &
-                'finite, y >= 0', stat, errmsg, i)
+                'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+                'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x' // &
+                ' 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_contact%stress_history(size(P), size(x))', [real(size(P), c_double), real(size(x), &
             c_double)], &
-            'P 0, or at least 1e-8 of the last P; M finite; Q finite; sigma finite; x finite; y finite, y' // &
-            ' >= 0; arrays of one size', stat, errmsg)
+            'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
+            'magnitude; Q 0, or 1e-60 to 1e60 in magnitude; sigma 0, or 1e-60 to 1e60 in magnitude; x 0, ' // &
+            'or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to 1e60; arrays of one size', stat, errmsg)
     end subroutine
 
-    !> How many numbers rwedge_contact_state() gives, for the contact as it is; 0 for NULL.
-    !> new
+    !> How many numbers rwedge_contact_state() gives for the contact as it is; 0 for NULL.   new
     pure function contact_state_size(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
@@ -1475,7 +1494,7 @@ contains
         integer :: i
         status = c_contact_restore(size(state, kind=c_size_t), state, created)
         if (status == rwedge_ok) call own_contact(this, created)
-        i = first_outside(state, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(state, -huge(1.0_c_double), huge(1.0_c_double), 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_contact%restore(state)', [state(i)], &
                 'state not other than rwedge_contact_state() gave it', stat, errmsg, i)
@@ -1512,11 +1531,13 @@ contains
         if (status == rwedge_edomain) then
             do i = 1, size(x)
                 if (c_contact_slip(this%handle, 1_c_size_t, x(i:i), s(1:1)) == rwedge_ok) cycle
-                call conclude(status, 'rwedge_contact%slip(x)', [x(i)], '|x| <= b', stat, errmsg, i)
+                call conclude(status, 'rwedge_contact%slip(x)', [x(i)], &
+                    '0, or 1e-60 to 1e60 in magnitude, |x| <= b', stat, errmsg, i)
                 return
             end do
         end if
-        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], '|x| <= b; arrays of one size', stat, errmsg)
+        call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], &
+            '0, or 1e-60 to 1e60 in magnitude, |x| <= b; arrays of one size', stat, errmsg)
     end subroutine
 
     !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the
@@ -1555,7 +1576,7 @@ contains
         status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
         if (status == rwedge_ok .and. present(x)) x = place(1)
         if (status == rwedge_ok .and. present(y)) y = place(2)
-        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k finite, > 0', stat, errmsg)
+        call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k 1e-60 to 1e60', stat, errmsg)
     end subroutine
 
     ! ---- Measures of a stress -----------------------------------------------------------------------------------------
@@ -1631,21 +1652,21 @@ contains
         status = rwedge_erange
         if (all([size(syy), size(txy)] == size(sxx))) &
             status = c_smith_watson_topper(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, value, angle)
-        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
                 'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
             return
         end if
-        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
                 'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; n >= 1', stat, errmsg, i)
             return
         end if
-        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_smith_watson_topper(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
@@ -1700,21 +1721,21 @@ contains
         status = rwedge_erange
         if (all([size(syy), size(txy)] == size(sxx))) &
             status = c_fatemi_socie(size(sxx, kind=c_size_t), sxx, syy, txy, E, nu, k_over_sy, value, angle)
-        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(sxx, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
                 'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
             return
         end if
-        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(syy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
                 'in magnitude; E 1e-60 to 1e60; 0 <= nu <= 0.5; k_over_sy 0 or 1e-60 to 1e60; n >= 1', stat, errmsg, i)
             return
         end if
-        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, .false., .false., .false.)
+        i = first_outside(txy, -1e+60_c_double, 1e+60_c_double, 0.0_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_fatemi_socie(sxx, syy, txy)', [sxx(i), syy(i), txy(i)], &
                 'sxx of at most 1e60 in magnitude; syy of at most 1e60 in magnitude; txy of at most 1e60 ' // &
@@ -1768,7 +1789,7 @@ contains
         status = c_series_create(alpha, terms, created)
         if (status == rwedge_ok) call own_series(this, created)
         call conclude(status, 'rwedge_series%create(alpha, terms)', [alpha, real(terms, c_double)], &
-            'alpha finite, >= 0; 1 <= terms <= 2^24', stat, errmsg)
+            'alpha 0, or 1e-60 to 1e60; 1 <= terms <= 2^24', stat, errmsg)
     end subroutine
 
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
@@ -1793,21 +1814,23 @@ contains
         if (size(p) == size(x)) &
             status = c_series_fit(size(x, kind=c_size_t), x, p, terms, created)
         if (status == rwedge_ok) call own_series(this, created)
-        i = first_outside(x, -1.0_c_double, 1.0_c_double, .true., .true., .false.)
+        i = first_outside(x, -1.0_c_double, 1.0_c_double, 1e-60_c_double, .true., .true., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
+                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
-        i = first_outside(p, -huge(1.0_c_double), huge(1.0_c_double), .false., .false., .false.)
+        i = first_outside(p, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
-                '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
+                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
-            '|x| < 1, finite; p finite; terms >= 1; samples >= terms, samples * terms <= 2^27; arrays of ' // &
-            'one size', stat, errmsg)
+            '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
+            'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
     end subroutine
 
     !> How many coefficients it holds; 0 for NULL.
@@ -1854,7 +1877,8 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
-            '0 <= f <= 1e6; x finite; y finite, >= 0', stat, errmsg)
+            '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
+            '1e60', stat, errmsg)
     end subroutine
 
     !> Stresses for q = f p.   Eq. (32), (33)
@@ -1867,6 +1891,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
-            '0 <= f <= 1e6; x finite; y finite, >= 0', stat, errmsg)
+            '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
+            '1e60', stat, errmsg)
     end subroutine
 end module

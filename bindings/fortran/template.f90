@@ -138,14 +138,15 @@ contains
     end function
 
     ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
-    pure function first_outside(x, low, high, low_open, high_open, or_zero) result(element)
-        real(c_double), intent(in) :: x(:), low, high
+    pure function first_outside(x, low, high, smallest, low_open, high_open, or_zero) result(element)
+        real(c_double), intent(in) :: x(:), low, high, smallest
         logical, intent(in) :: low_open, high_open, or_zero
         integer :: element
         do element = 1, size(x)
             if (ieee_is_nan(x(element))) return
             if (or_zero .and. .not. abs(x(element)) > 0) cycle
             if (x(element) < low .or. x(element) > high) return
+            if (abs(x(element)) > 0 .and. abs(x(element)) < smallest) return
             if ((low_open .and. .not. x(element) > low) .or. (high_open .and. .not. x(element) < high)) return
         end do
         element = 0

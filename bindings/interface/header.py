@@ -40,8 +40,12 @@ NUMBER = r"-?[\d.]+(?:e-?\d+)?|pi/2|2\^\d+|\S+"
 WITHIN = re.compile(rf"({NUMBER}) (<=?) (.+?) (<=?) ({NUMBER})")
 BEYOND = re.compile(rf"(\|?\w*\|?) ?([<>]=?) ({NUMBER})(?: .*)?")
 TO = re.compile(rf"(0,? or )?({NUMBER}) to ({NUMBER})(?: .*)?")
-AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})(?: .*)?")
+AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})")
+AT_LEAST_OF = re.compile(rf"(?:0,? or )?at least (?:{NUMBER}) of the .*")
 AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
+WITHOUT_SIZE = re.compile(r"Without a size are (.*?)\.")
+SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
+REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN where|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
 ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
 
@@ -55,17 +59,30 @@ class Domain:
 
     text: str
     conditions: list[str] = field(default_factory=list)
+    any: bool = False  # not a number, too
+    between: bool = False  # some of them are between arguments: no bound by itself
     low: float = -math.inf
     high: float = math.inf
     low_open: bool = False
     high_open: bool = False
     or_zero: bool = False  # 0 is allowed too, though below low
     finite: bool = True  # HUGE_VAL is outside
+    smallest: float = 0.0  # but for 0, nothing smaller in magnitude is inside
 
-    @property
-    def allowed(self) -> str:
-        """The conditions in a few words, for messages."""
-        return " and ".join(self.conditions)
+    def of_a_size(self) -> Domain:
+        """This domain within what the header's first page says of whatever has a size."""
+        text = " ".join(self.conditions)
+        if self.any or "e60" in text or "e-60" in text:
+            return self  # it says so itself
+        signed, zero = self.low < 0, self.or_zero or self.low < 0 or self.low == 0 and not self.low_open
+        least = self.or_zero and self.low or SMALLEST
+        words = [f"0, or {least:g} to {LARGEST:g}" if math.isinf(self.high) else f"0 or at least {least:g}"]
+        words = words if zero else [words[0].removeprefix("0, or ").removeprefix("0 or ")]
+        words += ["in magnitude"] * signed + [", or infinite"] * (not self.finite)
+        size = " ".join(words).replace("e+", "e").replace(" ,", ",")
+        own = [c for c in self.conditions if c != "finite" and not re.fullmatch(r"(\w+ )?>=? 0|0, or at least \S+", c)]
+        both = [size] + own if math.isinf(self.high) else own + [size]
+        return dataclasses.replace(self, conditions=both, low=max(self.low, -LARGEST), high=min(self.high, LARGEST), smallest=SMALLEST)
 
 
 @dataclass
@@ -97,6 +114,8 @@ class Function:
     errors: list[str] = field(default_factory=list)
     accuracy: list[str] = field(default_factory=list)
     array_of: str = ""  # the function whose results for many points it gives: "The same ..."
+    refuses_more: bool = False  # arguments too of which each by itself is in its domain
+    may_be_infinite: bool = False  # the value: HUGE_VAL
 
     def of(self, *roles: str) -> list[Parameter]:
         return [p for p in self.parameters if p.role in roles]
@@ -175,10 +194,12 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
     domain = Domain(text, finite="HUGE_VAL" not in text)
     for clause in clauses(text):
         if clause in ("finite", "any integer", "any number") or clause.startswith("not "):
-            pass
+            domain.between |= clause.startswith("not ")
+            domain.any |= clause == "any number"
         elif match := WITHIN.fullmatch(clause):
             if match[3] in others:
                 continue
+            domain.between |= None in (number(match[1]), number(match[5]))
             bound(domain, match[2].replace("<", ">"), number(match[1]))
             bound(domain, match[4], number(match[5]))
         elif match := TO.fullmatch(clause):
@@ -189,6 +210,9 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
         elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
             bound(domain, ">=", number(match[2]))
+        elif AT_LEAST_OF.fullmatch(clause):
+            domain.between = True
+            bound(domain, ">=", 0.0)
         elif match := AT_MOST.fullmatch(clause):
             bound(domain, "<=", number(match[1]))
             bound(domain, ">=", -number(match[1]))
@@ -196,6 +220,7 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
             if match[1].strip("|") in others:
                 continue
             value = number(match[3])
+            domain.between |= value is None
             bound(domain, match[2], value)
             if match[1].startswith("|") and value is not None:
                 bound(domain, match[2].replace("<", ">"), -value)
@@ -250,7 +275,17 @@ class Reader:
             if line.startswith("typedef"):
                 self.alone = self.comment = []
             i += 1
+        self.give_sizes()
         return self.interface
+
+    def give_sizes(self) -> None:
+        """The first page's domain of whatever has a size: all numbers but those that it names."""
+        without = WITHOUT_SIZE.search(" ".join(self.interface.introduction))
+        names = set(re.findall(r"\w+", without[1] if without else ""))
+        for f in self.interface.functions:
+            for p in f.inputs:
+                if p.kind == "double" and p.name not in names and "NaN" not in p.domain.text:
+                    p.domain = p.domain.of_a_size()
 
     def begin_section(self, title: str) -> None:
         self.section, self.alone, self.comment, self.here = title, [], [], {}
@@ -356,8 +391,12 @@ class Reader:
         function.accuracy = [s for s in SENTENCE.split(" ".join(function.text.split())) if re.search(r"[Ee]rror (below|of)\b", s)]
         if before and not function.accuracy:
             function.accuracy = before.accuracy
+        function.may_be_infinite = function.returns == "double" and "HUGE_VAL" in function.text
         for p in function.parameters:
             self.describe_parameter(function, p, own, before or (before_like if like else None))
+        function.refuses_more = bool(REFUSES_MORE.search(function.text)) or bool(before and before.refuses_more) or \
+            any(p.domain and p.domain.between for p in function.parameters) or \
+            self.dimensional and function.returns == "double" and not function.family and "NaN" not in function.text
         for name in own:
             if name != "others" and name not in {p.name for p in function.parameters}:
                 self.refuse(function.line, f"the comment of rwedge_{function.name}() describes {name}, which it does not have")

@@ -79,7 +79,7 @@ class Reader(unittest.TestCase):
         self.assertEqual(len(stress.accuracy), 1)
         y = stress.parameters[4].domain
         self.assertEqual((y.low, y.low_open, y.finite), (0, False, True))
-        self.assertEqual(y.conditions, ["finite", "y >= 0", "not the apex (0, 0) of the sharp wedge"])
+        self.assertEqual(y.conditions, ["0, or 1e-60 to 1e60", "not the apex (0, 0) of the sharp wedge"])
         stresses = read(HEADER)["stresses"]
         self.assertEqual((stresses.array_of, stresses.equation, stresses.errors), ("stress", stress.equation, stress.errors))
         self.assertEqual(stresses.parameters[4].size, ("n",))
@@ -93,7 +93,26 @@ class Reader(unittest.TestCase):
         self.assertEqual(p.conditions, q.conditions)
         self.assertEqual((r.low, r.high, r.low_open, r.high_open), (-r.high, r.high, True, True))
         self.assertEqual((s.low, t.low, t.low_open, t.finite), (3, 0, True, False))
-        self.assertEqual((u.low, u.low_open, u.high, v.low), (-1, True, 0.5, -float("inf")))
+        self.assertEqual((u.low, u.low_open, u.high, v.low), (-1, True, 0.5, -1e60))
+
+    def test_what_has_a_size_has_the_domain_of_the_first_page(self):
+        interface = read(HEADER)
+        alpha, x = (p.domain for p in interface["pressure"].inputs)
+        self.assertEqual((alpha.low, alpha.high, alpha.smallest, alpha.conditions), (0, 1e60, 1e-60, ["0, or 1e-60 to 1e60"]))
+        self.assertEqual((x.low, x.high, x.smallest, x.conditions), (-1e60, 1e60, 1e-60, ["0, or 1e-60 to 1e60 in magnitude"]))
+        E1, nu1, *_ = (p.domain for p in interface["compliance"].inputs)
+        self.assertEqual((E1.conditions, nu1.conditions, nu1.smallest), (["1e-60 to 1e60, or infinite"], ["-1 < nu <= 0.5"], 0))
+        self.assertEqual(interface["elastic_limit"].inputs[0].domain.conditions, ["0, or 1e-14 to 1e60"])
+        function, _ = declared("/* V.\n *   sxx  of at most 1e60 in magnitude */", "RWEDGE_API double rwedge_v(double sxx);")
+        self.assertEqual(function.inputs[0].domain.smallest, 0)  # it says so itself
+
+    def test_what_else_is_refused_and_what_may_be_infinite_is_found(self):
+        interface = read(HEADER)
+        found = [f.name for f in interface.functions if f.refuses_more]
+        self.assertLessEqual({"pressure", "stress", "stresses", "half_width", "contact_load", "contact_slip"}, set(found))
+        self.assertFalse({"load", "coefficient", "elastic_limit", "contact_half_width", "series_pressure"} & set(found))
+        self.assertLessEqual({"yield_load", "series_residual"}, {f.name for f in interface.functions if f.may_be_infinite})
+        self.assertFalse(interface["load"].may_be_infinite or interface["compliance"].may_be_infinite)
 
     def test_arrays_of_two_sizes_and_sizes_that_a_function_tells(self):
         function, _ = declared(

@@ -39,16 +39,19 @@ typedef struct {{
     const char *name;
     const char *allowed; /* the header's conditions */
     double low, high;
+    double smallest; /* but for 0, nothing smaller in magnitude is inside */
     char low_open, high_open; /* the bound itself is outside */
     char or_zero;             /* 0 is inside, though below low */
     char finite;              /* infinity is outside */
     char whole;               /* an int32_t */
+    char any;                 /* any double, not a number too */
     signed char sizes[2];     /* of an array, as of a result */
 }} entry_argument;
 
 typedef struct {{
     const char *name;
     signed char sizes[2]; /* of an array, or of two dimensions: which of the sizes; -1 for none */
+    char optional;        /* may be NULL */
 }} entry_result;
 
 typedef struct {{
@@ -63,6 +66,8 @@ typedef struct {{
     entry_call *call;
     char takes_object, changes_object, makes_object, has_status;
     char pointwise;       /* all its arrays are of one size, point by point */
+    char refuses_more;    /* arguments too of which each by itself is inside */
+    char may_be_infinite; /* its value */
     unsigned errors;      /* 1 << status, for those that the header names */
     const char *array_of; /* the function whose results it gives for many points, or NULL */
     int arguments, results, sizes;
@@ -70,6 +75,21 @@ typedef struct {{
     const entry_result *result;
     const entry_size *size;
 }} entry;
+
+/* Whether a number is inside the domain of an argument, by itself. */
+static inline int entry_allows(const entry_argument *a, double v)
+{{
+    if (a->any)
+        return 1;
+    if (isnan(v) || isinf(v))
+        return !isnan(v) && !a->finite && v > 0;
+    if (a->whole && (v != floor(v) || v < INT32_MIN || v > INT32_MAX))
+        return 0;
+    if (v == 0 && a->or_zero)
+        return 1;
+    return v >= a->low && v <= a->high && !(a->low_open && v == a->low) &&
+           !(a->high_open && v == a->high) && (v == 0 || fabs(v) >= a->smallest);
+}}
 
 #define ENTRY(name, statements)                                                                    \\
     static int32_t entry_##name(void *object, const size_t n[], const double *const v[],           \\
@@ -92,14 +112,15 @@ def argument(f: Function, p: Parameter) -> str:
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
     of = [*(sizes.index(n) for n in p.size), -1, -1][:2]
-    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole]
-    return f'{{"{p.name}", "{allowed}", {number(d.low)}, {number(d.high)}, {", ".join(str(int(x)) for x in flags)}, {{{of[0]}, {of[1]}}}}}'
+    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole, d.any]
+    bounds, marks = map(number, (d.low, d.high, d.smallest)), (str(int(x)) for x in flags)
+    return f'{{"{p.name}", "{allowed}", {", ".join([*bounds, *marks])}, {{{of[0]}, {of[1]}}}}}'
 
 
-def result(f: Function, name: str, size: tuple[str, ...]) -> str:
+def result(f: Function, name: str, size: tuple[str, ...], optional: bool = False) -> str:
     sizes = [q.name for q in f.of("size")]
     of = [*(sizes.index(n) for n in size), -1, -1][:2]
-    return f'{{"{name}", {{{of[0]}, {of[1]}}}}}'
+    return f'{{"{name}", {{{of[0]}, {of[1]}}}, {int(optional)}}}'
 
 
 def size(p: Parameter) -> str:
@@ -133,7 +154,8 @@ def adapter(f: Function) -> str:
 
 def row(f: Function, statuses: dict[str, int]) -> str:
     arguments, sizes = f.inputs, f.of("size")
-    flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise]
+    flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise,
+             f.refuses_more, f.may_be_infinite]
     results = f.outputs or ([None] if f.result == "value" else [])
     errors = sum(1 << statuses[e] for e in f.errors)
     lists = [f"{f.name}_{what}" if count else "NULL"
@@ -143,7 +165,7 @@ def row(f: Function, statuses: dict[str, int]) -> str:
 
 
 def tables(f: Function) -> str:
-    results = [result(f, p.name, p.size) for p in f.outputs] or ([result(f, "value", ())] if f.result == "value" else [])
+    results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or ([result(f, "value", ())] if f.result == "value" else [])
     return "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
                    for kind, items in (("argument", [argument(f, p) for p in f.inputs]), ("result", results),
                                        ("size", [size(p) for p in f.of("size")])) if items)
@@ -156,6 +178,11 @@ def text_entries(interface: Interface) -> list[str]:
             "enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };"]
 
 
+def reason(status: str) -> str:
+    """A word for it: RWEDGE_EDOMAIN -> domain."""
+    return "memory" if status == "RWEDGE_ENOMEM" else status.removeprefix("RWEDGE_").removeprefix("E").lower()
+
+
 def entries(interface: Interface) -> list[Function]:
     return [f for f in interface.functions if f.result in ("value", "status")]
 
@@ -166,4 +193,7 @@ def entries_h(interface: Interface) -> str:
             "sizes": max(len(f.of("size")) for f in listed)}
     return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
                       "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "", "#endif", ""])
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "",
+                      "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
+                      f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
+                      "", "#endif", ""])

@@ -183,7 +183,8 @@ def bounds(p: Parameter) -> str:
     d = p.domain
     low = "-huge(1.0_c_double)" if math.isinf(d.low) else f"{d.low!r}_c_double"
     high = "huge(1.0_c_double)" if math.isinf(d.high) else f"{d.high!r}_c_double"
-    return ", ".join([low, high, *(f".{str(x).lower()}." for x in (d.low_open, d.high_open, d.or_zero))])
+    marks = (f".{str(x).lower()}." for x in (d.low_open, d.high_open, d.or_zero))
+    return ", ".join([low, high, f"{d.smallest!r}_c_double", *marks])
 
 
 def search(f: Function) -> list[str]:

@@ -6,9 +6,8 @@ from __future__ import annotations
 import re
 
 from header import EQUATION, Function, Interface
+from write_c import reason
 
-IDENTIFIERS = {"DOMAIN": "domain", "RANGE": "range", "NOCONV": "noconv", "NOMEM": "memory", "SLIDING": "sliding", "RANK": "rank",
-               "ABSENT": "absent"}
 ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
@@ -54,13 +53,12 @@ def help_lines(f: Function) -> list[str]:
     method = bool(f.family) and f.method not in ("create", "fit") and f.of("handle", "changed") != []
     lines = [EQUATION.sub(r"   \1", line) for line in f.comment if not re.fullmatch(r"  \w+  +receives the handle", line)]
     text = without_pointers("\n".join(lines), method).replace(" Free with rwedge_series_destroy().", "")
-    text = re.sub(r"Unless(\s+)RWEDGE_OK, the contact\s+is as before\.", r"After an error\1the contact is as before; of\n"
-                  "vectors, the loads before the one that is refused stay.", text)
+    text = re.sub(r"Unless\s+RWEDGE_OK, the contact is as before\.", "After an error the contact is as before;\n"
+                  "of vectors, the loads before the one that is refused stay.", text)
     text = re.sub(r"(rwedge_(?:contact|series))_create\(", r"\1(", text)
     text = re.sub(r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2(", text)
     text = "\n".join([*text.split("\n"), *shared(f)])
-    for c, ours in IDENTIFIERS.items():
-        text = text.replace(f"RWEDGE_E{c}", f"rwedge:{ours}")
+    text = re.sub(r"RWEDGE_E[A-Z]+", lambda m: f"rwedge:{reason(m[0])}", text)
     return text.replace("HUGE_VAL", "Inf").split("\n")
 
 

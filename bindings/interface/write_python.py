@@ -13,7 +13,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-from header import SENTENCE, Function, Interface, read
+from header import SENTENCE, Domain, Function, Interface, read
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
     (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."), (r"RWEDGE_E\w+", "NaN"),
@@ -88,6 +88,12 @@ def docstring(f: Function, equation: str) -> str:
     return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
 
 
+def domain_text(domain: Domain) -> str:
+    """As the header says it, and what its first page says of whatever has a size."""
+    size = next((c for c in domain.conditions if domain.smallest and ("e60" in c or "e-60" in c)), "")
+    return replaced(domain.text, IN_PYTHON) + (f"; {size}" if size else "")
+
+
 def header_py(interface: Interface) -> str:
     lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h: do not edit."""',
              "from __future__ import annotations", "", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
@@ -103,7 +109,7 @@ def header_py(interface: Interface) -> str:
             "sizes": {p.name: p.size for p in f.parameters if p.size},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "source": equation,
-            "domains": {p.name: replaced(p.domain.text, IN_PYTHON) for p in f.parameters if p.domain},
+            "domains": {p.name: domain_text(p.domain) for p in f.parameters if p.domain},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]

@@ -35,27 +35,14 @@ static void fail(const char *reason, const char *format, ...)
 
 static const char *reason_of(int32_t status)
 {
-    static const char *const reasons[] = {"ok",     "domain",  "null", "range", "noconv",
-                                          "memory", "sliding", "rank", "absent"};
-    return status > 0 && status < (int32_t)(sizeof reasons / sizeof reasons[0]) ? reasons[status]
-                                                                                : "unknown";
+    enum { COUNT = sizeof entry_reasons / sizeof entry_reasons[0] };
+    return status > 0 && status < COUNT ? entry_reasons[status] : "unknown";
 }
 
 /* A whole number as the library takes it; false where it is none. */
 static bool is_int32(double v)
 {
     return v >= INT32_MIN && v <= INT32_MAX && v == floor(v);
-}
-
-/* For the messages alone: whether a call is an error is for the library to say. */
-static bool is_in_domain(const entry_argument *a, double v)
-{
-    if (isnan(v) || (a->finite && isinf(v)) || (a->whole && !is_int32(v)))
-        return false;
-    if (a->or_zero && v == 0)
-        return true;
-    return v >= a->low && v <= a->high && !(a->low_open && v == a->low) &&
-           !(a->high_open && v == a->high);
 }
 
 /* A number as MATLAB writes it. */
@@ -92,7 +79,7 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
     char number[32];
     const int sizes = n ? call->sizes : 0;
     for (int j = 0; j < call->arguments; j++)
-        if (call->arguments + sizes == 1 || !is_in_domain(&call->argument[j], v[j][at[j]])) {
+        if (call->arguments + sizes == 1 || !entry_allows(&call->argument[j], v[j][at[j]])) {
             add(m, ": %s = %s; allowed is %s", call->argument[j].name, text_of(v[j][at[j]], number),
                 call->argument[j].allowed);
             return;
@@ -445,7 +432,7 @@ static void fail_whole(int32_t status, const entry *call, const void *object,
         const signed char *sizes = call->argument[j].sizes;
         const size_t count = sizes[0] < 0 ? 0 : n[sizes[0]] * (sizes[1] < 0 ? 1 : n[sizes[1]]);
         for (at[j] = 0; at[j] < count; at[j]++)
-            if (!is_in_domain(&call->argument[j], v[j][at[j]]))
+            if (!entry_allows(&call->argument[j], v[j][at[j]]))
                 fail_with(status, call, object, v, at, n, (long)at[j]);
         at[j] = 0;
     }

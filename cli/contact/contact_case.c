@@ -118,7 +118,7 @@ static void fill(const double value[INPUT_COUNT], contact_case *what)
     what->beta = rwedge_dundurs_beta(what->E1, what->nu1, what->E2, what->nu2);
 }
 
-/* The library knows, as it would have to apply them. */
+/* Whether |Q| exceeds f P: the library is asked to apply the loads, and so its tolerance counts. */
 static bool slides_away(const contact_case *what)
 {
     rwedge_contact *contact = NULL;

@@ -20,7 +20,8 @@ typedef enum {
     CASE_OF_SOLVE /* P; f too where Q or a yield stress is: a default would look like a result */
 } case_needs;
 
-/* False, with the complaint, where inputs exclude each other or some that are needed are missing. */
+/* False, with the complaint, where inputs exclude each other or some that are needed are
+ * missing. */
 bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
 /* Reads it; P, Q and f are 0 where they are not given. False, with the complaint. */

@@ -62,7 +62,7 @@ static bool find(const csv_input *in, int input, header *names)
     return true;
 }
 
-/* ---- Columns that are none, but must be meant for one ---- */
+/* ---- Columns that are probably meant for an input ---- */
 
 /* Other usual names of inputs. Where the input is given by its own name too, they are columns like
  * any other. */
@@ -127,7 +127,7 @@ static bool is_given(const header *names, const input_texts *options, int input)
     return names->column[input] < names->count || (options != NULL && options->text[input] != NULL);
 }
 
-/* By itself or by its alternative. */
+/* Whether the input is given, or its alternative is, as the radius for a. */
 static bool is_given_somehow(const header *names, const input_texts *options, int input)
 {
     return is_given(names, options, input) ||

@@ -11,7 +11,7 @@
 
 struct poptOption input_option_table[] = {
     {INPUT("E1", INPUT_E1), "Young's modulus of body 1, whose stresses are computed", "STRESS"},
-    {INPUT("nu1", INPUT_NU1), "Poisson's ratio of body 1, 0 to 0.5", "NUMBER"},
+    {INPUT("nu1", INPUT_NU1), "Poisson's ratio of body 1, 0 to 0.5, or --nu", "NUMBER"},
     {INPUT("E2", INPUT_E2), "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
      "STRESS"},
     {INPUT("nu2", INPUT_NU2), "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER"},
@@ -21,7 +21,9 @@ struct poptOption input_option_table[] = {
     {INPUT("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
     {INPUT("P", INPUT_P), "Normal force per unit length", "FORCE"},
     {INPUT("Q", INPUT_Q), "Tangential force per unit length (default 0)", "FORCE"},
-    {INPUT("f", INPUT_F), "Coefficient of friction (default 0)", "NUMBER"},
+    {INPUT("f", INPUT_F), "Coefficient of friction, or --friction (default 0)", "NUMBER"},
+    OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
+    OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
     POPT_TABLEEND,
 };
 
@@ -107,7 +109,7 @@ bool input_is_given(const input_texts *given, int input)
     return text != NULL && (!given->is_cell[input] || text[strspn(text, " \t")] != '\0');
 }
 
-/* The commonest mistake has a reason of its own. */
+/* The commonest mistake gets a message of its own. */
 static const char *hint(const input_texts *given, int input)
 {
     const bool cell = given->is_cell[input];

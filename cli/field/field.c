@@ -83,13 +83,15 @@ static int check_grid(const arguments *given, const grid *what, bool vtk)
     return STATUS_DONE;
 }
 
+static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
+
 static int field(const arguments *given)
 {
     grid what = {0};
     output_options how;
     int status = arguments_no_operand(given);
     if (status == STATUS_DONE)
-        status = output_options_read_or(given, "vtk", &how);
+        status = output_options_read_of(given, formats, "", &how);
     if (status == STATUS_DONE)
         status = output_options_spare(&how, given->value[OPTION_HISTORY]);
     if (status == STATUS_DONE)

@@ -42,8 +42,8 @@ static void describe(FILE *stream)
 
 typedef struct {
     contact_state state;
-    range x;        /* or */
-    int64_t points; /* from edge to edge, where not 0 */
+    range x;        /* the places, if points is 0 */
+    int64_t points; /* so many places from edge to edge */
 } plan;
 
 /* x/b is the sine of an angle that grows in equal steps. The ends and the middle are exact. */

@@ -12,7 +12,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include <rwedge.h>
 
@@ -35,9 +34,11 @@ static const struct poptOption options[] = {
      "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
      "RANGE"},
     {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + FRICTION,
-     "Coefficient of friction f", "NUMBER"},
+     "Coefficient of friction, or --f", "NUMBER"},
     {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + NU,
-     "Poisson's ratio of the half-plane, 0 to 0.5", "NUMBER"},
+     "Poisson's ratio of the half-plane, 0 to 0.5, or --nu1", "NUMBER"},
+    OTHER_NAME("f", OPTION_FIGURE_VARIABLE + FRICTION),
+    OTHER_NAME("nu1", OPTION_FIGURE_VARIABLE + NU),
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + Q_OVER_FP,
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
     {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + C_OVER_B,
@@ -156,35 +157,25 @@ static int read_case(const arguments *given, const figure *which, figure_case *o
 
 static const picture_format *format_named(const char *name)
 {
-    for (int i = 0; i < PICTURE_FORMATS && name != NULL; i++)
-        if (strcasecmp(name, picture_formats[i].name) == 0)
+    for (int i = 0; i < PICTURE_FORMATS; i++)
+        if (strcmp(name, picture_formats[i].name) == 0)
             return &picture_formats[i];
     return NULL;
-}
-
-/* Another ending says nothing, and leaves the default. */
-static const picture_format *format_of_file(const char *path)
-{
-    const char *point = path != NULL ? strrchr(path, '.') : NULL;
-    const picture_format *found = point != NULL ? format_named(point + 1) : NULL;
-    return found != NULL ? found : &picture_formats[0];
 }
 
 static int read_picture_format(const arguments *given, const picture_format **format,
                                output_options *how)
 {
-    const char *name = given->value[OPTION_FORMAT];
+    static const char *const formats[] = {"svg", "png", "pdf", NULL};
     if (given->value[OPTION_DIGITS] != NULL)
         return usage_error("--digits %s: not for a picture; allowed with: --data",
                            given->value[OPTION_DIGITS]);
     if (given->value[OPTION_DECIMAL_COMMA] != NULL)
         return usage_error("--decimal-comma: not for a picture; allowed with: --data");
-    *format = name != NULL ? format_named(name) : format_of_file(given->value[OPTION_OUTPUT]);
-    if (*format == NULL)
-        return usage_error("--format %s: unknown format; allowed: svg, png, pdf; with --data: csv, "
-                           "tsv, json, xlsx",
-                           name);
-    return output_options_read_or(given, name, how);
+    const int status =
+        output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
+    *format = status == STATUS_DONE ? format_named(how->format_name) : NULL;
+    return status;
 }
 
 /* ---- What is written ---- */

@@ -41,7 +41,7 @@ static double first_displacement(double alpha, double c)
     return (load_integral(alpha, 1) - load_integral(alpha, c) + left_out) / PI;
 }
 
-/* What a change of Q moves, from a state in which it slips afresh from the edge. */
+/* The displacement by a change of Q, if slip begins afresh at the edges. */
 static double displacement(double alpha, double Q_over_fP)
 {
     const double size = fmin(fabs(Q_over_fP), 1);

@@ -9,7 +9,8 @@
 
 typedef struct text_input text_input;
 
-/* STATUS_DONE, or what to leave with where iconv does not know the encoding that --encoding names. */
+/* STATUS_DONE, or what to leave with where iconv does not know the encoding that --encoding
+ * names. */
 int text_input_check(const char *encoding);
 
 /* Opens a file, or standard input where path is "-". The encoding is one that iconv knows; NULL is
@@ -18,12 +19,12 @@ int text_input_check(const char *encoding);
 text_input *text_input_open(const char *path, const char *encoding);
 
 /* Reads whole characters into room for at least 4 bytes; *count is 0 at the end. False, with the
- * reason said, where it cannot be read, or has what is no text: the message names the file, the line
- * and the column, which is the number of the character in the line. */
+ * reason said, where it cannot be read, or has what is no text: the message names the file, the
+ * line and the column, which is the number of the character in the line. */
 bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count);
 
-/* Whether it began with the mark that some programs put before Unicode; to be asked once it has been
- * read from. */
+/* Whether it began with the mark that some programs put before Unicode; to be asked once it has
+ * been read from. */
 bool text_input_has_mark(const text_input *in);
 
 /* As messages call it. */

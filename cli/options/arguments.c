@@ -3,6 +3,7 @@
 
 #include "text/list.h"
 #include "text/message.h"
+#include "text/nearest.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -33,9 +34,42 @@ void options_list(const struct poptOption *options, char *text, size_t size)
     }
 }
 
+/* Other usual names, and the options that they mean; a command has one of them or none. */
+static const struct {
+    const char *usual, *option;
+} synonyms[] = {
+    {"mu", "friction"}, {"mu", "f"},       {"cof", "friction"},    {"cof", "f"},
+    {"R", "radius"},    {"E", "E1"},       {"sy", "yield-stress"}, {"sigma-y", "yield-stress"},
+    {"file", "output"}, {"out", "output"}, {"csv", "format"},
+};
+
+static void try_options(const struct poptOption *options, nearest *to)
+{
+    for (; options->longName != NULL || options->argInfo != 0; options++) {
+        if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE) {
+            try_options(options->arg, to);
+            continue;
+        }
+        if ((options->argInfo & POPT_ARGFLAG_DOC_HIDDEN) != 0)
+            continue;
+        for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+            if (strcmp(to->typed, synonyms[i].usual) == 0 &&
+                strcmp(options->longName, synonyms[i].option) == 0)
+                *to = (nearest){to->typed, options->longName, 0};
+        nearest_try(to, options->longName);
+    }
+}
+
 static int unknown_option(const syntax *grammar, const char *option)
 {
-    char allowed[512];
+    char allowed[512], name[40] = "";
+    if (strncmp(option, "--", 2) == 0)
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(option + 2, "="), option + 2);
+    nearest to = nearest_to(name);
+    try_options(grammar->options, &to);
+    if (to.name != NULL)
+        return usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all",
+                           option, to.name, message_speaker());
     options_list(grammar->options, allowed, sizeof allowed);
     return usage_error("%s: unknown option; allowed: %s", option, allowed);
 }

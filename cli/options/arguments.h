@@ -54,6 +54,12 @@ int arguments_no_operand(const arguments *given);
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);
 
+/* Another name of an option, which the help and the shells do not list. */
+#define OTHER_NAME(name, number)                                                                   \
+    {                                                                                              \
+        name, '\0', POPT_ARG_STRING | POPT_ARGFLAG_DOC_HIDDEN, NULL, number, NULL, NULL            \
+    }
+
 /* An entry of a table. */
 #define HELP_OPTION "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL
 

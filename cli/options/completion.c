@@ -15,7 +15,7 @@ static void each_option(const struct poptOption *options, const command *of, opt
     for (; options->longName != NULL || options->argInfo != 0; options++)
         if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
             each_option(options->arg, of, print);
-        else
+        else if ((options->argInfo & POPT_ARGFLAG_DOC_HIDDEN) == 0)
             print(options, of);
 }
 

@@ -14,7 +14,8 @@ typedef struct {
     const contour_grid *grid;
     double height;
     int across, down; /* nodes, with the rim */
-    /* from an edge to the next: 2 n is that from node n to its right, 2 n + 1 to the one below */
+    /* the edge that follows an edge on a loop; 2 n is the edge from node n to its right, 2 n + 1
+     * the one to the node below */
     int *next;
 } tracer;
 
@@ -47,7 +48,8 @@ static int side(const tracer *t, int i, int j, int k)
     return 2 * ((j + of_j[k]) * t->across + i + of_i[k]) + (k % 2);
 }
 
-/* A saddle is cut so that its two high corners stay apart, or not, as the mean of the four says. */
+/* In a saddle two opposite corners are high. The mean of the four decides whether they are
+ * joined. */
 static void link_cell(tracer *t, int i, int j)
 {
     bool high[4];
@@ -60,11 +62,12 @@ static void link_cell(tracer *t, int i, int j)
     }
     const bool saddle = high[0] == high[2] && high[1] == high[3] && high[0] != high[1];
     const bool joined = saddle && !rim && mean >= t->height;
-    /* leave the high corners k, k - 1, ... through the side k, where they end */
+    /* The loop leaves through the side k, where the high corners end. It came in through the side
+     * where they begin. */
     for (int k = 0; k < 4; k++) {
         if (!high[k] || high[(k + 1) % 4])
             continue;
-        int in = (k + 1) % 4; /* past the one low corner, from the other high one */
+        int in = (k + 1) % 4; /* joined: the high corners begin behind the next low one */
         if (!joined)
             for (in = (k + 3) % 4; high[in];)
                 in = (in + 3) % 4;

@@ -60,8 +60,8 @@ typedef struct {
     int label_count;
 } drawing;
 
-/* The next curve, a thin black line through all rows of the curve of a dataset, to be changed as
- * needed; one beyond the last is taken and forgotten. */
+/* The next curve: a thin black line through all rows of one curve of the dataset. The caller may
+ * change it. A curve for which there is no room is not drawn. */
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
 
 /* The next label, its text made as by printf. */

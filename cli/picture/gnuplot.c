@@ -2,6 +2,7 @@
 #include "gnuplot.h"
 
 #include "system/program.h"
+#include "system/streams.h"
 #include "text/message.h"
 
 #include <errno.h>
@@ -147,7 +148,7 @@ bool gnuplot_draw(const drawing *what, const picture_format *format, output *out
     FILE *stream[STREAMS];
     bool going = true;
     for (int i = 0; i < STREAMS; i++) {
-        stream[i] = going ? tmpfile() : NULL;
+        stream[i] = going ? stream_temporary() : NULL;
         if (going && stream[i] == NULL)
             failure("gnuplot: a temporary file cannot be made: %s", strerror(errno));
         going = stream[i] != NULL;

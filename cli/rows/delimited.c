@@ -6,9 +6,10 @@
 #include <math.h>
 #include <string.h>
 
-static void put_quoted(output *out, const char *text)
+static void put_quoted(output *out, const char *guard, const char *text)
 {
     output_text(out, "\"");
+    output_text(out, guard);
     for (const char *c = text; *c != '\0'; c++) {
         if (*c == '"')
             output_text(out, "\"");
@@ -17,13 +18,24 @@ static void put_quoted(output *out, const char *text)
     output_text(out, "\"");
 }
 
+/* Spreadsheets compute what begins like this, unless it is a number. */
+static bool is_formula(const records *rows, const char *text)
+{
+    double number;
+    return text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL &&
+           !number_read_cell(text, rows->decimal_sign, &number);
+}
+
 static void put_text(const records *rows, const char *text)
 {
     const char special[] = {rows->separator, '"', '\n', '\r', '\0'};
-    if (strpbrk(text, special) != NULL)
-        put_quoted(rows->out, text);
-    else
-        output_text(rows->out, text);
+    const char *guard = rows->no_formulas && is_formula(rows, text) ? "'" : "";
+    if (strpbrk(text, special) != NULL) {
+        put_quoted(rows->out, guard, text);
+        return;
+    }
+    output_text(rows->out, guard);
+    output_text(rows->out, text);
 }
 
 static void separate(records *rows)

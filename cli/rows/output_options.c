@@ -4,6 +4,7 @@
 #include "delimited.h"
 #include "json.h"
 #include "spreadsheet.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "system/progress.h"
 #include "system/streams.h"
@@ -11,6 +12,7 @@
 #include "sheet/xlsx.h"
 
 #include <string.h>
+#include <strings.h>
 
 struct poptOption output_option_table[] = {
     {FORMAT_OPTION("csv|tsv|json|xlsx")},
@@ -24,22 +26,80 @@ struct poptOption other_output_option_table[] = {
     {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
      "In files 1,5 for 1.5, with ';' between the columns of csv", NULL},
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
-     "Write to FILE, whole or not at all (default: standard output)", "FILE"},
+     "Write to FILE, whole or not at all; its ending is the format (default: standard output)",
+     "FILE"},
     {"quiet", 'q', POPT_ARG_NONE, NULL, OPTION_QUIET, "No progress on the terminal", NULL},
     {HELP_OPTION},
     POPT_TABLEEND,
 };
 
 /* The formats of rows. */
-static const struct {
-    const char *name;
-    const record_format *format;
-    char separator;
-} formats[] = {{"csv", &delimited_format, ','},
-               {"tsv", &delimited_format, '\t'},
-               {"json", &json_format, ','},
-               {"xlsx", &xlsx_format, ','}};
-enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
+static const char *const row_formats[] = {"csv", "tsv", "json", "xlsx", NULL};
+static const record_format *const record_formats[] = {&delimited_format, &delimited_format,
+                                                      &json_format, &xlsx_format};
+
+/* Of this tool, whatever the command. */
+static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx", "vtk",
+                                          "svg", "png", "pdf",  NULL};
+
+/* Its place in a list that ends with NULL; -1 where it is not there. */
+static int place_of(const char *name, const char *const formats[])
+{
+    for (int i = 0; formats[i] != NULL; i++)
+        if (strcasecmp(name, formats[i]) == 0)
+            return i;
+    return -1;
+}
+
+/* ---- The name of the output, and its format ---- */
+
+/* What follows the last point of a file's name; "" where there is nothing. */
+static const char *ending_of(const char *path)
+{
+    const char *slash = path != NULL ? strrchr(path, '/') : NULL;
+    const char *name = slash != NULL ? slash + 1 : path;
+    const char *point = name != NULL ? strrchr(name, '.') : NULL;
+    return point != NULL && point != name ? point + 1 : "";
+}
+
+static int refuse_ending(const char *path, const char *const formats[], const char *hint)
+{
+    char allowed[80] = "";
+    for (int i = 0; formats[i] != NULL; i++)
+        list_add(allowed, sizeof allowed, ", ", ".%s", formats[i]);
+    return usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
+                       ending_of(path), allowed, hint);
+}
+
+static int refuse_format(const char *text, const char *const formats[], const char *hint)
+{
+    char allowed[80] = "";
+    for (int i = 0; formats[i] != NULL; i++)
+        list_add(allowed, sizeof allowed, ", ", "%s", formats[i]);
+    return usage_error("--format %s: unknown format; allowed: %s%s", text, allowed, hint);
+}
+
+int output_format_choose(const arguments *given, const char *const formats[], const char *hint,
+                         const char **format)
+{
+    const char *text = given->value[OPTION_FORMAT], *path = given->value[OPTION_OUTPUT];
+    const char *ending = ending_of(path);
+    const int asked = place_of(text != NULL ? text : formats[0], formats);
+    const int named = place_of(ending, formats);
+    if (asked < 0)
+        return refuse_format(text, formats, hint);
+    *format = formats[text == NULL && named >= 0 ? named : asked];
+    if (ending[0] == '\0' || named == place_of(*format, formats))
+        return STATUS_DONE;
+    if (text == NULL)
+        return refuse_ending(path, formats, hint);
+    if (place_of(ending, all_formats) < 0)
+        return STATUS_DONE;
+    return usage_error("--output %s: its ending contradicts --format %s; allowed: .%s", path, text,
+                       *format);
+}
+
+/* ---- The options ---- */
 
 static int check_spreadsheet(const output_options *how)
 {
@@ -50,20 +110,12 @@ static int check_spreadsheet(const output_options *how)
     return STATUS_DONE;
 }
 
-static int read_format(const char *text, const char *other, output_options *how)
+static int use_format(output_options *how)
 {
-    for (int i = 0; i < FORMAT_COUNT; i++)
-        if (strcmp(text, formats[i].name) == 0) {
-            how->format = formats[i].format;
-            how->separator = formats[i].separator;
-            return formats[i].format == &xlsx_format ? check_spreadsheet(how) : STATUS_DONE;
-        }
-    how->format = NULL;
-    how->separator = ',';
-    if (other != NULL && strcmp(text, other) == 0)
-        return STATUS_DONE;
-    return usage_error("--format %s: unknown format; allowed: csv, tsv, json, xlsx%s%s", text,
-                       other != NULL ? ", " : "", other != NULL ? other : "");
+    const int i = place_of(how->format_name, row_formats);
+    how->format = i >= 0 ? record_formats[i] : NULL;
+    how->separator = strcmp(how->format_name, "tsv") == 0 ? '\t' : ',';
+    return how->format == &xlsx_format ? check_spreadsheet(how) : STATUS_DONE;
 }
 
 static int read_digits(const char *text, output_options *how)
@@ -89,14 +141,16 @@ static int read_decimal_comma(bool given, output_options *how)
     return STATUS_DONE;
 }
 
-int output_options_read_or(const arguments *given, const char *other_format, output_options *how)
+int output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+                           output_options *how)
 {
-    how->quiet = given->value[OPTION_QUIET] != NULL;
-    how->path = given->value[OPTION_OUTPUT];
+    *how = (output_options){.quiet = given->value[OPTION_QUIET] != NULL,
+                            .path = given->value[OPTION_OUTPUT]};
     if (how->path != NULL && how->path[0] == '\0')
         return usage_error("--output '': must be the name of a file, or - for standard output");
-    const char *format = given->value[OPTION_FORMAT];
-    int status = read_format(format != NULL ? format : "csv", other_format, how);
+    int status = output_format_choose(given, formats, hint, &how->format_name);
+    if (status == STATUS_DONE)
+        status = use_format(how);
     if (status == STATUS_DONE)
         status = read_digits(given->value[OPTION_DIGITS], how);
     if (status == STATUS_DONE)
@@ -106,7 +160,7 @@ int output_options_read_or(const arguments *given, const char *other_format, out
 
 int output_options_read(const arguments *given, output_options *how)
 {
-    return output_options_read_or(given, NULL, how);
+    return output_options_read_of(given, row_formats, "", how);
 }
 
 int output_options_spare(const output_options *how, const char *input)
@@ -123,7 +177,8 @@ static records records_for(const output_options *how, output *out)
                      .out = out,
                      .digits = how->digits,
                      .decimal_sign = how->decimal_sign,
-                     .separator = how->separator};
+                     .separator = how->separator,
+                     .no_formulas = how->no_formulas};
 }
 
 int output_options_write(const output_options *how, rows_writer *write_rows, void *context)

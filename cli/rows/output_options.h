@@ -8,11 +8,13 @@
 #include "records.h"
 
 typedef struct {
+    const char *format_name;
     const record_format *format; /* NULL for a command's own format */
     int digits;
     char decimal_sign, separator;
     const char *path; /* NULL for standard output */
     bool quiet;
+    bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
 } output_options;
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE; and what is in it beside --format, for a
@@ -26,8 +28,15 @@ extern struct poptOption output_option_table[], other_output_option_table[];
 /* STATUS_DONE, or what to leave with. */
 int output_options_read(const arguments *given, output_options *how);
 
-/* The same for a command that has a format of its own. */
-int output_options_read_or(const arguments *given, const char *other_format, output_options *how);
+/* The same for a command with formats of its own. The list ends with NULL, its first is the default;
+ * the hint follows where a message lists them. */
+int output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+                           output_options *how);
+
+/* Which of these formats --format asks for, or the ending of the output's name. A contradiction of
+ * the two, and an ending that says nothing, are refused. STATUS_DONE, or what to leave with. */
+int output_format_choose(const arguments *given, const char *const formats[], const char *hint,
+                         const char **format);
 
 /* Refuses an output that is the input, NULL for none. STATUS_DONE, or what to leave with. */
 int output_options_spare(const output_options *how, const char *input);

@@ -56,6 +56,7 @@ struct records {
     int digits; /* significant ones; NUMBER_DIGITS to read back the same */
     char decimal_sign, separator;
     bool mark; /* of Unicode, in front of a text file */
+    bool no_formulas;
     bool row_begun, any_row;
     const char *problem; /* what a format could not write */
     struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */

@@ -23,8 +23,8 @@ struct xlsx {
     char sheet_name[SHEETS_MAX][NAME_MAX_LENGTH];
     int sheet_count, current_index;
     lxw_format *style[XLSX_STYLE_COUNT];
-    /* the library writes to a name, and back and forth: a file without a name in the folder,
-     * first */
+    /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
+     * file. */
     FILE *spool;
     lxw_error error;
 };
@@ -34,8 +34,8 @@ const char *xlsx_missing(void)
     return NULL;
 }
 
-/* Where memory is short, or the folder of its temporary files full, the library leaves things
- * out, and only some of its functions say so: errno does. */
+/* Where memory is short, or its temporary folder is full, the library leaves things out. Not all of
+ * its functions say so, but errno is set. */
 static void keep(xlsx *book, lxw_error error)
 {
     if (error == LXW_NO_ERROR &&

@@ -96,6 +96,20 @@ static bool yield_place(const contact_case *what, double P_yield, cell row[],
     return true;
 }
 
+/* The library looks for first yield up to this b/a. */
+static const double WIDTH_MOST = 1e14;
+
+/* Where no load yields as far as the library looks: the load there, as a power of ten, is a bound. */
+static void bound_safety(const contact_case *what, results *found)
+{
+    const double most = rwedge_normal_load(what->theta, what->a, what->A, WIDTH_MOST * what->a);
+    if (isfinite(most)) {
+        snprintf(found->bound, sizeof found->bound, "> 1e%.0f", floor(log10(most / what->P)));
+        found->value[RESULT_SAFETY] = cell_text(found->bound);
+    }
+    results_warn(found, "nothing yields before the contact is 1e14 a wide: safety is a bound");
+}
+
 static bool strength(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
 {
     const double alpha = what->a / b;
@@ -149,6 +163,8 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
     found->doubts = doubts_of(what, b, safety);
     found->warnings[0] = '\0';
     doubts_write(found->doubts, found->warnings, sizeof found->warnings);
+    if (isinf(safety))
+        bound_safety(what, found);
     found->value[RESULT_WARNINGS] = cell_text(found->warnings);
     return true;
 }

@@ -45,7 +45,7 @@ extern const result_kind result_kinds[RESULT_COUNT];
  * library's. */
 typedef struct {
     cell value[RESULT_COUNT];
-    char warnings[512];
+    char warnings[512], bound[32];
     int32_t doubts;
 } results;
 

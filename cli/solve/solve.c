@@ -11,7 +11,12 @@
 
 #include <string.h>
 
-enum { OPTION_INPUT_FILE = OPTION_AFTER_INPUTS, OPTION_LAYOUT, OPTION_YIELD_FACTOR };
+enum {
+    OPTION_INPUT_FILE = OPTION_AFTER_INPUTS,
+    OPTION_LAYOUT,
+    OPTION_YIELD_FACTOR,
+    OPTION_NO_FORMULAS
+};
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
@@ -23,6 +28,8 @@ static const struct poptOption options[] = {
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
+    {"no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,
+     "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -159,6 +166,7 @@ static int solve(const arguments *given)
         status = read_yield_factor(given, &many.constants, &one.yield_factor);
     if (status != STATUS_DONE)
         return status;
+    how.no_formulas = given->value[OPTION_NO_FORMULAS] != NULL;
     many.yield_factor = one.yield_factor;
     return many.path != NULL ? batch_run(&many, &how) : solve_one(&many.constants, &one, &how);
 }

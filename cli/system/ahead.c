@@ -73,7 +73,9 @@ static int64_t take_block(ahead *work)
 
 static void *run_thread(void *context)
 {
+    char stack[SIGNALS_STACK];
     ahead *work = context;
+    signals_in_thread(stack);
     pthread_mutex_lock(&work->lock);
     for (int64_t block = take_block(work); block >= 0; block = take_block(work)) {
         pthread_mutex_unlock(&work->lock);

@@ -36,7 +36,7 @@ static bool open_beside(output *out, const char *path)
     if (out->target == NULL)
         return refuse(out, errno);
     signals_hold();
-    out->descriptor = target_open_beside(out->target, &out->unfinished);
+    out->descriptor = target_open_beside(out->target, &out->unfinished, &out->lost);
     const int reason = errno;
     if (out->descriptor >= 0)
         signals_on_end(out->unfinished, "; the output file is as it was before");
@@ -50,6 +50,7 @@ static bool open_beside(output *out, const char *path)
 bool output_open(output *out, const char *path)
 {
     out->target = out->unfinished = NULL;
+    out->lost = "";
     out->error = 0;
     out->used = 0;
     out->name = stdout_name;
@@ -57,11 +58,14 @@ bool output_open(output *out, const char *path)
         return open_directly(out, STDOUT_FILENO);
     out->name = path;
     struct stat existing;
-    if (stat(path, &existing) != 0 || S_ISREG(existing.st_mode))
+    const bool exists = stat(path, &existing) == 0;
+    if (!exists && errno != ENOENT) /* also a link that the system does not follow */
+        return refuse(out, errno);
+    if (!exists || S_ISREG(existing.st_mode))
         return open_beside(out, path);
     if (S_ISDIR(existing.st_mode))
         return refuse(out, EISDIR);
-    return open_directly(out, open(path, O_WRONLY));
+    return open_directly(out, open(path, O_WRONLY | O_CLOEXEC));
 }
 
 bool output_is_stdout(const output *out)
@@ -120,7 +124,7 @@ static void close_checked(output *out)
     out->descriptor = -1;
 }
 
-/* The unfinished file becomes the target, or goes. */
+/* The unfinished file replaces the target. After an error it is removed. */
 static void settle(output *out)
 {
     signals_hold();
@@ -140,6 +144,8 @@ bool output_finish(output *out)
     flush(out);
     close_checked(out);
     settle(out);
+    if (out->error == 0 && out->lost[0] != '\0')
+        notice("%s: %s", out->name, out->lost);
     return out->error == 0 ? true : refuse(out, out->error);
 }
 

@@ -5,16 +5,30 @@
 #include "progress.h"
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 #include <unistd.h>
 
-static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+typedef struct {
+    int number;
+    const char *name;
+} kind;
+
+/* Those that end a process, but for SIGKILL and the numbered ones. */
+static const kind ending[] = {
+    {SIGINT, "SIGINT"},       {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"},   {SIGQUIT, "SIGQUIT"},
+    {SIGALRM, "SIGALRM"},     {SIGUSR1, "SIGUSR1"}, {SIGUSR2, "SIGUSR2"}, {SIGXCPU, "SIGXCPU"},
+    {SIGVTALRM, "SIGVTALRM"}, {SIGPROF, "SIGPROF"},
+};
 enum { ENDING_COUNT = sizeof ending / sizeof ending[0] };
 
 /* A library that fails, as libxlsxwriter does where memory is short: the unfinished file goes
  * too. */
-static const int crashes[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE};
+static const kind crashes[] = {
+    {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},   {SIGABRT, "SIGABRT"}, {SIGFPE, "SIGFPE"},
+    {SIGILL, "SIGILL"},   {SIGTRAP, "SIGTRAP"}, {SIGSYS, "SIGSYS"},
+};
 enum { CRASH_COUNT = sizeof crashes / sizeof crashes[0] };
 
 /* Changed only while signals are held back. */
@@ -23,24 +37,13 @@ static const char *volatile last_words;
 
 static const char *name_of(int number)
 {
-    switch (number) {
-    case SIGINT:
-        return "SIGINT";
-    case SIGTERM:
-        return "SIGTERM";
-    case SIGHUP:
-        return "SIGHUP";
-    case SIGQUIT:
-        return "SIGQUIT";
-    case SIGABRT:
-        return "SIGABRT";
-    case SIGFPE:
-        return "SIGFPE";
-    case SIGBUS:
-        return "SIGBUS";
-    default:
-        return "SIGSEGV";
-    }
+    for (int i = 0; i < ENDING_COUNT; i++)
+        if (ending[i].number == number)
+            return ending[i].name;
+    for (int i = 0; i < CRASH_COUNT; i++)
+        if (crashes[i].number == number)
+            return crashes[i].name;
+    return "a signal";
 }
 
 static void say(const char *text)
@@ -70,28 +73,40 @@ static sigset_t handled(void)
     sigset_t set;
     sigemptyset(&set);
     for (int i = 0; i < ENDING_COUNT; i++)
-        sigaddset(&set, ending[i]);
+        sigaddset(&set, ending[i].number);
     for (int i = 0; i < CRASH_COUNT; i++)
-        sigaddset(&set, crashes[i]);
+        sigaddset(&set, crashes[i].number);
     return set;
+}
+
+/* Not what is ignored already; nor a crash that a sanitizer has more to say about. */
+static void install(const kind kinds[], int count, const struct sigaction *end, bool only_default)
+{
+    for (int i = 0; i < count; i++) {
+        struct sigaction before;
+        if (sigaction(kinds[i].number, NULL, &before) == 0 &&
+            (only_default ? before.sa_handler == SIG_DFL : before.sa_handler != SIG_IGN))
+            sigaction(kinds[i].number, end, NULL);
+    }
+}
+
+void signals_in_thread(char stack[SIGNALS_STACK])
+{
+    const stack_t other = {.ss_sp = stack, .ss_size = SIGNALS_STACK};
+    sigaltstack(&other, NULL);
 }
 
 void signals_install(void)
 {
+    static char stack[SIGNALS_STACK];
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGPIPE, &ignore, NULL);
     sigaction(SIGXFSZ, &ignore, NULL);
-    struct sigaction end = {.sa_handler = end_by_signal, .sa_mask = handled()};
-    for (int i = 0; i < ENDING_COUNT; i++) {
-        struct sigaction before;
-        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-            sigaction(ending[i], &end, NULL);
-    }
-    for (int i = 0; i < CRASH_COUNT; i++) {
-        struct sigaction before; /* not the default under a sanitizer, which has more to say */
-        if (sigaction(crashes[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
-            sigaction(crashes[i], &end, NULL);
-    }
+    struct sigaction end = {
+        .sa_handler = end_by_signal, .sa_mask = handled(), .sa_flags = SA_ONSTACK};
+    signals_in_thread(stack);
+    install(ending, ENDING_COUNT, &end, false);
+    install(crashes, CRASH_COUNT, &end, true);
 }
 
 void signals_hold(void)
@@ -114,7 +129,7 @@ void signals_before_threads(void)
     sigset_t held;
     sigfillset(&held);
     for (int i = 0; i < CRASH_COUNT; i++)
-        sigdelset(&held, crashes[i]);
+        sigdelset(&held, crashes[i].number);
     pthread_sigmask(SIG_SETMASK, &held, &before_threads);
 }
 

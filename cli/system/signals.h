@@ -13,7 +13,9 @@ void signals_install(void);
 void signals_on_end(const char *unfinished_file, const char *message);
 
 /* Threads begun in between leave signals to the one that begins them. Not so a crash: it belongs to
- * the thread that it is in. */
+ * the thread that it is in, which begins by giving a stack for where its own has run out. */
+enum { SIGNALS_STACK = 1 << 14 };
+void signals_in_thread(char stack[SIGNALS_STACK]);
 void signals_before_threads(void);
 void signals_after_threads(void);
 

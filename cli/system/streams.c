@@ -18,9 +18,17 @@ bool stream_is_terminal(FILE *stream)
     return isatty(fileno(stream)) == 1;
 }
 
-FILE *stream_with_name(char name[STREAM_NAME_SIZE])
+FILE *stream_temporary(void)
 {
     FILE *stream = tmpfile();
+    if (stream != NULL)
+        fcntl(fileno(stream), F_SETFD, FD_CLOEXEC);
+    return stream;
+}
+
+FILE *stream_with_name(char name[STREAM_NAME_SIZE])
+{
+    FILE *stream = stream_temporary();
     if (stream != NULL)
         snprintf(name, STREAM_NAME_SIZE, "/dev/fd/%d", fileno(stream));
     return stream;

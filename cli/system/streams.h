@@ -13,6 +13,9 @@ bool streams_fill_closed(void);
 
 bool stream_is_terminal(FILE *stream);
 
+/* A temporary file; closed, it is gone. Another program does not inherit it. NULL with errno. */
+FILE *stream_temporary(void);
+
 /* A temporary file that a library can open by this name too. Closed, it is gone. NULL with
  * errno. */
 enum { STREAM_NAME_SIZE = 40 };

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "target.h"
 
+#include "attributes.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -64,34 +66,23 @@ bool target_is_input(const char *output, const char *input)
            out.st_dev == in.st_dev && out.st_ino == in.st_ino;
 }
 
-/* As open() with O_CREAT would have it; an existing file keeps its own, and its owner where that
- * is allowed. */
-static int set_permissions(int descriptor, const char *target)
+/* A new file with a name of its own: mkstemp() finds the name, but only open() gives a file the
+ * permissions that the mask and the folder's access list ask for. */
+static int open_new(char *name, mode_t mode)
 {
-    struct stat existing;
-    if (stat(target, &existing) == 0) {
-        if (fchown(descriptor, existing.st_uid, existing.st_gid) != 0)
-            errno = 0; /* the file becomes ours */
-        return fchmod(descriptor, existing.st_mode & 0777);
+    const int found = mkstemp(name);
+    if (found < 0)
+        return -1;
+    close(found);
+    if (unlink(name) != 0) {
+        unlink(name);
+        return -1;
     }
-    const mode_t mask = umask(0);
-    umask(mask);
-    return fchmod(descriptor, 0666 & ~mask);
+    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
-int target_open_beside(const char *target, char **unfinished)
+static int give_up(char *name, int descriptor, int reason)
 {
-    if (access(target, W_OK) != 0 && errno != ENOENT)
-        return -1; /* renaming would replace a file that is protected from writing */
-    char *name = in_folder_of(target, ".rwedge-XXXXXX");
-    if (name == NULL)
-        return -1;
-    const int descriptor = mkstemp(name);
-    if (descriptor >= 0 && set_permissions(descriptor, target) == 0) {
-        *unfinished = name;
-        return descriptor;
-    }
-    const int reason = errno;
     if (descriptor >= 0) {
         close(descriptor);
         unlink(name);
@@ -101,6 +92,28 @@ int target_open_beside(const char *target, char **unfinished)
     return -1;
 }
 
+int target_open_beside(const char *target, char **unfinished, const char **lost)
+{
+    struct stat existing;
+    const bool exists = stat(target, &existing) == 0;
+    *lost = "";
+    if ((!exists && errno != ENOENT) || (exists && access(target, W_OK) != 0))
+        return -1; /* renaming would replace a file that is protected from writing */
+    char *name = in_folder_of(target, ".rwedge-XXXXXX");
+    if (name == NULL)
+        return -1;
+    const int descriptor = open_new(name, exists ? 0600 : 0666);
+    int reason = descriptor < 0 ? errno : 0;
+    if (reason == 0 && exists)
+        reason = attributes_keep(descriptor, target, &existing);
+    if (reason != 0)
+        return give_up(name, descriptor, reason);
+    if (exists)
+        *lost = attributes_lost(descriptor, &existing);
+    *unfinished = name;
+    return descriptor;
+}
+
 /* A folder that cannot be opened or synced, for lack of permission or on a file system without
  * it, is no failure. */
 static int sync_folder(const char *target)
@@ -108,7 +121,7 @@ static int sync_folder(const char *target)
     char *folder = in_folder_of(target, ".");
     if (folder == NULL)
         return ENOMEM;
-    const int descriptor = open(folder, O_RDONLY);
+    const int descriptor = open(folder, O_RDONLY | O_CLOEXEC);
     free(folder);
     if (descriptor < 0)
         return 0;

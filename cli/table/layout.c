@@ -54,7 +54,7 @@ static void set_grid_combination(const plan *what, int64_t i, double value[])
 {
     const range *across = &what->axis[what->table->across];
     if (table_depends_on(what->table, NU))
-        value[NU] = range_value(&what->axis[NU], 0); /* the only one, unless it is across */
+        value[NU] = range_value(&what->axis[NU], 0); /* its one value, unless it runs across */
     value[A_OVER_B] = range_value(&what->axis[A_OVER_B], i / across->count);
     value[what->table->across] = range_value(across, i % across->count);
 }

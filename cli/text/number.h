@@ -19,8 +19,8 @@ bool number_read(const char *text, double *value);
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */
 bool number_read_cell(const char *text, char decimal_sign, double *value);
 
-/* Whether a cell that is a number stays the same as one: "007", "+49" and twenty digits are meant as
- * they stand. */
+/* Whether a cell that is a number stays the same as one: "007", "+49" and twenty digits are
+ * meant as they stand. */
 bool number_is_exact(const char *text);
 
 /* The same as number_read() for the first length characters, which number_length() has found. */

@@ -58,7 +58,7 @@ static double after_steps(const range *values, double steps)
     return values->power > 0 ? in_units(value, values->power) : value;
 }
 
-/* Numbers with too many digits hit STOP where they differ from it by no more than rounding. */
+/* A number with too many digits counts as STOP where it differs from STOP by rounding alone. */
 static const char *read_steps(const char *text, range *values)
 {
     double number[3];

@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The bytes of the character at the start of these, 1 to 4, and its code; 0 where none starts there,
- * or only a part of one is there. */
+/* The bytes of the character at the start of these, 1 to 4, and its code; 0 where none starts
+ * there, or only a part of one is there. */
 size_t utf8_length(const char *bytes, size_t count, uint32_t *code);
 
 /* Whether XML, and so every format, can hold the character: not so control characters but tab, line

@@ -23,9 +23,10 @@ double workbook_rounded(double value)
 
 /* ---- The table ------------------------------------------------------------------------------- */
 
-/* Closer where the branch below the surface begins to be decisive, from nu = 0.18 on: it ends
- * near there too, and a patch that lacks one of its nine values leaves the case to the surface.
- * f = 0.385 is above all critical frictions (0.378), and the branch still lives there for Hertz. */
+/* The nodes are closer from nu = 0.18 on. There the branch below the surface begins to decide, and
+ * near there it ends. Where one of the nine values of a patch is missing, the surface alone
+ * decides. f = 0.385 is above all critical frictions (0.378). Hertz' contact still has the branch
+ * there. */
 static const double nus[NUS] = {0,     0.1,  0.175, 0.2, 0.225, 0.25, 0.275, 0.3,
                                 0.325, 0.35, 0.375, 0.4, 0.425, 0.45, 0.475, 0.5};
 static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0.125, 0.15,
@@ -141,8 +142,8 @@ static void lagrange(const double node[3], double at, double weight[3])
     }
 }
 
-/* In nu the third node is the next above, in f the one below: there the branch below the surface
- * lives on. */
+/* The third node is the next one above in nu, and the one below in f. There the branch below the
+ * surface exists. */
 static void place_patch(const limit_table *table, const workbook_inputs *in, workbook_results *out)
 {
     double node[3];
@@ -157,7 +158,7 @@ static void place_patch(const limit_table *table, const workbook_inputs *in, wor
     lagrange(node, in->f * in->f, out->weight_f);
 }
 
-/* 1/limit^2 may come out as 0 or less where it is next to 0: a limit of 1000 is never the
+/* Interpolated next to 0, 1/limit^2 may be 0 or less. The limit is then 1000, which is never the
  * smaller one. */
 static double limit_from(double sum)
 {
@@ -271,9 +272,9 @@ static void trace_friction(const limit_table *table, workbook_results *out)
     }
 }
 
-/* Where the branches cross: their difference, in 1/limit^2, is nearly linear in f^2. Where the
- * branch below the surface has ended at the node after, the line through the two nodes before is
- * drawn on. */
+/* Where the branches cross. The difference of their 1/limit^2 is nearly linear in f^2. If the
+ * branch below the surface has ended at the next node, the line through the two nodes before it is
+ * extended. */
 static void find_critical(const limit_table *table, workbook_results *out)
 {
     out->gaps = 0;

@@ -4,6 +4,7 @@
 #include "system/streams.h"
 #include "text/message.h"
 #include "book.h"
+#include "rows/output_options.h"
 #include "sheet/xlsx.h"
 
 static const struct poptOption options[] = {
@@ -35,13 +36,17 @@ static int write_file(const char *path)
 
 static int write_given(const arguments *given)
 {
-    const int status = arguments_no_operand(given);
+    if (arguments_no_operand(given) != STATUS_DONE)
+        return STATUS_USAGE;
+    static const char *const formats[] = {"xlsx", NULL};
     const char *path = given->value[OPTION_OUTPUT];
-    if (status != STATUS_DONE)
-        return status;
     if (path == NULL || path[0] == '\0')
         return usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
+    const char *format;
+    const int status = output_format_choose(given, formats, "", &format);
+    if (status != STATUS_DONE)
+        return status;
     if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
         return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
                            "file, or a redirected -");

@@ -85,7 +85,9 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
         return status;
     step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
     step->patch = rw_patch_under_moment(g, to.P, to.M);
-    step->to.tilt = to.M != 0 ? rw_patch_pressing(g->a, step->patch).tilt : 0;
+    step->to.tilt = to.M == 0                 ? 0
+                    : isnan(step->patch.left) ? NAN /* there is no such patch */
+                                              : rw_patch_pressing(g->a, step->patch).tilt;
     if (is_same_pressing(contact, to) && !rw_path_is_plain(&contact->memory, step->to)) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;

@@ -174,6 +174,9 @@ static rw_patch of_moment(double a, double P, double M)
     if (a == 0)
         return sharp(2 * (M / P), P);
     const double s = sqrt(2 / RW_PI * a) * sqrt(P), m = M / P;
+    if (m >
+        2 * RW_LARGEST * fmin(a, 1)) /* m is inside the contact: it, or a/b, is not in the domain */
+        return (rw_patch){NAN, NAN};
     if (m + s <= a)
         return hertz(m, s);
     search wanted = {.a = a, .P = P, .wanted = M, .by_moment = true};

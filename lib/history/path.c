@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Under one load both edges of a patch move outwards where the change (dP, d delta) of load and
- * tilt is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the patch):
- * the pressure that is added, that of a flat punch, is then positive everywhere. A straight step in
- * P and M keeps to the cone if it does at its smaller end: the line of action dM/dP of what is added
- * lies between m - s/2 and m + s/2, and where one edge rests, that end of the interval moves
- * outwards.
+ * tilt is in the cone |pi s d delta| <= dP (theta/A and theta; s is the half-width of the
+ * patch): the pressure that is added, that of a flat punch, is then positive everywhere. A
+ * straight step in P and M keeps to the cone if it does at its smaller end: the line of action
+ * dM/dP of what is added lies between m - s/2 and m + s/2, and where one edge rests, that end of
+ * the interval moves outwards.
  *
- * With S the sign of slip, z = f |p| - S q is what friction has left, and y >= 0 the slip so far in
- * the direction S: z y = 0, as pressure and gap of a contact without friction, of the load
- * N - S T. A change of N - S T in the negative cone takes z away everywhere. Then z falls and y
- * grows at every point and all the time, because slip at one point presses every other one the same
- * way. So y and z at the end of the step do not depend on the way there. They are what the memory
- * diagram says if that has z >= 0, which nested patches have, and y >= 0, see one_way.h. No point
- * slips the other way as long as z <= 2 f |p|. That is so where the pressure nowhere falls; where
- * what sticks is still inside the contact; and where the front inside one layer stays behind the
- * edges of the contact. */
+ * With S the sign of slip, z = f |p| - S q is what friction has left, and y >= 0 the slip so far
+ * in the direction S: z y = 0, as pressure and gap of a contact without friction, of the load N
+ * - S T. A change of N - S T in the negative cone takes z away everywhere. Then z falls and y
+ * grows at every point and all the time, because slip at one point presses every other one the
+ * same way. So y and z at the end of the step do not depend on the way there. They are what the
+ * memory diagram says if that has z >= 0, which nested patches have, and y >= 0, see one_way.h.
+ * No point slips the other way as long as z <= 2 f |p|. That is so where the pressure nowhere
+ * falls; where what sticks is still inside the contact; and where the front inside one layer
+ * stays behind the edges of the contact. */
 #include "history/path.h"
 
 #include "history/one_way.h"
@@ -88,7 +88,8 @@ static double largest(range r)
     return fmax(fabs(r.least), fabs(r.most));
 }
 
-/* Whether a change of load, a length, and of tilt adds to the traction everywhere within a patch. */
+/* Whether a change of load, a length, and of tilt adds to the traction everywhere within a
+ * patch. */
 static bool adds_everywhere(double load, range tilt, rw_patch patch, double tolerance)
 {
     const double arm = RW_PI * half_width(patch);
@@ -162,6 +163,15 @@ static bool is_level(const rw_step *s)
             (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s->memory, s->to)));
 }
 
+/* Without a width there is no bound, but no infinity either: a layer of slope 0 stays level. */
+static double tilt_by(double moment, double half_width)
+{
+    static const double UNBOUNDED = 1e200;
+    if (half_width == 0)
+        return moment == 0 ? 0 : copysign(UNBOUNDED, moment);
+    return 2 / RW_PI * moment / pow(half_width, 2);
+}
+
 /* d delta/dt = 2 (dM - m dP)/(pi s^2) while the patch is between two others; the step lasts from
  * t = 0 to 1. */
 static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
@@ -174,8 +184,7 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
     const double other = M - P * (smaller.left / 2 + larger.right / 2);
     const double least = fmin(one, other), most = fmax(one, other);
     const double few = half_width(smaller), many = half_width(larger);
-    return (range){2 / RW_PI * least / pow(least > 0 ? many : few, 2),
-                   2 / RW_PI * most / pow(most > 0 ? few : many, 2)};
+    return (range){tilt_by(least, least > 0 ? many : few), tilt_by(most, most > 0 ? few : many)};
 }
 
 /* Whether the shear keeps to a layer of slope D all along, as the tilt bends. */

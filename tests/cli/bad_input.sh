@@ -11,7 +11,13 @@ tables="elastic-limit, max-tension, contact-law, critical-friction, stick-zone"
 # Which command, which table.
 commands=$("$rwedge" --help | sed -n '/^Commands/,/^$/s/^  \([a-z]*\) .*/\1/p' | paste -s -d , - | sed 's/,/, /g')
 refuses "rwedge: a command must follow; allowed: $commands, --help, --version"
-refuses "rwedge: tables: unknown command; allowed: $commands" tables
+refuses "rwedge: tables: unknown command; the nearest is table; allowed: $commands" tables
+refuses "rwedge: feild: unknown command; the nearest is field; allowed: $commands" feild --P 5
+refuses "rwedge: solv: unknown command; the nearest is solve; allowed: $commands" solv --help
+refuses "rwedge: plot: unknown command; allowed: $commands" plot
+refuses "rwedge: : unknown command; allowed: $commands" ""
+refuses "rwedge help: solv: unknown command; the nearest is solve; allowed: $commands" help solv
+refuses "rwedge help: table: unexpected; allowed: one command" help solve table
 refuses "rwedge: --verbose: unknown option; allowed: --version, --completion, --help" --verbose
 refuses "rwedge table: the name of a table must follow; allowed: $tables" table
 refuses "rwedge table: elastic: unknown table; allowed: $tables" table elastic
@@ -20,7 +26,39 @@ refuses "rwedge table: contact-law: unexpected; allowed: one table, and options"
 # Options that do not exist, lack a value, or have one too many.
 options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity, --threads"
 common="--help, --format, --digits, --decimal-comma, --output, --quiet"
-refuses "rwedge table: --mu: unknown option; allowed: $options, $common" $limit --mu 0.3
+refuses "rwedge table: --colour: unknown option; allowed: $options, $common" $limit --colour 0.3
+nearest() { # COMMAND OPTION NEAREST
+    refuses "rwedge $1: $2: unknown option; the nearest is $3; \"rwedge $1 --help\" lists all" "$1" "$2" 1
+}
+for command in table figure; do
+    nearest $command --mu --friction
+    nearest $command --frcition --friction
+    nearest $command --a_over_b --a-over-b
+done
+for command in solve profile field; do
+    nearest $command --mu --f
+    nearest $command --R --radius
+    nearest $command --E --E1
+    nearest $command --theta_deg --theta-deg
+    nearest $command --encodng --encoding
+done
+nearest solve --yeild-stress --yield-stress
+nearest solve --sigma-y --yield-stress
+refuses "rwedge table: --frcition=1: unknown option; the nearest is --friction; \"rwedge table --help\" lists all" table --frcition=1
+# One set of names: both are taken everywhere, and are one option.
+for words in "table max-tension --a-over-b 1 --friction 0.3" "table critical-friction --a-over-b 1 --nu 0.25" \
+    "figure field --data --x 1 --friction 0.3 --nu 0.25" "profile --a-over-b 1 --f 0.3 --nu1 0.25 --points 2" \
+    "solve --E1 2e5 --nu1 0.3 --theta 0.01 --a 1 --P 100 --f 0.3"; do
+    run $(echo "$words" | sed 's/ --x 1//')
+    cp out first
+    status_is 0
+    run $(echo "$words" | sed 's/ --x 1//; s/--friction /--F /; s/--f /--friction /; s/--F /--f /
+        s/--nu /--NU /; s/--nu1 /--nu /; s/--NU /--nu1 /')
+    status_is 0
+    same "the other names" "" "$(cmp first out 2>&1)"
+done
+refuses "rwedge solve: --f 0.3: given twice; allowed: once" solve --friction 0.2 --f 0.3
+refuses "rwedge solve: --nu1 0.3: given twice; allowed: once" solve --nu1 0.2 --nu 0.3
 refuses "rwedge table: -x: unknown option; allowed: $options, $common" $limit -x
 refuses "rwedge table: --nu: a value must follow" $limit --nu
 refuses "rwedge table: -o: a value must follow" $limit -o
@@ -85,7 +123,45 @@ quantities="P_over_bk, x_over_b, y_over_b, branch, P_over_bk_subsurface, P_over_
 refuses "rwedge table: --quantity f: not a quantity of elastic-limit; allowed: $quantities" \
     $limit --layout grid --quantity f
 
-# Formats.
+# Formats, and the endings that stand for them.
+table="table contact-law --a-over-b 1"
+field="field --a-over-b 1 --x 0 --y 1"
+for format in csv tsv json; do
+    run $table --format $format
+    cp out wanted
+    prints "" $table -o chosen.$format
+    same "the ending chooses" "" "$(cmp wanted chosen.$format 2>&1)"
+done
+prints "" $table -o CHOSEN.JSON
+same "in capitals" "[" "$(head -n 1 CHOSEN.JSON)"
+prints "" $field -o chosen.vtk
+same "vtk" "# vtk DataFile Version 3.0" "$(head -n 1 chosen.vtk)"
+prints "" figure 6 --data -o chosen.tsv
+same "data of a figure" "a_over_b${tab}b_sigma_over_fP" "$(head -n 1 chosen.tsv)"
+for path in plain .hidden chosen.d/plain; do
+    mkdir -p chosen.d
+    prints "" $table -o $path
+    same "no ending: csv" "a_over_b,AP_over_theta_b" "$(head -n 1 $path | cut -d , -f 1,2)"
+done
+prints "" $table --format csv -o named.txt
+rm -r named.txt plain chosen.* CHOSEN.JSON .hidden
+other="allowed: .csv, .tsv, .json, .xlsx"
+for ending in txt jpg vtk svg pdf xls 2; do
+    refuses "rwedge table: --output x.$ending: the ending .$ending belongs to no format here; $other" $table -o x.$ending
+done
+refuses "rwedge field: --output f.png: the ending .png belongs to no format here; $other, .vtk" $field -o f.png
+refuses "rwedge solve: --output f.vtk: the ending .vtk belongs to no format here; $other" solve -o f.vtk
+refuses "rwedge profile: --output f.vtk: the ending .vtk belongs to no format here; $other" profile -o f.vtk
+for ending in jpg csv eps; do
+    refuses "rwedge figure: --output x.$ending: the ending .$ending belongs to no format here; allowed: .svg, .png, .pdf; with \
+--data: csv, tsv, json, xlsx" figure 4 -o x.$ending
+done
+refuses "rwedge figure: --output f.png: the ending .png belongs to no format here; $other" figure 4 --data -o f.png
+refuses "rwedge workbook: --output w.csv: the ending .csv belongs to no format here; allowed: .xlsx" workbook -o w.csv
+refuses "rwedge table: --output x.json: its ending contradicts --format csv; allowed: .csv" $table --format csv -o x.json
+refuses "rwedge field: --output x.csv: its ending contradicts --format vtk; allowed: .vtk" $field --format vtk -o x.csv
+refuses "rwedge figure: --output x.png: its ending contradicts --format svg; allowed: .svg" figure 4 --format svg -o x.png
+same "nothing is written" "err first out wanted" "$(ls | paste -s -d " " -)"
 refuses "rwedge table: --format xml: unknown format; allowed: csv, tsv, json, xlsx" $limit --format xml
 refuses "rwedge table: --decimal-comma: not in JSON, whose numbers have a point; allowed with: csv, tsv" \
     $limit --format json --decimal-comma

@@ -21,6 +21,19 @@ says 'Usage: rwedge COMMAND' 'table' 'Exit status' '--version'
 run -h
 says 'Usage: rwedge COMMAND'
 
+run help
+cp out whole
+says 'Usage: rwedge COMMAND'
+run --help
+same "help without a command" "" "$(diff whole out)"
+for command in solve table profile field figure workbook; do
+    run $command --help
+    cp out whole
+    run help $command
+    status_is 0
+    same "help of a command" "" "$(diff whole out)"
+done
+
 run table --help
 says 'Usage: rwedge table TABLE' 'a-over-b' 'friction' '--nu' 'q-over-fp' 'layout' 'quantity' 'format' 'digits' \
     'decimal-comma' '-o, --output' '-q, --quiet' 'elastic-limit' 'max-tension' 'contact-law' 'critical-friction' \

@@ -28,7 +28,7 @@ ended() { # exit status of the process
 }
 
 mkdir files
-for signal in INT:130 TERM:143 HUP:129 QUIT:131; do
+for signal in INT:130 TERM:143 HUP:129 QUIT:131 ALRM:142 USR1:138 USR2:140 XCPU:152 VTALRM:154 PROF:155; do
     name=${signal%:*}
     called="rwedge $long -o files/old.csv, SIG$name"
     echo old >files/old.csv
@@ -67,6 +67,15 @@ ended
 same "files" old.csv "$(ls -A files)"
 same "it does not end well" yes "$([ "$status" -ne 0 ] && echo yes)"
 same "old file" old "$(cat files/old.csv)"
+
+# A crash for lack of stack has a stack of its own to answer on. (64 KiB do not hold what the workbook needs.)
+called="rwedge workbook -o files/old.xlsx, ulimit -s 64"
+if "$rwedge" workbook -o book.xlsx 2>/dev/null && (ulimit -s 64) 2>/dev/null; then
+    status=0
+    (ulimit -s 64 && "$rwedge" workbook -o files/old.xlsx 2>err) || status=$?
+    same "files" old.csv "$(ls -A files | grep -v old.xlsx)"
+    [ "$status" -eq 0 ] || message_has "stopped by SIGSEGV; the output file is as it was before"
+fi
 
 # A signal that is ignored from the start, as nohup does with SIGHUP, stays so.
 called="rwedge $long -o files/old.csv, SIGHUP ignored"

@@ -107,7 +107,16 @@ warns "P is above P_yield: the contact yields in full sliding" $steel --theta 0.
 units="a/b is below 0.01 or above 10000: are the units consistent?"
 warns "$units" $steel --theta 0.05 --a 1 --P 1e-5
 warns "$units" --E1 210 --nu1 0.3 --theta 0.01 --a 1 --P 500 --f 0.6 # GPa beside N and mm
-warns "k/E is below 0.00001 or above 0.1: are the stresses in one unit?" --E1 210 --nu1 0.3 --theta 0.05 --a 1 --P 0.1 --f 0 --k 100000
+warns "k/E is below 0.00001 or above 0.1: are the stresses in one unit?" --E1 210 --nu1 0.3 --theta 0.1 --a 1 --P 0.5 --f 0.3 --k 25
+
+# Where no load yields as far as the library looks, the load there is a bound.
+run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300
+status_is 0
+same "safety" "> 1e14" "$(value safety)"
+same "P_yield" "" "$(value P_yield)"
+same "why" "nothing yields before the contact is 1e14 a wide: safety is a bound" "$(value warnings)"
+run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300 --layout row --format json
+same "safety in JSON" 1 "$(grep -c '"safety": "> 1e14"' out)"
 
 # Partial slip under the given Q is never nearer to yield than full sliding, and equal to it at Q = f P.
 for Q in 0 3 9 10; do

@@ -2,7 +2,7 @@
 # --format xlsx: the same rows as CSV, in cells.
 . "$(dirname "$0")/claims.sh"
 
-run table contact-law --format xlsx -o law.xlsx
+run table contact-law -o law.xlsx
 if [ "$status" -eq 2 ]; then
     message_is "rwedge table: --format xlsx: this build cannot write XLSX: it was made without libxlsxwriter (on Debian \
 and Ubuntu the package libxlsxwriter-dev)"

@@ -118,6 +118,14 @@ same "what a number would not keep" '"n": "+49"|"n": "12345678901234567890"|"n":
     "$(sed -n 's/.*\("n": [^,]*\).*/\1/p' out | paste -s -d '|' -)"
 same "with all its digits" 4 "$(grep -c '"f": 0.1234,' out)"
 
+# A text that a spreadsheet would compute gets a ' in front, if that is wished for. Numbers are not texts.
+printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n' >formulas.csv
+run solve -i formulas.csv $fixed
+same "as they are" "$(cat formulas.csv)" "$(sed 's/,A,dundurs.*//; s/,1.82.*//' out)"
+same "guarded" "a,P,f,'=n|1,100,0.1,'=1+1|1,100,0.1,\"'@a|1,100,0.1,-5|1,100,0.1,+49|1,100,0.1,'-x" \
+    "$(solved formulas.csv --no-formulas | paste -s -d '|' -)"
+columns=
+
 # Messages: neither control characters of two bytes, nor marks of direction, nor broken characters reach the terminal.
 for bytes in '\302\233' '\342\200\256' '\342\201\246' '\033' '\377' '\303'; do
     refuses "rwedge table: x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" \

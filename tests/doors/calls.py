@@ -3,8 +3,8 @@
 """Prints the calls that every door answers: calls.py [--own] > CALLS
 
 A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
-in all, and its arguments, the numbers of an array with spaces between them, and ; between the loads of one of two sizes. @ is the array of the numbers that the line before
-gave. A function that makes an object makes the one that the following lines are about.
+in all, and its arguments. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
+array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
 unnoticed (exchange.py tries them all; these are the calls of --own); then come the arguments of the reference tables, and the
@@ -25,7 +25,8 @@ POINTS = 3  # the numbers of an array
 LOADS = 2  # the loads of an array of two sizes
 EVERY = 7  # rows of a reference table
 
-# Values of each argument, by its name; those outside the domain of a function are left out.
+# Values of an argument, by its name; those outside the domain of a function are left out. Arguments of other names have values
+# that are made of their domain.
 QUANTITIES = {
     "alpha": [0.25, 0.37, 0.003, 0.81, 1.7, 1e-6, 0.02],
     "f": [0.3, 0.45, 0.1, 0.72, 0.05],
@@ -45,7 +46,7 @@ QUANTITIES = {
     "Q": [270, -410, 130],
     "b": [2.4, 0.7, 11, 5.5],
     "k": [310, 180, 455],
-    "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.2, -0.1],
+    "k_over_E": [0.002, 1e-6, 0.3], "safety": [1.4, 0.7, 0.2], "beta": [0, 0.3, 0.2, -0.1],
     "p": [-0.35, -0.92, -0.71, -1.3, -1.1, -0.6, -0.83, -0.2, -0.97],
     "terms": [4, 7, 9],
     "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
@@ -69,7 +70,7 @@ OWN = {
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
-    ("validity", "f"): [0, 0.3],
+    ("validity", "f"): [0, 0.3, 0.05],
 }
 SAMPLES = {"series_fit": 9}
 # The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro; with
@@ -102,15 +103,24 @@ def inside(domain, value):
 
 
 def values(function, parameter):
-    given = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name))
-    if given is None:
-        sys.exit(f"FAILED: rwedge_{function.name}() has the argument {parameter.name}, of which calls.py knows no values: add some "
-                 "to QUANTITIES")
+    given = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name)) or of_domain(parameter)
     if given != "@":
         given = [v for v in given if inside(parameter.domain, v)]
         if not given:
             sys.exit(f"FAILED: calls.py has no value of {parameter.name} in its domain in rwedge_{function.name}(): add some to OWN")
     return given
+
+
+def of_domain(parameter):
+    """Numbers for an argument of a name that is not above; another name has others."""
+    d, seed = parameter.domain, sum(map(ord, parameter.name))
+    parts = [(0.618034 * (seed + i)) % 1 for i in range(1, 6)]
+    if parameter.kind == "int32_t":
+        return [int(max(d.low, 0)) + int(20 * part) for part in parts]
+    if d.high - d.low <= 10:
+        return [d.low + part * (d.high - d.low) for part in parts]
+    sign = -1 if d.low < 0 else 1
+    return [(sign if i % 2 else 1) * (0.05 + 2 * part) for i, part in enumerate(parts)]
 
 
 def call(function, given):

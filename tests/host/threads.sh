@@ -40,7 +40,7 @@ for compiler in gcc clang; do
 done
 [ -n "$compiler" ] || { echo "SKIPPED: no compiler here whose thread sanitizer finds a race"; exit 77; }
 
-$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -Itests/support lib/*/*.c \
+$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -Ibindings/interface -Itests/support lib/*/*.c \
     tests/host/test_threads.c tests/support/every_function.c tests/support/claims.c -o "$work/threads" \
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
 $compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/test_ahead.c cli/system/ahead.c cli/text/message.c \

@@ -133,7 +133,7 @@ static void slip_is_the_surface_strain_integrated(void **state)
     }
 }
 
-/* Of the point x against the apex, as the present tractions alone make it. */
+/* The displacement of the point x relative to the apex, by the present tractions alone. */
 static double displacement(const rwedge_contact *contact, double x)
 {
     double points[POINTS_MAX], sum = 0;
@@ -145,9 +145,9 @@ static double displacement(const rwedge_contact *contact, double x)
     return sum;
 }
 
-/* Points that come into contact while the edge slips slip from then on: by what their
- * displacement now is beyond that of a contact whose load ended where the edge was at them. One
- * step or many along the same line, it is the same. */
+/* A point that comes into contact while the edge slips, slips from then on. Its slip is its
+ * displacement now, less that of a contact whose load ended when the edge was at this point. One
+ * step and many along the same line give the same. */
 static void slip_begins_where_a_point_comes_into_contact(void **state)
 {
     (void)state;
@@ -320,7 +320,7 @@ static void stresses_are_flamant_integrated_over_the_tractions(void **state)
     }
 }
 
-/* From 1e12 down to 1e-3 the rounding of the first would decide about slip; in two loads nothing
+/* In one load from 1e12 to 1e-3, the rounding of 1e12 would decide what slips. In two loads nothing
  * is lost. */
 static void a_steep_fall_of_the_load_is_refused(void **state)
 {
@@ -463,8 +463,8 @@ static void slip_is_small_where_friction_is(void **state)
     rwedge_contact_destroy(contact);
 }
 
-/* Steps of slope f, each to rounding, which bend the path by more than rounding when they are
- * many: corners with the same slope on both sides. All that was added slips. */
+/* Many steps of slope f, each of it to rounding. Together they bend the path by more than rounding,
+ * so that it has corners with the same slope on both sides. All that was added slips. */
 static void steps_of_the_steepest_slope_may_bend(void **state)
 {
     (void)state;

@@ -54,7 +54,8 @@ static void a_cycle_dissipates_the_area_of_its_loop(void **state)
         }
 }
 
-/* Not even by the last bit, which the carry of the summation once took back. */
+/* The energy does not fall, not even by the last bit, which the carry of the summation once took
+ * back. */
 static void energy_never_falls(void **state)
 {
     (void)state;
@@ -94,8 +95,8 @@ static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
     }
 }
 
-/* In units in which a reversal dissipates a tenth of the largest energy there is, or more than
- * it: the load that would exceed it is refused and leaves all as it was. */
+/* In these units a reversal dissipates a tenth of the largest energy of the domain, or more than
+ * all of it. The load that would exceed the domain is refused, and leaves all as it was. */
 static void energy_ends_with_the_domain(void **state)
 {
     (void)state;
@@ -184,9 +185,9 @@ static void slip_is_continuous_where_its_front_meets_a_corner(void **state)
     rwedge_contact_destroy(nearly);
 }
 
-/* The end of the rounding far above the load at the start of a step, so that rounding errors of
- * one are not those of the other: the kink of the integrand there was once taken for smooth, an
- * error of 7e-6. Expected by quadrature in 30 digits. */
+/* The end of the rounding is far above the load at the start of a step, so that their rounding
+ * errors differ. The kink of the integrand there was once taken for smooth: an error of 7e-6. The
+ * expected values are from quadrature in 30 digits. */
 static void a_rising_step_may_pass_the_end_of_the_rounding(void **state)
 {
     (void)state;

@@ -21,7 +21,8 @@ static double power_of_two(double from, double to, uint64_t *seed)
     return pow(2, from + (to - from) * random_fraction(seed));
 }
 
-/* A quotient near 1 by its difference, which is exact in long double too. */
+/* The logarithm of a quotient near 1, from its difference from 1, which is exact in long double
+ * too. */
 static long double log_quotient(double p, double q)
 {
     return p > q / 2 && p < 2 * q ? log1pl(((long double)p - q) / q) : logl(p) - logl(q);

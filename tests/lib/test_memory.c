@@ -49,8 +49,8 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
     rw_memory_destroy(&path);
 }
 
-/* A cycle of Q under a P that is constant but for rounding, after a first load in proportion:
- * what slips has |D| = 1 to the last bit, or the stick zone would end at the edge. */
+/* After a first load in proportion, Q goes through a cycle. P is constant but for rounding. What
+ * slips must have |D| = 1 to the last bit; else the stick zone would end at the edge. */
 static void rounding_of_the_load_hides_no_slip(void **state)
 {
     (void)state;
@@ -72,8 +72,8 @@ static void rounding_of_the_load_hides_no_slip(void **state)
         }
 }
 
-/* A load that slips by no more than rounding, back to where the path has a corner, leaves that
- * corner the end. */
+/* A load goes back to a corner of the path, and slips by rounding alone. The path then ends at that
+ * corner. */
 static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
 {
     (void)state;
@@ -224,7 +224,7 @@ static void each_load_adds_two_corners_at_most(void **state)
     rw_memory_destroy(&path);
 }
 
-/* A step may be taken in parts: the sign of slip can change inside it without a trace. */
+/* A step in one and in parts gives the same, also where the sign of slip changes inside it. */
 static void a_step_is_the_sum_of_its_parts(void **state)
 {
     (void)state;
@@ -317,8 +317,8 @@ static void inside_its_patch_the_gap_is_closed(void **state)
     assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
 }
 
-/* Where the patch is a point, what it deforms is a part log(x)/x of the profile, and x^2
- * overflows. */
+/* Seen from far away the patch is a point. x^2 would overflow there, and the deformation is a part
+ * log(x)/x of the profile. */
 static void far_from_its_patch_the_gap_is_the_profile(void **state)
 {
     (void)state;

@@ -62,8 +62,8 @@ static double jump(double x, const void *context)
     return x > 0 ? 1 : -1;
 }
 
-/* At 0 no error is small beside the root: without an absolute one the search has no end, and
- * gives up. */
+/* The root is 0, and no error is small beside it. Without an absolute tolerance the search has no
+ * end, and gives up. */
 static void a_search_ends(void **state)
 {
     (void)state;
@@ -109,7 +109,7 @@ static void the_rule_is_exact_to_degree_31(void **state)
 
 enum { ROWS = 12 };
 
-/* Of points on a parabola, and beside it by +-1 in a pattern that is orthogonal to it. */
+/* The points are those of a parabola, moved by +-1 in a pattern that is orthogonal to it. */
 static void a_parabola_is_fitted(void **state)
 {
     (void)state;

@@ -297,8 +297,8 @@ static void missing_outputs_are_refused(void **state)
     rwedge_series_destroy(series);
 }
 
-/* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)), and their sum from n = N on
- * is that of 2/(pi n) up to n = 1/(2 alpha), all but: a logarithm. */
+/* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)). The sum from n = N on is nearly
+ * that of 2/(pi n) up to n = 1/(2 alpha): a logarithm. */
 static void the_smallest_tips_have_a_bound_too(void **state)
 {
     (void)state;

@@ -44,7 +44,7 @@ static void the_yield_load_is_where_the_elastic_limit_says(void **state)
     }
 }
 
-/* Down to the smallest tip there is an elastic limit for. */
+/* Down to the smallest tip that has an elastic limit. */
 static void tiny_tips_have_a_yield_load(void **state)
 {
     (void)state;
@@ -190,8 +190,8 @@ static void in_sliding_no_ridge_is_too_flat(void **state)
     }
 }
 
-/* A maximum at 1/f^2 of b from the edge, of Hertz' contact above all: seen from the centre too,
- * but not in detail. */
+/* The maximum is b/f^2 away from the edge, in Hertz' contact above all. A search around the centre
+ * sees it, but does not resolve it. */
 static void strong_friction_yields_next_to_the_edge(void **state)
 {
     (void)state;

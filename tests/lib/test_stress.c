@@ -229,8 +229,8 @@ static void singular_points_are_approached_continuously(void **state)
         }
 }
 
-/* At the apex at the scale of the rounding the field is that of any other small tip, but for the
- * logarithm in the mean. */
+/* Near the apex, at the scale of the rounding, all small tips have the same field, but for a
+ * logarithm in the mean stress. */
 static void tiny_tips_are_alike(void **state)
 {
     (void)state;

@@ -12,7 +12,8 @@ static const double PI = 3.14159265358979323846, F = 0.5;
 
 enum { LEVELS = 3, COARSEST = 50 };
 
-/* A tangential load as the normal one it is equal to: Q/f, -sigma/(4 f) for the tilt. */
+/* The normal load that a tangential one corresponds to: Q/f for the load, -sigma/(4 f) for the
+ * tilt. */
 typedef struct {
     double P, tilt;
 } pair;
@@ -124,8 +125,8 @@ static void a_moment_moves_the_patch(void **state)
     assert_falls("pressure", difference, 2e-3);
 }
 
-/* From no Q and no tension in one go, at most to |sigma| = 4 |Q|/(pi s): the stick zone is the
- * patch of P - Q/f and tilt + sigma/(4 f); and then back, over half of that. */
+/* From no Q and no tension in one step, at most to |sigma| = 4 |Q|/(pi s). The stick zone is the
+ * patch of the load P - Q/f and of the tilt + sigma/(4 f). Then back, over half of that. */
 static void monotonic_and_reversed_slip(void **state)
 {
     (void)state;

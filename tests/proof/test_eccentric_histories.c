@@ -154,10 +154,11 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
     }
 }
 
-/* In the third step the front of slip passes the first step's front at the right edge, and not yet
- * at the left. There slip begins anew at the old front, inside, and spreads outwards: until it
- * meets that from the edge, a part between them sticks, and there is no closed form, although the
- * front that the closed form names is within the old one at both edges. A little later all slips. */
+/* In the third step the front of slip passes the first step's front at the right edge, and not
+ * yet at the left. There slip begins anew at the old front, inside, and spreads outwards: until
+ * it meets that from the edge, a part between them sticks, and there is no closed form, although
+ * the front that the closed form names is within the old one at both edges. A little later all
+ * slips. */
 static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
 {
     (void)state;

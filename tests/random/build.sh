@@ -19,7 +19,7 @@ done
 ln -sfn "$source" source
 flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"
-flags="$flags -Isource/tests/host -Isource/tests/random"
+flags="$flags -Isource/tests/host/calls -Isource/tests/random -Isource/bindings/interface"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -46,7 +46,7 @@ done
 compile "source/tests/random/messages.c" "source/tests/random/file.c"
 tool=$objects
 objects=
-compile "source/tests/host/calls.c"
+compile source/tests/host/calls/*.c
 calls=$objects
 # seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
 seeds()

@@ -29,8 +29,8 @@ void go_on(random_history *h, rwedge_contact *contact);
 
 enum { POINTS_MAX = 200 };
 
-/* Ascending: 0, the ends of the patches and a, between which the tractions are smooth. How many
- * pieces they bound. */
+/* Ascending: 0, the ends of the patches, and a. Between them the tractions are smooth. Returns the
+ * number of pieces. */
 size_t breakpoints(const rwedge_contact *contact, double points[]);
 
 #endif

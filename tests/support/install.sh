@@ -1,6 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tables/generate.sh and tests/run.sh. It finds or installs what they need.
 
+# accept_path PATH - ends with status 2 where the path has a character that CMake, or the make that it writes for, does not take.
+accept_path()
+{
+    accepted=$(printf '%s' "$1" | tr -d ';$\\":[],|\n\t')
+    [ "$accepted" = "$1" ] && return
+    printf '%s: CMake does not take this path: no ; $ \\ " : , | [ ], newline or tab, please.\n' "$1" >&2
+    exit 2
+}
+
 # have KIND:NAME - is it there: a command on the path, a library that pkg-config knows, a header where the compiler looks?
 have()
 {

@@ -1,7 +1,7 @@
 classdef rwedge_contact < handle
 %RWEDGE_CONTACT  A contact with a load history.
 %   A contact without load, separated.
-%   rwedge:domain, rwedge:memory.
+%   rwedge:domain where theta/A leaves the domain too; rwedge:memory.
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 %     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 %     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
@@ -89,10 +89,9 @@ classdef rwedge_contact < handle
         %        P
         %   rwedge:sliding where |Q| > f P. rwedge:domain. rwedge:range where the half-width, a/b, the
         %   peak pressure or the energy leaves the domain. rwedge:range too where P is not 0 but below
-        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
-        %   after a moment or another tension, as rwedge_contact.apply(). rwedge:handle; rwedge:memory. After an error
-        %   the contact is as before; of
-        %   vectors, the loads before the one that is refused stay. It remembers at most two points of the history per load, and
+        %   1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. rwedge:path
+        %   after a moment or another tension, as rwedge_contact.apply(). rwedge:handle; rwedge:memory. After an error the contact is as before;
+        %   of vectors, the loads before the one that is refused stay. It remembers at most two points of the history per load, and
         %   of them only those that no later load has wiped out.
             if nargin < 3
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
@@ -119,9 +118,10 @@ classdef rwedge_contact < handle
         %   closed form, nor those that end with the front of slip between two patches of the memory at one
         %   edge and between two others at the other, or with a part beyond the front that sticks:
         %   lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
-        %   RWEDGE_EPATH where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
+        %   rwedge:path where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
-        %   surface. rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory: as rwedge_contact.load().
+        %   surface. The others as rwedge_contact.load(): rwedge:sliding; rwedge:range; rwedge:handle;
+        %   rwedge:memory.
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end
@@ -131,7 +131,7 @@ classdef rwedge_contact < handle
 
         function value = obstacle(contact, P, M, Q, sigma)
         %OBSTACLE  value = contact.obstacle(P, M, Q, sigma)
-        %   Why rwedge_contact.apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+        %   Why rwedge_contact.apply() would return rwedge:path for these loads, and what to do instead, in
         %   English; empty where it would not.   new
         %     arguments as for rwedge_contact.apply(); the contact stays as it is
         %   Static text.
@@ -257,15 +257,15 @@ classdef rwedge_contact < handle
         %STRESS_HISTORY  [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)
         %   Stresses at n points while the contact goes on through many loads: as rwedge_contact.apply() and
         %   rwedge_contact.stresses() after each, to the same bits, and faster, for what one load leaves as
-        %   it was is not computed again.
-        %   new
+        %   it was is not computed again.   new
         %     P              0, or at least 1e-8 of the last P
         %     M, Q, sigma    finite: loads numbers each, as P
         %     x, y           length, finite, y >= 0: n numbers each
         %     sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
         %                    inputs
         %   The contact then has the last of the loads. After an error the contact is as before and
-        %   nothing is written. As both functions; rwedge:memory.
+        %   nothing is written. rwedge:domain where one of both functions has it; rwedge:path;
+        %   rwedge:sliding; rwedge:range; rwedge:handle; rwedge:memory.
             if nargin < 7
                 error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
             end
@@ -275,8 +275,7 @@ classdef rwedge_contact < handle
 
         function value = state_size(contact)
         %STATE_SIZE  value = contact.state_size()
-        %   How many numbers rwedge_contact.state() gives, for the contact as it is.
-        %   new
+        %   How many numbers rwedge_contact.state() gives for the contact as it is.   new
             value = rwedge_mex('contact_state_size', contact.number);
         end
 
@@ -301,7 +300,7 @@ classdef rwedge_contact < handle
         %      Eq. (17) to (21); new
         %     x     length, |x| <= b: points outside have no partner
         %     slip  receives n numbers
-        %   RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
+        %   rwedge:path off the centre where rings of contact slipped at once when they came into contact,
         %   or slipped after they had been added to others that slipped before, and in full sliding.
         %   rwedge:domain; rwedge:handle. Nothing is written unless every point is in the domain.
         %   Error below 1e-12 f theta b, for loads that differ by 1 % or more.

@@ -7,7 +7,7 @@ function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigm
 %     Q1, Q2          |Q| <= f P
 %     sigma1, sigma2  finite
 %     left, right     its edges, length
-%   rwedge:absent where all slides at times; RWEDGE_EPATH where the edges slip in opposite
+%   rwedge:absent where all slides at times; rwedge:path where the edges slip in opposite
 %   directions, or what sticks would reach beyond one of the contacts; rwedge:sliding,
 %   rwedge:domain, rwedge:range, rwedge:memory.
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles

@@ -50,8 +50,8 @@ static void destroy(void *contact)
     rwedge_contact_destroy(contact);
 }
 
-/* The contact under its last load; NULL, and NaN for a result, where it is refused: all that is
- * drawn is in the domain. */
+/* The contact under its last load. Where a load is refused, NULL and the result NaN: a failure,
+ * because all that is drawn is in the domain. */
 static rwedge_contact *some_contact(probe *call)
 {
     const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
@@ -165,8 +165,8 @@ static void weight_of(arb_t weight, const path *p, int i, slong prec)
         arb_sub(weight, weight, p->corners[i + 1].ratio, prec);
 }
 
-/* How much the rounding of loads that are close to each other is magnified in D, the quotient of
- * their differences: nothing from 1e-2 of the load on. */
+/* D is a quotient of differences of loads. How much it magnifies their rounding where they are
+ * close to each other; 1 where they differ by 1e-2 of the load or more. */
 static double closeness(const probe *call)
 {
     double factor = 1;
@@ -228,7 +228,7 @@ static bool slips(const corner *ring, int sign, slong prec)
     return result;
 }
 
-/* The error of the stick zone's load counts, beside the largest load. */
+/* The error is that of the stick zone's load, relative to the largest load. */
 static void judge_stick(arb_t error, const probe *call, slong prec)
 {
     state s;
@@ -276,8 +276,8 @@ static bool draw_shear(probe *call)
     return draw_tractions(call, 1);
 }
 
-/* What half-widths off by 1e-14, and by what their load's rounding is, change in the pressure of
- * a patch. */
+/* By how much the pressure of a patch changes if its half-widths are off by 1e-14 and by the
+ * rounding of their load. */
 static void change_by_width(arb_t change, const state *s, int i, const arb_t width, const arb_t x,
                             slong prec)
 {

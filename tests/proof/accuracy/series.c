@@ -259,8 +259,8 @@ static void judge_residual(arb_t error, const probe *call, slong prec)
     _arb_vec_clear(v, 4);
 }
 
-/* The exact least-squares coefficients, from the normal equations in many bits; beside the
- * largest of them, and times 1/condition of the columns. */
+/* The exact least-squares coefficients come from the normal equations in many bits. Errors are
+ * relative to the largest of them, and divided by the condition of the columns. */
 static void judge_fit(arb_t error, const probe *call, slong prec)
 {
     const fit *f = call->object;

@@ -140,7 +140,8 @@ static void hertz_surface(arb_t x, arb_t J2, const traction *t, slong prec)
     arb_mul(x, x, t->f, prec);
 }
 
-/* The parameter of a place, psi or t; where x cannot be told from alpha, far on the way to it. */
+/* The parameter of a place, psi or t. Where x is alpha to rounding, a parameter that is far on the
+ * way there. */
 static void parameter_of(arb_t parameter, surface *at, double x, slong prec)
 {
     arb_set_d(parameter, x);

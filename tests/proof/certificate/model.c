@@ -98,8 +98,8 @@ static double determinant(const model *m)
     return 4 * m->xx * m->yy - m->xy * m->xy;
 }
 
-/* Surely. Where not, then with yy larger by 2 DOUBT of itself it is surely not, and has its
- * maximum on the boundary. */
+/* True: the polynomial is concave for sure. False: with yy larger by 2 DOUBT of itself it is surely
+ * not concave, and has its maximum on the boundary. */
 static bool is_concave(const model *m)
 {
     return m->xx < 0 && m->yy < 0 && determinant(m) > DOUBT * (4 * m->xx * m->yy);

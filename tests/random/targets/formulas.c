@@ -6,14 +6,14 @@
 #include "rwedge.h"
 
 /* At an edge, any double, or in between. */
-static double take_argument(input *in, char kind)
+static double take_argument(input *in, const entry_argument *a)
 {
     const uint8_t choice = take_byte(in);
     if (choice < 64)
-        return edge(kind, take_byte(in) % edge_count(kind));
+        return edge(a, take_byte(in) % edge_count(a));
     if (choice < 128)
-        return kind == 'i' || kind == 'z' ? (double)(int32_t)take_bytes(in, 4) : take_double(in);
-    if (kind == 'i' || kind == 'z')
+        return a->whole ? (double)(int32_t)take_bytes(in, 4) : take_double(in);
+    if (a->whole)
         return (double)take_bytes(in, 1);
     const double v = take_fraction(in) * (choice < 192 ? 1 : 0.5);
     return choice % 2 == 0 ? v : exp(40 * v - 20);
@@ -47,10 +47,11 @@ static void check_inverses(double alpha, double c)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = {data, size};
-    const public_call *call = &public_calls[take_byte(&in) % public_call_count];
+    size_t count;
+    const public_call *calls = public_calls(&count), *call = &calls[take_byte(&in) % count];
     double v[CALL_ARGUMENTS] = {0}, out[CALL_OUTPUTS];
-    for (size_t i = 0; call->kinds[i] != '\0'; i++)
-        v[i] = take_argument(&in, call->kinds[i]);
+    for (int i = 0; i < call->arguments; i++)
+        v[i] = take_argument(&in, call->argument[i]);
     int32_t status;
     const char *complaint = complaint_of(call, v, out, &status);
     CLAIM(complaint == NULL,

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Calls one after the other, as a host makes them: a contact through its loads, a series and what
+ * it tells. A letter for each number says what it is. */
+#include "parts.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define HALF_PI 1.57079632679489661923
+
+static const entry_argument ratio = {.name = "Q/(fP)", .low = -1, .high = 1, .finite = 1};
+
+/* The domain of a number. */
+static const struct {
+    char letter;
+    entry_argument domain;
+} letters[] = {
+    {'h', {"theta", "", 0, HALF_PI, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}}},
+    {'w', {"size", "", 0, 1e60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'+', {"positive", "", 0, 1e60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'x', {"place", "", -1e60, 1e60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'f', {"friction", "", 0, 1e6, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'n', {"Poisson's ratio", "", 0, 0.5, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'s', {"factor", "", -INFINITY, INFINITY, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
+    {'i', {"number", "", 0, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
+    {'z', {"status", "", INT32_MIN, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
+};
+
+const entry_argument *argument_of_letter(char letter)
+{
+    for (size_t i = 0; i < sizeof letters / sizeof letters[0]; i++)
+        if (letters[i].letter == letter)
+            return &letters[i].domain;
+    return &ratio;
+}
+
+bool may_be_anything(const entry_argument *a)
+{
+    return a == &ratio || a == &which_object;
+}
+
+/* ---- Texts ---- */
+
+static int32_t version(const double v[], double out[])
+{
+    (void)v;
+    out[0] = strcmp(rwedge_version(), RWEDGE_VERSION) == 0 ? 0 : NAN;
+    return RWEDGE_OK;
+}
+
+/* All functions that give a text for a number. */
+static int32_t texts(const double v[], double out[])
+{
+    out[0] = 0;
+    for (int i = 0; i < TEXT_ENTRY_COUNT; i++) {
+        const char *text = text_entries[i].text((int32_t)v[0]);
+        if (text == NULL || strlen(text) > 100)
+            out[0] = NAN;
+    }
+    return RWEDGE_OK;
+}
+
+/* ---- A contact after two loads ---- */
+
+/* A product that raises no exception of its own; volatile, for else clang converts it before it
+ * looks whether it may. */
+static double product(double a, double b, double c)
+{
+    if (!isfinite(a) || !isfinite(b) || !isfinite(c))
+        return NAN;
+    const volatile long double exact = (long double)a * b * c;
+    return exact > DBL_MAX ? INFINITY : exact < -DBL_MAX ? -INFINITY : (double)exact;
+}
+
+enum { SEEN = 12 };
+
+static int32_t look(const rwedge_contact *contact, const double v[], double out[])
+{
+    double seen[SEEN];
+    const double x = v[8], y = v[9], b = rwedge_contact_half_width(contact);
+    seen[0] = b;
+    seen[1] = rwedge_contact_stick_half_width(contact);
+    seen[2] = rwedge_contact_dissipated_energy(contact);
+    seen[3] = (double)rwedge_contact_memory(contact);
+    int32_t status = rwedge_contact_tractions(contact, 1, &x, &seen[4], &seen[5]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stresses(contact, 1, &x, &y, &seen[6], &seen[7], &seen[8]);
+    const double inside = isfinite(x) && fabs(x) <= b ? x : b / 2;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_slip(contact, 1, &inside, &seen[9]);
+    seen[10] = seen[11] = 0;
+    if (status == RWEDGE_OK)
+        memcpy(out, seen, sizeof seen);
+    return status;
+}
+
+/* v: theta, a, A, f, P, Q/(fP), P, Q/(fP), x, y. */
+static int32_t contact(const double v[], double out[])
+{
+    rwedge_contact *made = NULL, *copy = NULL;
+    int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &made);
+    for (int i = 4; i < 8 && status == RWEDGE_OK; i += 2)
+        status = rwedge_contact_load(made, v[i], product(v[3], v[i], v[i + 1]));
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_copy(made, &copy);
+    if (status == RWEDGE_OK)
+        status = look(copy, v, out);
+    rwedge_contact_destroy(copy);
+    rwedge_contact_destroy(made);
+    return status;
+}
+
+/* v: theta, a, A, f, P, M/(P b), Q/(fP), part of the largest tension. First no Q and no tension. */
+static int32_t off_centre(const double v[], double out[])
+{
+    double edges[4], state[256], stress[3], loads[4];
+    rwedge_contact *made = NULL, *restored = NULL;
+    int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &made);
+    const double M = product(v[5], v[4], rwedge_half_width(v[0], v[1], v[2], v[4]));
+    const double Q = product(v[3], v[4], v[6]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(made, v[4], M, 0, 0);
+    const double largest = rwedge_contact_largest_tension_step(made, Q);
+    const double sigma = isinf(largest) ? v[7] : product(largest, v[7], 1), x = 0, y = 1;
+    const bool is_obstructed = *rwedge_contact_obstacle(made, v[4], M, Q, sigma) != '\0';
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stress_history(made, 1, &v[4], &M, &Q, &sigma, 1, &x, &y,
+                                               &stress[0], &stress[1], &stress[2]);
+    if (is_obstructed && status == RWEDGE_OK)
+        status = RWEDGE_ENOCONV; /* which is not allowed */
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_loads(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edges(made, &edges[0], &edges[1]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stick_zone(made, &edges[2], &edges[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_edge_asymptotes(made, &loads[0], &loads[1], &loads[2], &loads[3]);
+    if (status == RWEDGE_OK)
+        status = rwedge_permanent_stick(v[0], v[1], v[2], v[3], v[4], M, 0, 0, v[4], M, Q, sigma,
+                                        &loads[0], &loads[1]);
+    const size_t n = rwedge_contact_state_size(made);
+    if (status == RWEDGE_OK)
+        status = n <= 256 ? rwedge_contact_state(made, n, state) : RWEDGE_ENOCONV;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_restore(n, state, &restored);
+    if (status == RWEDGE_OK) {
+        memcpy(out, edges, sizeof edges);
+        out[4] = rwedge_contact_tilt(restored);
+    }
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(made);
+    return status;
+}
+
+/* v: theta, a, A, f, P, Q/(fP), nu, k. */
+static int32_t yield_factor(const double v[], double out[])
+{
+    rwedge_contact *made = NULL;
+    int32_t status = rwedge_contact_create(v[0], v[1], v[2], v[3], &made);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_load(made, v[4], 0);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_load(made, v[4], product(v[3], v[4], v[5]));
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_yield_factor(made, v[6], v[7], &out[0], &out[1], &out[2]);
+    rwedge_contact_destroy(made);
+    return status;
+}
+
+/* ---- The series ---- */
+
+/* The pressure, potential and stress, and then the residual and two coefficients. */
+static int32_t sum_up(const rwedge_series *series, double f, double x, double y, double out[])
+{
+    double sums[9];
+    sums[0] = rwedge_series_pressure(series, x);
+    sums[1] = rwedge_series_coefficient(series, 0);
+    sums[2] = rwedge_series_coefficient(series, rwedge_series_terms(series));
+    sums[3] = isinf(rwedge_series_residual(series)) ? 0 : rwedge_series_residual(series);
+    int32_t status = rwedge_series_potential(series, f, x, y, &sums[4], &sums[5]);
+    if (status == RWEDGE_OK)
+        status = rwedge_series_stress(series, f, x, y, &sums[6], &sums[7], &sums[8]);
+    if (status == RWEDGE_OK)
+        memcpy(out, sums, sizeof sums);
+    return status;
+}
+
+/* v: alpha, terms, f, x, y. */
+static int32_t series_of_wedge(const double v[], double out[])
+{
+    const int32_t terms = v[1] > 1001 ? INT32_MAX : (int32_t)v[1]; /* more would take seconds */
+    rwedge_series *series = NULL;
+    int32_t status = rwedge_series_create(v[0], terms, &series);
+    if (status == RWEDGE_OK)
+        status = sum_up(series, v[2], v[3], v[4], out);
+    rwedge_series_destroy(series);
+    return status;
+}
+
+enum { SAMPLES = 24, TERMS = 7 };
+
+/* v: alpha, a factor of the pressure, f, x, y. */
+static int32_t fitted_series(const double v[], double out[])
+{
+    double at[SAMPLES], p[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++) {
+        at[i] = cos((i + 0.5) * 3.14159265358979323846 / SAMPLES);
+        p[i] = product(rwedge_pressure(v[0], at[i]), v[1], 1);
+    }
+    rwedge_series *series = NULL;
+    int32_t status = rwedge_series_fit(SAMPLES, at, p, TERMS, &series);
+    if (status == RWEDGE_OK)
+        status = sum_up(series, v[2], v[3], v[4], out);
+    rwedge_series_destroy(series);
+    return status;
+}
+
+/* ---- All of them ---- */
+
+#define BIT(status) (1u << (status))
+#define BY_STATUS(name, kinds, outputs, allowed)                                                   \
+    {                                                                                              \
+#name, kinds, outputs, allowed, name                                                       \
+    }
+
+const sequence sequences[] = {
+    {"version", "", 1, 0, version},
+    {"texts", "z", 1, 0, texts},
+    BY_STATUS(contact, "hw+fwrwrxw", SEEN,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
+    BY_STATUS(off_centre, "hw+fwrrr", 5,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
+                  BIT(RWEDGE_EABSENT) | BIT(RWEDGE_EPATH)),
+    BY_STATUS(yield_factor, "hw+fwrn+", 3,
+              BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
+                  BIT(RWEDGE_EABSENT)),
+    BY_STATUS(series_of_wedge, "wifxw", 9, BIT(RWEDGE_ERANGE)),
+    BY_STATUS(fitted_series, "wsfxw", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV)),
+    {NULL, NULL, 0, 0, NULL},
+};

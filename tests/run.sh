@@ -5,7 +5,7 @@
 #     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (half an hour)
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation (an hour)
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
@@ -156,6 +156,8 @@ if [ $campaign = yes ]; then
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
+    step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
+    step "Python with an older NumPy" sh bindings/python/test.sh --older build
     step "edges of all arguments" build/tests/host/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000

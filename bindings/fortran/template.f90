@@ -202,11 +202,16 @@ contains
     impure elemental subroutine assign_contact(this, from)
         class(rwedge_contact), intent(inout) :: this
         type(rwedge_contact), intent(in) :: from
-        if (c_associated(own(from))) then
-            call this%copy(from)
-        else
-            call this%destroy()
+        type(c_ptr) :: created
+        type(c_ptr), pointer :: held
+        created = c_null_ptr
+        if (c_associated(from%place)) then
+            ! compilers may hand over a copy of what stands at the right, byte by byte: the contact is where it was made
+            call c_f_pointer(from%place, held)
+            if (c_associated(held, from%handle)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', &
+                [real(c_double) ::], '')
         end if
+        call own_contact(this, created)
     end subroutine
 
     !> Frees; NULL is allowed.

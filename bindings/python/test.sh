@@ -1,9 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tests the package: test.sh BUILD_FOLDER [PYTEST-ARGUMENTS...]. Everything goes into BUILD_FOLDER/python; what comes from
-# PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
+# Tests the package: test.sh [--older] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --older: with an older NumPy too. Everything goes into
+# BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
+also_older=no
+[ "$1" != --older ] || { also_older=yes; shift; }
 mkdir -p "$1"
 build=$(cd "$1" && pwd)
 shift
@@ -20,7 +22,7 @@ skip()
 command -v python3 >/dev/null 2>&1 || skip "no python3"
 tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray"
 older='numpy==1.26.*'
-wanted="$(python3 --version) $tools $older"
+wanted="$(python3 --version) $tools"
 
 # fetch PIP-ARGUMENTS... - from PyPI, with another try for a bad line
 fetch()
@@ -35,7 +37,6 @@ if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
     python3 -m venv "$folder/venv" >"$folder/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
     # shellcheck disable=SC2086
     fetch $tools || skip "pip cannot fetch $tools: $(tail -n 1 "$folder/pip.log")"
-    fetch --target "$folder/older" "$older" || echo "No NumPy 1.26 for $(python3 --version): only NumPy 2 is tested"
     echo "$wanted" >"$folder/fetched"
 fi
 
@@ -72,7 +73,8 @@ site.addsitedir(glob.glob('$folder/editable/lib/*/site-packages')[0])
 import rwedge
 assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
 print('editable:', rwedge.load(0.25))"
-if [ -d "$folder/older/numpy" ]; then
+if [ $also_older = yes ]; then
+    [ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
     export PYTHONPATH="$folder/older"
     pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_series.py" "$@"
 fi

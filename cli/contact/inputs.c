@@ -127,17 +127,30 @@ static bool is_in(double value, const input_domain *domain)
                         : value >= domain->lo && value <= domain->hi;
 }
 
+/* The header's first page: whatever has a size is 0 or 1e-60 to 1e60. */
+static bool has_possible_size(int input, double value)
+{
+    const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
+    return without_size || value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
+
 bool input_read(const input_texts *given, int input, double *value, char complaint[COMPLAINT_SIZE])
 {
     const char *text = given->text[input];
     const char decimal_sign = given->is_cell[input] ? given->cell_decimal_sign : '.';
     const input_domain *domain = &domains[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
+    char name[INPUT_NAME_SIZE];
     *value = HUGE_VAL;
     if (rigid ? input == INPUT_E2
-              : number_read_cell(text, decimal_sign, value) && is_in(*value, domain))
-        return true;
-    char name[INPUT_NAME_SIZE];
+              : number_read_cell(text, decimal_sign, value) && is_in(*value, domain)) {
+        if (rigid || has_possible_size(input, *value))
+            return true;
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
+                 input_name(given, input, name), text, domain->name,
+                 is_in(0, domain) ? ", or 0" : "");
+        return false;
+    }
     const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
     snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s%s", input_name(given, input, name),
              shown, domain->name, domain->domain,

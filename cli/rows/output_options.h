@@ -28,8 +28,8 @@ extern struct poptOption output_option_table[], other_output_option_table[];
 /* STATUS_DONE, or what to leave with. */
 int output_options_read(const arguments *given, output_options *how);
 
-/* The same for a command with formats of its own. The list ends with NULL, its first is the default;
- * the hint follows where a message lists them. */
+/* The same for a command with formats of its own. The list ends with NULL, its first is the
+ * default; the hint follows where a message lists them. */
 int output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
                            output_options *how);
 

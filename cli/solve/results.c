@@ -99,7 +99,8 @@ static bool yield_place(const contact_case *what, double P_yield, cell row[],
 /* The library looks for first yield up to this b/a. */
 static const double WIDTH_MOST = 1e14;
 
-/* Where no load yields as far as the library looks: the load there, as a power of ten, is a bound. */
+/* Where no load yields as far as the library looks: the load there, as a power of ten, is a
+ * bound. */
 static void bound_safety(const contact_case *what, results *found)
 {
     const double most = rwedge_normal_load(what->theta, what->a, what->A, WIDTH_MOST * what->a);

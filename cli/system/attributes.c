@@ -9,10 +9,13 @@
 #ifdef __linux__
 #include <sys/xattr.h>
 
+static const char access_list[] = "system.posix_acl_access";
+
 /* Those of users, and access lists; labels of security are the system's to give. */
 static int is_kept(const char *name)
 {
-    return strncmp(name, "user.", 5) == 0 || strncmp(name, "system.", 7) == 0;
+    return strncmp(name, "user.", 5) == 0 || strcmp(name, access_list) == 0 ||
+           strcmp(name, "system.nfs4_acl") == 0;
 }
 
 static int copy_attribute(int descriptor, const char *old, const char *name)
@@ -30,7 +33,7 @@ static int copy_attribute(int descriptor, const char *old, const char *name)
 /* A file made in a folder with a default access list has one; the old one need not. */
 static int copy_attributes(int descriptor, const char *old)
 {
-    fremovexattr(descriptor, "system.posix_acl_access");
+    fremovexattr(descriptor, access_list);
     const ssize_t size = listxattr(old, NULL, 0);
     if (size <= 0)
         return size == 0 || errno == ENOTSUP ? 0 : errno;

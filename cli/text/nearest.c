@@ -28,7 +28,8 @@ static size_t distance(const char *a, const char *b)
     return row[width];
 }
 
-/* One mistake, and one more for every three letters; in one or two letters there is none to make. */
+/* One mistake, and one more for every three letters; in one or two letters there is none to
+ * make. */
 nearest nearest_to(const char *typed)
 {
     const size_t length = strlen(typed);

@@ -232,7 +232,11 @@ refuses "rwedge solve: --Q 21: must not exceed f P = 20: there is no equilibrium
 refuses "rwedge solve: --Q -20.0001: must not exceed f P = 20: there is no equilibrium" solve $contact --f 0.2 --Q -20.0001
 refuses "rwedge profile: --Q 1: must not exceed f P = 0: there is no equilibrium; f is missing" profile $contact --Q 1
 refuses "rwedge solve: the moduli and the rounding are so large or small that results leave 1e-60 to 1e60" \
-    solve --E1 1e-308 --nu1 0 --theta 1e-300 --a 1 --P 1
+    solve --E1 1e-60 --nu1 0 --theta 1e-55 --a 1 --P 1
+size="1e-60 to 1e60 in magnitude"
+refuses "rwedge solve: --E1 1e-308: Young's modulus of body 1 must be $size" solve --E1 1e-308 --nu1 0 --theta 1 --a 1 --P 1
+refuses "rwedge solve: --a 1e61: the half-width of the rounding must be $size, or 0" solve --E1 1 --nu1 0 --theta 1 --a 1e61 --P 1
+refuses "rwedge solve: --Q -1e70: the tangential force must be $size, or 0" solve $contact --f 0.2 --Q -1e70
 
 # Natural units and dimensional ones do not mix, nor do two histories.
 natural="given together with --a-over-b"

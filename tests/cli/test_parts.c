@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parts of the command-line tool that its tables reach not at all, or with too few values: texts in
  * CSV and JSON, and hundreds of thousands of numbers and ranges. */
+#include "sheet/xlsx.h"
+#include "text/nearest.h"
 #include "text/number.h"
 #include "text/range.h"
+#include "text/utf8.h"
 #include "rows/delimited.h"
 #include "rows/json.h"
 
@@ -15,6 +18,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include <iconv.h>
 
 /* The same sequence on every machine (splitmix64). */
 static uint64_t next_random(uint64_t *state)
@@ -110,7 +114,7 @@ static void minus_zero_is_zero(void **state)
 }
 
 /* Reads "units e-places" as the nearest double, by the C library. */
-static double nearest_to(int64_t units, int places)
+static double double_near(int64_t units, int places)
 {
     char text[64];
     snprintf(text, sizeof text, "%" PRId64 "e-%d", units, places);
@@ -134,9 +138,9 @@ static void values_of_a_range_are_the_nearest_to_their_decimals(void **state)
         assert_null(range_read(text, &values));
         assert_int_equal(values.count, count);
         const int64_t any = (int64_t)(next_random(&seed) % (uint64_t)count);
-        assert_true(range_value(&values, any) == nearest_to(start + sign * any * step, places));
+        assert_true(range_value(&values, any) == double_near(start + sign * any * step, places));
         assert_true(range_value(&values, count - 1) ==
-                    nearest_to(start + sign * (count - 1) * step, places));
+                    double_near(start + sign * (count - 1) * step, places));
         range_free(&values);
     }
 }
@@ -167,6 +171,106 @@ static void no_text_upsets_a_range(void **state)
     assert_true(accepted > 1000);
 }
 
+/* ---- UTF-8, against iconv ---- */
+
+/* The bytes of the first character as iconv sees it, and its code; 0 where there is none. */
+static size_t length_by_iconv(iconv_t converter, char *bytes, size_t count, uint32_t *code)
+{
+    for (size_t length = 1; length <= count && length <= 4; length++) {
+        unsigned char wide[8];
+        char *from = bytes, *to = (char *)wide;
+        size_t left = length, room = sizeof wide;
+        iconv(converter, NULL, NULL, NULL, NULL);
+        if (iconv(converter, &from, &left, &to, &room) == (size_t)-1 || room != 4)
+            continue;
+        *code = (uint32_t)wide[0] | (uint32_t)wide[1] << 8 | (uint32_t)wide[2] << 16;
+        return length;
+    }
+    return 0;
+}
+
+static void utf8_is_what_iconv_takes_for_it(void **state)
+{
+    (void)state;
+    iconv_t converter = iconv_open("UTF-32LE", "UTF-8");
+    if (converter == (iconv_t)-1)
+        skip();
+    static const unsigned char edges[] = {0x00, 0x41, 0x7f, 0x80, 0x8f, 0x90, 0x9f, 0xa0, 0xbf,
+                                          0xc0, 0xc1, 0xc2, 0xdf, 0xe0, 0xe1, 0xed, 0xee, 0xef,
+                                          0xf0, 0xf1, 0xf3, 0xf4, 0xf5, 0xf8, 0xfe, 0xff};
+    enum { EDGES = sizeof edges };
+    int characters = 0;
+    for (int i = 0; i < EDGES * EDGES * EDGES * EDGES; i++) {
+        char bytes[4];
+        for (int j = 0, rest = i; j < 4; j++, rest /= EDGES)
+            bytes[j] = (char)edges[rest % EDGES];
+        uint32_t ours = 0, theirs = 0;
+        const size_t length = utf8_length(bytes, sizeof bytes, &ours);
+        assert_int_equal(length, length_by_iconv(converter, bytes, sizeof bytes, &theirs));
+        assert_int_equal(ours, theirs);
+        characters += length > 1;
+    }
+    assert_true(characters > 1000);
+    iconv_close(converter);
+}
+
+static void a_text_is_cut_between_its_characters(void **state)
+{
+    (void)state;
+    char room[8];
+    assert_true(utf8_copy("a\xc3\xa4", utf8_is_text, "?", room, sizeof room));
+    assert_string_equal(room, "a\xc3\xa4");
+    assert_true(utf8_copy("a\xff\x01\xc3", utf8_is_text, "?", room, sizeof room));
+    assert_string_equal(room, "a???");
+    assert_false(utf8_copy("abcde\xe2\x82\xac", utf8_is_text, "?", room, sizeof room));
+    assert_string_equal(room, "abcde");
+    assert_true(utf8_copy("abcd\xe2\x82\xac", utf8_is_text, "?", room, sizeof room));
+}
+
+static void no_spreadsheet_holds_what_xml_cannot(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"\xfc", "\x01", "\xef\xbf\xbe", "\xc3", "sound \xc3\xbc"};
+    enum { TEXTS = sizeof texts / sizeof texts[0] };
+    if (xlsx_missing() != NULL)
+        skip();
+    for (int i = 0; i < TEXTS; i++) {
+        static output out;
+        const char *problem;
+        out = (output){.descriptor = -1, .error = 1}; /* takes nothing */
+        xlsx *book = xlsx_begin("texts", true, &problem);
+        assert_non_null(book);
+        xlsx_sheet(book, "Texts");
+        xlsx_text(book, 0, 0, texts[i], XLSX_PLAIN);
+        assert_int_equal(xlsx_finish(book, &out) == NULL, i == TEXTS - 1);
+    }
+}
+
+static void the_nearest_name_is_the_one_that_was_meant(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"solve", "table", "field", "figure", "yield-stress", "E1"};
+    static const char *const typed[][2] = {{"sovle", "solve"},
+                                           {"tabel", "table"},
+                                           {"fig", "figure"},
+                                           {"FIELD", "field"},
+                                           {"yield_stres", "yield-stress"},
+                                           {"E", "E1"},
+                                           {"x", NULL},
+                                           {"", NULL},
+                                           {"workbook", NULL},
+                                           {"mu", NULL}};
+    for (size_t i = 0; i < sizeof typed / sizeof typed[0]; i++) {
+        nearest to = nearest_to(typed[i][0]);
+        for (size_t j = 0; j < sizeof names / sizeof names[0]; j++)
+            nearest_try(&to, names[j]);
+        if (typed[i][1] == NULL)
+            assert_null(to.name);
+        else
+            assert_string_equal(to.name, typed[i][1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest claims[] = {
@@ -177,6 +281,10 @@ int main(void)
         cmocka_unit_test(minus_zero_is_zero),
         cmocka_unit_test(values_of_a_range_are_the_nearest_to_their_decimals),
         cmocka_unit_test(no_text_upsets_a_range),
+        cmocka_unit_test(utf8_is_what_iconv_takes_for_it),
+        cmocka_unit_test(a_text_is_cut_between_its_characters),
+        cmocka_unit_test(no_spreadsheet_holds_what_xml_cannot),
+        cmocka_unit_test(the_nearest_name_is_the_one_that_was_meant),
     };
     return cmocka_run_group_tests_name("cli_parts", claims, NULL, NULL);
 }

@@ -8,7 +8,7 @@
  *
  *     test_calls [CALLS [TESTS]]
  *
- * CALLS is the number of calls of each function (2000). If there are more combinations of
+ * CALLS is the number of calls of each function (500). If there are more combinations of
  * arguments, they are drawn at random. */
 #define _GNU_SOURCE /* feenableexcept() */
 #include "calls.h"
@@ -26,7 +26,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static size_t most_calls = 2000;
+static size_t most_calls = 500;
 
 /* ---- All combinations of edges, or so many; a tenth of the function that takes milliseconds -- */
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every compiler, level of optimisation and math library gives the same bytes in tables/. Every compiler, level and processor gives
 # the same bits of the library's results. The bits of pressures and stresses are also the same from every math library.
-#     reproducible.sh SOURCE BUILD
+#     reproducible.sh SOURCE BUILD [all]     all: levels 1 and 2 of optimisation too
 set -eu
-source=$(realpath "$1") build=$(realpath "$2")
+source=$(realpath "$1") build=$(realpath "$2") levels=${3:-ends}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$source"
@@ -86,15 +86,19 @@ done
 case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc here"; exit 77 ;; esac
 for compiler in $here; do # one after the other, so that two processors are enough
     print_bits_of $compiler-O0 $compiler -O0 &
-    print_bits_of $compiler-O1 $compiler -O1
-    wait
-    print_bits_of $compiler-O2 $compiler -O2 &
     print_bits_of $compiler-O3 $compiler -O3
     wait
+    compared='-O0 -O3'
+    if [ "$levels" = all ]; then
+        print_bits_of $compiler-O1 $compiler -O1 &
+        print_bits_of $compiler-O2 $compiler -O2
+        wait
+        compared='-O0 -O1 -O2 -O3'
+    fi
     print_bits_of $compiler-baseline $compiler -O3 -DRW_BASELINE &
     print_bits_of $compiler-native $compiler -O3 -march=native
     wait
-    for level in -O0 -O1 -O2 -O3; do
+    for level in $compared; do
         compare_bits $compiler$level $compiler $level
     done
     compare_bits $compiler-baseline $compiler -O3, vectors of every such processor

@@ -17,7 +17,7 @@ done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
 # by a name that needs no quotes in lists of flags and commands, whatever is in the path
 ln -sfn "$source" source
-flags="-std=c99 -g -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
+flags="-std=c99 -gline-tables-only -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"
 flags="$flags -Isource/tests/host/calls -Isource/tests/random -Isource/bindings/interface"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"

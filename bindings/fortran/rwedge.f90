@@ -1238,7 +1238,7 @@ contains
     !> The largest |d sigma| with which the present Q may change to another under constant P and M,
     !> stress: 4 |dQ|/(pi s). HUGE_VAL without friction.   new
     !>   Q  finite
-    !> NaN outside the domain; NaN for NULL; 0 when separated.
+    !> NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges.
     elemental function contact_largest_tension_step(this, Q) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: Q
@@ -1260,8 +1260,8 @@ contains
 
     !> The edges of the contact, left < x < right.   new
     !>   left, right  length
-    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
-    !> |tilt|/theta.
+    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, or of |x| where that
+    !> is larger, over 1 - |tilt|/theta.
     impure elemental subroutine contact_edges(this, left, right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(inout) :: left, right
@@ -1273,7 +1273,9 @@ contains
     !> The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
     !> |p|. Those of the contact where there is no such zone.   new
     !>   left, right  length
-    !> RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL.
+    !> RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+    !> the error is that of the contact's edges, over the root of the part of P that the zone carries,
+    !> and with the zone's tilt where that is larger.
     impure elemental subroutine contact_stick_zone(this, left, right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(inout) :: left, right
@@ -1284,7 +1286,8 @@ contains
     end subroutine
 
     !> The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
-    !> 0 without a moment; NaN for NULL.
+    !> 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
+    !> error.
     pure function contact_tilt(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
@@ -1298,7 +1301,8 @@ contains
     !>   normal_left, normal_right  K_N, stress over the root of a length
     !>   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
     !>                              sigma less what it was when the bodies touched
-    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL.
+    !> RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
+    !> rwedge_contact_edges() gives.
     impure elemental subroutine contact_edge_asymptotes(this, normal_left, normal_right, shear_left, shear_right, stat, errmsg)
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(inout) :: normal_left, normal_right, shear_left, shear_right
@@ -1318,7 +1322,8 @@ contains
     !>   left, right     its edges, length
     !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
     !> directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
-    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
+    !> RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+    !> rwedge_contact_stick_zone().
     impure elemental subroutine rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left, &
         right, stat, errmsg)
         real(c_double), intent(in) :: theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact_case.h"
 
-#include "loads.h"
-
 #include "text/list.h"
 #include "text/number.h"
 
@@ -39,8 +37,8 @@ static bool is_needed(const input_texts *given, int input, case_needs needs)
         return needs != CASE_LOADS_APART;
     if (input == INPUT_F)
         return needs == CASE_OF_SOLVE &&
-               (input_is_given(given, INPUT_Q) || input_is_given(given, INPUT_K) ||
-                input_is_given(given, INPUT_YIELD_STRESS));
+               (input_is_given(given, INPUT_Q) || input_is_given(given, INPUT_SIGMA) ||
+                input_is_given(given, INPUT_K) || input_is_given(given, INPUT_YIELD_STRESS));
     return true;
 }
 
@@ -91,7 +89,7 @@ bool case_is_complete(const input_texts *given, case_needs needs, char complaint
     }
     if (friction)
         list_add(complaint, COMPLAINT_SIZE, "; ",
-                 "friction has no default where Q or a yield stress is given");
+                 "friction has no default where Q, sigma or a yield stress is given");
     if (cells)
         list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: columns or options");
     return complaint[0] == '\0' && second_body_is_whole(given, complaint);
@@ -111,35 +109,51 @@ static void fill(const double value[INPUT_COUNT], contact_case *what)
     what->theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
     what->a = either(value[INPUT_A], rwedge_rounding(what->theta, value[INPUT_RADIUS]));
     what->P = either(value[INPUT_P], 0);
+    what->M = either(value[INPUT_M], 0);
     what->Q = either(value[INPUT_Q], 0);
+    what->sigma = either(value[INPUT_SIGMA], 0);
     what->f = either(value[INPUT_F], 0);
     what->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
     what->A = rwedge_compliance(what->E1, what->nu1, what->E2, what->nu2);
     what->beta = rwedge_dundurs_beta(what->E1, what->nu1, what->E2, what->nu2);
 }
 
-/* Whether |Q| exceeds f P: the library is asked to apply the loads, and so its tolerance counts. */
-static bool slides_away(const contact_case *what)
+int32_t case_contact(const contact_case *what, rwedge_contact **contact)
 {
-    rwedge_contact *contact = NULL;
-    int32_t status = rwedge_contact_create(what->theta, what->a, what->A, what->f, &contact);
-    if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(what->P, what->Q, contact);
-    rwedge_contact_destroy(contact);
-    return status == RWEDGE_ESLIDING;
+    *contact = NULL;
+    return rwedge_contact_create(what->theta, what->a, what->A, what->f, contact);
 }
 
+load case_load(const contact_case *what)
+{
+    return (load){what->P, what->M, what->Q, what->sigma};
+}
+
+/* The library is asked to apply the loads, and so its tolerance counts. */
+static load_fault fault_of_loads(const contact_case *what)
+{
+    rwedge_contact *contact = NULL;
+    load_fault fault = {.input = INPUT_COUNT};
+    if (case_contact(what, &contact) == RWEDGE_OK) {
+        const int32_t status = loads_apply_monotonic(case_load(what), contact);
+        if (status != RWEDGE_OK)
+            fault = loads_fault(status, case_load(what), what->f, contact);
+    }
+    rwedge_contact_destroy(contact);
+    return fault;
+}
+
+/* Whether the loads can be applied. What is beyond the range of numbers is told later. */
 static bool has_equilibrium(const input_texts *given, const contact_case *what,
                             char complaint[COMPLAINT_SIZE])
 {
-    if (!slides_away(what))
+    const load_fault fault = fault_of_loads(what);
+    if (fault.input == INPUT_COUNT)
         return true;
-    char name[INPUT_NAME_SIZE], limit[NUMBER_SIZE];
-    number_write(what->f * what->P, 6, '.', limit);
-    snprintf(complaint, COMPLAINT_SIZE,
-             "%s %.60s: must not exceed f P = %s: there is no equilibrium%s",
-             input_name(given, INPUT_Q, name), given->text[INPUT_Q], limit,
-             input_is_given(given, INPUT_F) ? "" : "; f is missing");
+    char name[INPUT_NAME_SIZE];
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s%s", input_name(given, fault.input, name),
+             given->text[fault.input], fault.why,
+             fault.input != INPUT_Q || input_is_given(given, INPUT_F) ? "" : "; f is missing");
     return false;
 }
 

@@ -3,11 +3,11 @@
 #ifndef CLI_CONTACT_CASE_H
 #define CLI_CONTACT_CASE_H
 
-#include "inputs.h"
+#include "loads.h"
 
 typedef struct {
     double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
-    double theta, a, P, Q, f;
+    double theta, a, P, M, Q, sigma, f;
     double k;    /* NAN where not given */
     double A;    /* composite compliance */
     double beta; /* Dundurs' second constant */
@@ -17,16 +17,20 @@ typedef struct {
 typedef enum {
     CASE_LOADS_APART, /* nothing: a history has the loads */
     CASE_WITH_LOADS,  /* P */
-    CASE_OF_SOLVE /* P; f too where Q or a yield stress is: a default would look like a result */
+    CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
 } case_needs;
 
-/* False, with the complaint, where inputs exclude each other or some that are needed are
- * missing. */
+/* False, with the complaint, where inputs exclude each other, or one that is needed is missing. */
 bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
-/* Reads it; P, Q and f are 0 where they are not given. False, with the complaint. */
+/* Reads it; the loads and f are 0 where they are not given. False, with the complaint. */
 bool case_read(const input_texts *given, case_needs needs, contact_case *what,
                char complaint[COMPLAINT_SIZE]);
+
+/* Makes it, without loads yet; returns the library's status. Destroy it in either case. */
+int32_t case_contact(const contact_case *what, rwedge_contact **contact);
+
+load case_load(const contact_case *what);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *what);

@@ -20,7 +20,10 @@ struct poptOption input_option_table[] = {
     {INPUT("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
     {INPUT("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
     {INPUT("P", INPUT_P), "Normal force per unit length", "FORCE"},
+    {INPUT("M", INPUT_M), "Moment per unit length, positive presses the side x > 0 (default 0)",
+     "MOMENT"},
     {INPUT("Q", INPUT_Q), "Tangential force per unit length (default 0)", "FORCE"},
+    {INPUT("sigma", INPUT_SIGMA), "Bulk tension of body 1 along the surface (default 0)", "STRESS"},
     {INPUT("f", INPUT_F), "Coefficient of friction, or --friction (default 0)", "NUMBER"},
     OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
     OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
@@ -42,6 +45,7 @@ typedef struct {
 } input_domain;
 
 #define ABOVE_0 0, HUGE_VAL, true, "a number above 0"
+#define ANY -HUGE_VAL, HUGE_VAL, false, "a number"
 #define NOT_BELOW_0 0, HUGE_VAL, false, "a number not below 0"
 
 static const input_domain domains[INPUT_COUNT] = {
@@ -55,7 +59,9 @@ static const input_domain domains[INPUT_COUNT] = {
     [INPUT_A] = {"the half-width of the rounding", NOT_BELOW_0},
     [INPUT_RADIUS] = {"the radius", NOT_BELOW_0},
     [INPUT_P] = {"the normal force", ABOVE_0},
-    [INPUT_Q] = {"the tangential force", -HUGE_VAL, HUGE_VAL, false, "a number"},
+    [INPUT_M] = {"the moment", ANY},
+    [INPUT_Q] = {"the tangential force", ANY},
+    [INPUT_SIGMA] = {"the bulk tension", ANY},
     [INPUT_F] = {"the coefficient of friction", 0, 1e6, false, "a number from 0 to 1000000"},
     [INPUT_K] = {"the yield stress", ABOVE_0},
     [INPUT_YIELD_STRESS] = {"the yield stress", ABOVE_0},

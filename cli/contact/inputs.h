@@ -15,8 +15,10 @@ enum {
     INPUT_THETA_DEG,
     INPUT_A,
     INPUT_RADIUS,
-    INPUT_P,
+    INPUT_P, /* the loads, up to sigma */
+    INPUT_M,
     INPUT_Q,
+    INPUT_SIGMA,
     INPUT_F,
     INPUT_K,
     INPUT_YIELD_STRESS,

@@ -2,57 +2,166 @@
 #include "loads.h"
 
 #include "header.h"
+#include "text/list.h"
 #include "text/message.h"
 #include "text/number.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
-int32_t loads_apply_monotonic(double P, double Q, rwedge_contact *contact)
+static int32_t apply(load to, rwedge_contact *contact)
 {
-    const int32_t status = rwedge_contact_load(contact, P, 0);
-    return status == RWEDGE_OK ? rwedge_contact_load(contact, P, Q) : status;
+    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
 
-/* The next load; what is wrong with it goes to the complaint. */
-static bool apply(double P, double Q, double f, rwedge_contact *contact,
-                  char complaint[COMPLAINT_SIZE])
+int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
 {
-    const int32_t status = rwedge_contact_load(contact, P, Q);
+    const int32_t status = apply((load){.P = to.P, .M = to.M}, contact);
+    return status == RWEDGE_OK ? apply(to, contact) : status;
+}
+
+/* ---- What is wrong with a load ---- */
+
+static bool is_in_domain(load to, const rwedge_contact *contact)
+{
+    rwedge_contact *trial = NULL;
+    int32_t status = rwedge_contact_copy(contact, &trial);
+    if (status == RWEDGE_OK)
+        status = apply(to, trial);
+    rwedge_contact_destroy(trial);
+    return status != RWEDGE_EDOMAIN;
+}
+
+/* The magnitude below which a moment lays no flank on the surface, to the digits that are shown. */
+static double largest_moment(load to, const rwedge_contact *contact)
+{
+    double allowed = 0, refused = to.M;
+    while (fabs(refused - allowed) > 1e-7 * fabs(refused)) {
+        to.M = allowed + (refused - allowed) / 2;
+        if (is_in_domain(to, contact))
+            allowed = to.M;
+        else
+            refused = to.M;
+    }
+    return fabs(allowed);
+}
+
+static load_fault domain_fault(load to, const rwedge_contact *contact)
+{
     char limit[NUMBER_SIZE];
-    number_write(f * P, 6, '.', limit);
-    if (status == RWEDGE_ESLIDING)
-        snprintf(complaint, COMPLAINT_SIZE, "Q must not exceed f P = %s: there is no equilibrium",
+    load_fault fault = {.input = INPUT_COUNT};
+    load level = to;
+    level.M = 0;
+    if (to.P < 0)
+        fault = (load_fault){INPUT_P, "must not be below 0, and Q must be 0 where P is"};
+    else if (to.P == 0)
+        fault = (load_fault){INPUT_M, "must be 0 where P is"};
+    else if (is_in_domain(level, contact)) {
+        fault.input = INPUT_M;
+        number_write(largest_moment(to, contact), 6, '.', limit);
+        snprintf(fault.why, sizeof fault.why,
+                 "must be below %s in magnitude: more lays a flank on the surface", limit);
+    } else
+        snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
+    return fault;
+}
+
+static load_fault path_fault(load to, const rwedge_contact *contact)
+{
+    load last;
+    load_fault fault = {.input = INPUT_SIGMA};
+    rwedge_contact_loads(contact, &last.P, &last.M, &last.Q, &last.sigma);
+    snprintf(fault.why, sizeof fault.why, "no closed form: %s",
+             rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
+    const double most = rwedge_contact_largest_tension_step(contact, to.Q);
+    if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most) {
+        char limit[NUMBER_SIZE];
+        number_write(most, 6, '.', limit);
+        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %s with this Q", limit);
+    }
+    return fault;
+}
+
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+{
+    load_fault fault = {.input = INPUT_Q};
+    char limit[NUMBER_SIZE];
+    if (status == RWEDGE_EDOMAIN)
+        return domain_fault(to, contact);
+    if (status == RWEDGE_EPATH)
+        return path_fault(to, contact);
+    if (status == RWEDGE_ESLIDING) {
+        number_write(f * to.P, 6, '.', limit);
+        snprintf(fault.why, sizeof fault.why, "must not exceed f P = %s: there is no equilibrium",
                  limit);
-    else if (status == RWEDGE_EDOMAIN)
-        snprintf(complaint, COMPLAINT_SIZE, "P must not be below 0, and Q must be 0 where P is");
-    else if (status != RWEDGE_OK)
-        snprintf(complaint, COMPLAINT_SIZE, "%s", rwedge_strerror(status));
-    return status == RWEDGE_OK;
+        return fault;
+    }
+    fault.input = INPUT_COUNT;
+    snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(status));
+    return fault;
+}
+
+/* The next load of a history; what is wrong with it goes to the complaint. */
+static bool apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+{
+    const int32_t status = apply(to, contact);
+    if (status == RWEDGE_OK)
+        return true;
+    const load_fault fault = loads_fault(status, to, f, contact);
+    char name[INPUT_NAME_SIZE] = "";
+    if (fault.input < INPUT_COUNT && status != RWEDGE_EPATH) /* the path has no one to blame */
+        input_column(fault.input, name);
+    snprintf(complaint, COMPLAINT_SIZE, "%s%s%s", name, name[0] != '\0' ? " " : "", fault.why);
+    return false;
 }
 
 /* ---- The command line ---- */
 
-static bool read_pair(const char *text, size_t length, double *P, double *Q)
+/* Reads up to most numbers, separated by commas; how many there are, 0 where it is not that. */
+static int read_numbers(const char *text, size_t length, int most, double number[])
 {
-    const size_t first = number_length(text);
-    if (!number_read_part(text, first, P) || text[first] != ',')
-        return false;
-    const size_t second = number_length(text + first + 1);
-    return number_read_part(text + first + 1, second, Q) && first + 1 + second == length;
+    for (int n = 0; n < most; n++) {
+        const size_t own = number_length(text);
+        if (!number_read_part(text, own, &number[n]))
+            return 0;
+        if (own == length)
+            return n + 1;
+        if (own > length || text[own] != ',')
+            return 0;
+        text += own + 1;
+        length -= own + 1;
+    }
+    return 0;
+}
+
+/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
+static bool read_load(const char *text, size_t length, const rwedge_contact *contact, load *to)
+{
+    double number[4];
+    const int count = read_numbers(text, length, 4, number);
+    if (count == 4)
+        *to = (load){number[0], number[1], number[2], number[3]};
+    if (count != 2)
+        return count == 4;
+    rwedge_contact_loads(contact, &to->P, &to->M, &to->Q, &to->sigma);
+    to->P = number[0];
+    to->M = to->P == 0 ? 0 : to->M;
+    to->Q = number[1];
+    return true;
 }
 
 int loads_apply_list(const char *lines, double f, rwedge_contact *contact)
 {
     for (bool last = false; !last;) {
-        double P, Q;
+        load to;
         char complaint[COMPLAINT_SIZE];
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
-        if (!read_pair(lines, length, &P, &Q))
-            return usage_error("--load %.*s: must be two numbers P,Q",
+        if (!read_load(lines, length, contact, &to))
+            return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                                (int)(length < 60 ? length : 60), lines);
-        if (!apply(P, Q, f, contact, complaint))
+        if (!apply_next(to, f, contact, complaint))
             return usage_error("--load %.*s: %s", (int)(length < 60 ? length : 60), lines,
                                complaint);
         lines += length + 1;
@@ -70,22 +179,25 @@ static void note_numbers(header *names, const csv_input *row, char decimal_sign)
             names->has_numbers[i] = true;
 }
 
-static bool read_row(header *names, const csv_input *row, char decimal_sign, double *P, double *Q,
+/* The four columns of a load; moment and tension are 0 where they have none. */
+static bool read_row(header *names, const csv_input *row, char decimal_sign, load *to,
                      char complaint[COMPLAINT_SIZE])
 {
-    static const int columns[] = {INPUT_P, INPUT_Q};
-    double *const values[] = {P, Q};
+    double value[INPUT_COUNT] = {0};
     if (!header_fits(names, row, complaint))
         return false;
     note_numbers(names, row, decimal_sign);
-    for (int i = 0; i < 2; i++) {
-        const char *text = csv_input_cell(row, names->column[columns[i]]);
-        if (number_read_cell(text, decimal_sign, values[i]))
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++) {
+        char name[INPUT_NAME_SIZE];
+        const char *text =
+            names->column[i] < names->count ? csv_input_cell(row, names->column[i]) : NULL;
+        if (text == NULL || number_read_cell(text, decimal_sign, &value[i]))
             continue;
         snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                 i == 0 ? "P" : "Q", text, decimal_sign == ',' ? "comma" : "point");
+                 input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
         return false;
     }
+    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     return true;
 }
 
@@ -93,10 +205,10 @@ static bool read_row(header *names, const csv_input *row, char decimal_sign, dou
 static bool apply_row(header *names, csv_input *in, bool malformed, char decimal_sign, double f,
                       rwedge_contact *contact)
 {
-    double P, Q;
+    load to;
     char complaint[COMPLAINT_SIZE] = "misplaced quotes";
-    if (!malformed && read_row(names, in, decimal_sign, &P, &Q, complaint) &&
-        apply(P, Q, f, contact, complaint))
+    if (!malformed && read_row(names, in, decimal_sign, &to, complaint) &&
+        apply_next(to, f, contact, complaint))
         return true;
     failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
     return false;
@@ -104,11 +216,12 @@ static bool apply_row(header *names, csv_input *in, bool malformed, char decimal
 
 static int find_columns(csv_input *in, header *names)
 {
-    const bool wanted[INPUT_COUNT] = {[INPUT_P] = true, [INPUT_Q] = true};
+    const bool wanted[INPUT_COUNT] = {
+        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
     if (!header_read(in, wanted, NULL, names))
         return STATUS_FAILED;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (wanted[i] && names->column[i] == names->count)
+    for (int i = INPUT_P; i <= INPUT_Q; i += INPUT_Q - INPUT_P)
+        if (names->column[i] == names->count)
             return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in),
                            i == INPUT_P ? "P" : "Q", header_separator_hint(names));
     return STATUS_DONE;

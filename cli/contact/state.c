@@ -13,9 +13,10 @@
 
 struct poptOption state_option_table[] = {
     {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
-     "The next load of a history instead of --P and --Q; repeat it", "P,Q"},
+     "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
     {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
-     "A history from a CSV file with the columns P and Q; - is standard input", "FILE"},
+     "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
+     "FILE"},
     {ENCODING_OPTION},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
      "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
@@ -31,8 +32,8 @@ void state_describe(FILE *stream)
     fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
           "(default 0.3), and --q-over-fp or --c-over-b: lengths are then in b, stresses in\n"
           "theta/A, slip in theta b. A history runs in straight steps from load to load;\n"
-          "without one, Q grows from 0 under constant P. x > 0 is the side that the friction\n"
-          "on the half-plane, with Q > 0, points to; y is the depth.\n",
+          "without one, Q and sigma grow from 0 under constant P and M. x > 0 is the side\n"
+          "that the friction on the half-plane, with Q > 0, points to; y is the depth.\n",
           stream);
 }
 
@@ -86,9 +87,9 @@ static int read_shear_ratio(const arguments *given, double alpha, double *ratio)
     return status;
 }
 
-static int load_monotonic(double P, double Q, contact_state *state)
+static int load_monotonic(load to, contact_state *state)
 {
-    const int32_t status = loads_apply_monotonic(P, Q, state->contact);
+    const int32_t status = loads_apply_monotonic(to, state->contact);
     return status == RWEDGE_OK
                ? STATUS_DONE
                : failure("the loads cannot be applied: %s", rwedge_strerror(status));
@@ -116,8 +117,9 @@ static int read_natural(const arguments *given, const input_texts *texts, contac
     if (status != STATUS_DONE)
         return status;
     const double P = rwedge_load(alpha);
-    status = load_monotonic(P, ratio * f * P, state);
-    state->b = 1;
+    status = load_monotonic((load){.P = P, .Q = ratio * f * P}, state);
+    state->b = state->right = 1;
+    state->left = -1;
     /* 1 to rounding: the edge is at 1 exactly */
     state->length_unit = rwedge_contact_half_width(state->contact);
     state->slip_unit = NATURAL_THETA * state->length_unit;
@@ -134,7 +136,7 @@ static int apply_loads(const arguments *given, char decimal_sign, const contact_
     if (given->value[OPTION_HISTORY] != NULL)
         return loads_apply_file(given->value[OPTION_HISTORY], given->value[OPTION_ENCODING],
                                 decimal_sign, what->f, state->contact);
-    return load_monotonic(what->P, what->Q, state);
+    return load_monotonic(case_load(what), state);
 }
 
 static int check_loads(const arguments *given, const input_texts *texts)
@@ -143,7 +145,7 @@ static int check_loads(const arguments *given, const input_texts *texts)
     if (list != NULL && file != NULL)
         return usage_error("--history %s: given together with --load; allowed: one of the two",
                            file);
-    for (int i = INPUT_P; i <= INPUT_Q && (list != NULL || file != NULL); i++) {
+    for (int i = INPUT_P; i <= INPUT_SIGMA && (list != NULL || file != NULL); i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL)
             return usage_error(
@@ -192,7 +194,10 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
     if (status != STATUS_DONE)
         return status;
     state->nu = what.nu1;
+    const zone contact = state_contact_zone(state);
     state->b = rwedge_contact_half_width(state->contact);
+    state->left = contact.left;
+    state->right = contact.right;
     state->length_unit = state->slip_unit = 1;
     doubts_say(doubts_of(&what, state->b, safety_of(&what, state->b)), "");
     return STATUS_DONE;
@@ -209,6 +214,20 @@ int state_read(const arguments *given, char decimal_sign, contact_state *state)
     if (given->value[OPTION_A_OVER_B] != NULL)
         return read_natural(given, &texts, state);
     return read_dimensional(given, decimal_sign, &texts, state);
+}
+
+zone state_contact_zone(const contact_state *state)
+{
+    zone found = {0, 0};
+    rwedge_contact_edges(state->contact, &found.left, &found.right);
+    return found;
+}
+
+zone state_stick_zone(const contact_state *state)
+{
+    zone found = {0, 0};
+    rwedge_contact_stick_zone(state->contact, &found.left, &found.right);
+    return found;
 }
 
 void state_free(contact_state *state)

@@ -23,8 +23,9 @@ extern struct poptOption state_option_table[];
 typedef struct {
     rwedge_contact *contact;
     double a, nu;
-    /* half-width of the contact, as it is written: 1 in natural units; 0 when separated */
-    double b;
+    /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
+     * when separated */
+    double b, left, right;
     double length_unit; /* of what is written, in the contact's own unit; so is the next */
     double slip_unit;
 } contact_state;
@@ -33,6 +34,14 @@ typedef struct {
  * exit status; free it in either case. */
 int state_read(const arguments *given, char decimal_sign, contact_state *state);
 void state_free(contact_state *state);
+
+/* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there
+ * is none. */
+typedef struct {
+    double left, right;
+} zone;
+zone state_contact_zone(const contact_state *state);
+zone state_stick_zone(const contact_state *state);
 
 /* Whether the stresses at this point are infinite: at the apex of the sharp wedge. */
 bool state_is_apex(const contact_state *state, double x, double y);

@@ -23,7 +23,7 @@ static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
      "Its loads, or natural units:", NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
-     "Columns of the grid (default: 81 from -2 b to 2 b)", "RANGE"},
+     "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
      "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, field_output_option_table, 0, "Common options:", NULL},
@@ -46,7 +46,7 @@ static void describe(FILE *stream)
 static int read_axis(const char *name, const char *text, double from, double to, int64_t count,
                      range *values)
 {
-    if (text == NULL && to == 0)
+    if (text == NULL && from == to)
         return usage_error(
             "--%s: missing; after the last load there is no contact to lay a grid around", name);
     const char *complaint = NULL;
@@ -96,9 +96,10 @@ static int field(const arguments *given)
         status = output_options_spare(&how, given->value[OPTION_HISTORY]);
     if (status == STATUS_DONE)
         status = state_read(given, how.decimal_sign, &what.state);
-    const double b = what.state.b;
+    const double b = what.state.b, middle = (what.state.left + what.state.right) / 2;
     if (status == STATUS_DONE)
-        status = read_axis("x", given->value[OPTION_X], -2 * b, 2 * b, 81, &what.x);
+        status =
+            read_axis("x", given->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &what.x);
     if (status == STATUS_DONE)
         status = read_axis("y", given->value[OPTION_Y], 0, 2 * b, 41, &what.y);
     if (status == STATUS_DONE)

@@ -46,25 +46,40 @@ typedef struct {
     int64_t points; /* so many places from edge to edge */
 } plan;
 
-/* x/b is the sine of an angle that grows in equal steps. The ends and the middle are exact. */
+/* Over b, the distance from the middle is the sine of an angle that grows in equal steps. The ends
+ * and the middle are exact. */
 static double x_of(const plan *what, int64_t i)
 {
     if (what->points == 0)
         return range_value(&what->x, i);
+    if (i == 0 || i == what->points - 1)
+        return i == 0 ? what->state.left : what->state.right;
     const double half_pi = 1.5707963267948966;
-    return what->state.b *
-           sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
+    return (what->state.left + what->state.right) / 2 +
+           what->state.b *
+               sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
 }
 
 static const char *zone_of(const contact_state *state, double x)
 {
-    if (!(fabs(x) < rwedge_contact_half_width(state->contact)))
+    const zone contact = state_contact_zone(state), stick = state_stick_zone(state);
+    if (!(x > contact.left && x < contact.right))
         return "free";
-    return fabs(x) < rwedge_contact_stick_half_width(state->contact) ? "stick" : "slip";
+    return x > stick.left && x < stick.right ? "stick" : "slip";
 }
 
-/* At the apex of the sharp wedge the stresses are infinite, outside the contact there is no
- * slip: NAN, an empty cell. */
+/* Where a history off the centre has no closed form of it, the slip alone is not known. */
+static int32_t slip_at(const contact_state *state, double at, double *slip)
+{
+    const zone contact = state_contact_zone(state);
+    if (state->b == 0 || at < contact.left || at > contact.right)
+        return RWEDGE_OK;
+    const int32_t status = rwedge_contact_slip(state->contact, 1, &at, slip);
+    return status == RWEDGE_EPATH ? RWEDGE_OK : status;
+}
+
+/* NAN, an empty cell, for stresses at the apex of the sharp wedge, which are infinite, and for slip
+ * outside the contact. */
 static int32_t look(const contact_state *state, double at, double value[])
 {
     const double surface = 0;
@@ -77,10 +92,7 @@ static int32_t look(const contact_state *state, double at, double value[])
             status =
                 rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
     }
-    if (status == RWEDGE_OK && state->b > 0 &&
-        fabs(at) <= rwedge_contact_half_width(state->contact))
-        status = rwedge_contact_slip(state->contact, 1, &at, &value[SLIP]);
-    return status;
+    return status == RWEDGE_OK ? slip_at(state, at, &value[SLIP]) : status;
 }
 
 static bool compute(const contact_state *state, double x, cell row[])
@@ -142,6 +154,14 @@ static int read_points(const arguments *given, plan *what)
     return STATUS_DONE;
 }
 
+static void say_what_is_unknown(const contact_state *state)
+{
+    const double edge = state_contact_zone(state).left;
+    double slip;
+    if (rwedge_contact_slip(state->contact, 1, &edge, &slip) == RWEDGE_EPATH)
+        notice("the slip has no closed form after these loads: the column slip is empty");
+}
+
 static int check_contact(const plan *what)
 {
     if (what->points > 0 && what->state.b == 0)
@@ -167,6 +187,8 @@ static int profile(const arguments *given)
         status = check_contact(&what);
     if (status == STATUS_DONE)
         status = output_options_write(&how, write_profile, &what);
+    if (status == STATUS_DONE)
+        say_what_is_unknown(&what.state);
     state_free(&what.state);
     range_free(&what.x);
     return status;

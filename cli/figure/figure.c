@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "figure.h"
 
+#include "figure_eccentric.h"
 #include "figure_field.h"
 #include "figure_loop.h"
 #include "figures_strength.h"
@@ -15,10 +16,10 @@
 
 #include <rwedge.h>
 
-enum { FIGURE_COUNT = 8 };
+enum { FIGURE_COUNT = 9 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point,
-    &figure_tension,  &figure_shear,  &figure_field,   &figure_loop};
+    &figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point, &figure_tension,
+    &figure_shear,    &figure_field,  &figure_loop,    &figure_eccentric};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_OWN,
@@ -28,6 +29,8 @@ enum {
 
 static const table_variable stick_width = {
     "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
+static const table_variable tension = {
+    "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + A_OVER_B,
@@ -43,6 +46,8 @@ static const struct poptOption options[] = {
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
     {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + C_OVER_B,
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
+    {"sigma-over-max", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX,
+     "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA,
      "Write the numbers behind the figure instead of a picture", NULL},
     {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture",
@@ -62,7 +67,7 @@ static const struct poptOption options[] = {
 
 static const table_variable *variable_of(int i)
 {
-    return i == C_OVER_B ? &stick_width : &variables[i];
+    return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
 }
 
 static void describe_uses(const figure *which, FILE *stream)
@@ -84,7 +89,7 @@ static void describe_figures(FILE *stream)
 {
     fputs("\nFigures, with the variables they have and their defaults:\n", stream);
     for (int i = 0; i < FIGURE_COUNT; i++) {
-        fprintf(stream, "  %-6s %s\n", figures[i]->name, figures[i]->summary);
+        fprintf(stream, "  %-9s %s\n", figures[i]->name, figures[i]->summary);
         describe_uses(figures[i], stream);
     }
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number. gnuplot draws the\n"

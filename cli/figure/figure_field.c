@@ -166,22 +166,12 @@ static void draw_contours(const dataset *rows, double step, double top, drawing 
 
 /* ---- What stands on them ---- */
 
-static void add_bar(double from, double to, double top, double bottom, int number, drawing *on)
-{
-    const double x[] = {from, to, to, from, from}, y[] = {top, top, bottom, bottom, top};
-    for (int i = 0; i < 5; i++)
-        dataset_add(&on->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
-}
-
 /* Above the surface: the contact as an empty bar, the stick zone filled. */
 static void draw_zones(double c, drawing *on)
 {
-    const int number = dataset_curves(&on->outlines);
-    add_bar(-1, 1, -0.09, -0.03, number, on);
-    add_bar(-c, c, -0.09, -0.03, number + 1, on);
     if (c > 0)
-        drawing_curve(on, &on->outlines, number + 1, 0, 1)->style = STYLE_AREA;
-    drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.8;
+        drawing_bar(on, -c, c, -0.09, -0.03)->style = STYLE_AREA;
+    drawing_bar(on, -1, 1, -0.09, -0.03)->width = 0.8;
 }
 
 /* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory
@@ -190,13 +180,12 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top,
 {
     const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
                  c = stick_width(of);
-    const double load = rwedge_load(alpha),
-                 Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * load : f * load;
+    const double P = rwedge_load(alpha), Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * P : f * P;
     rwedge_contact *contact = NULL;
     double factor = 0;
     int32_t status = rwedge_contact_create(1, alpha, 1, f, &contact);
     if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(load, Q, contact);
+        status = loads_apply_monotonic((load){.P = P, .Q = Q}, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);

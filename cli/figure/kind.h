@@ -6,8 +6,8 @@
 #include "picture/drawing.h"
 #include "options/variable.h"
 
-/* Those of variable.h, and one more. */
-enum { C_OVER_B = VARIABLE_COUNT, FIGURE_VARIABLES };
+/* Those of variable.h, and two more. */
+enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
 
 /* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where
  * it may be left out. */

@@ -16,6 +16,15 @@ curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
     return next;
 }
 
+curve *drawing_bar(drawing *on, double from, double to, double top, double bottom)
+{
+    const double x[] = {from, to, to, from, from}, y[] = {top, top, bottom, bottom, top};
+    const int number = dataset_curves(&on->outlines);
+    for (int i = 0; i < 5; i++)
+        dataset_add(&on->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
+    return drawing_curve(on, &on->outlines, number, 0, 1);
+}
+
 label *drawing_label(drawing *on, double x, double y, const char *format, ...)
 {
     label *next = &on->label[on->label_count];

@@ -64,6 +64,9 @@ typedef struct {
  * change it. A curve for which there is no room is not drawn. */
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
 
+/* The next curve, round a rectangle that is added to the outlines. */
+curve *drawing_bar(drawing *on, double from, double to, double top, double bottom);
+
 /* The next label, its text made as by printf. */
 label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 

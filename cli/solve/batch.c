@@ -102,11 +102,13 @@ static int check_complete(const run *r)
  * mistaken for it. */
 static int choose_results(run *r)
 {
+    results_wanted wanted = r->what->wanted;
+    wanted.edges = wanted.edges || has_column(r, INPUT_M) || has_column(r, INPUT_SIGMA);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const char *name = result_kinds[i].column;
         const bool is_input = (i == RESULT_ROUNDING && has_column(r, INPUT_A)) ||
                               (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
-        r->shown[i] = !is_input && (i != RESULT_YIELD_FACTOR || r->what->yield_factor);
+        r->shown[i] = !is_input && results_include(wanted, i);
         if (r->shown[i] && header_has(&r->names, name))
             return failure("%s: column %s: a result has that name; allowed: any other",
                            csv_input_name(r->in), name);
@@ -148,7 +150,7 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
     const input_texts texts = texts_of(r, text);
     contact_case what;
     if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, CASE_OF_SOLVE, &what, complaint) ||
-        !results_compute(&what, r->what->yield_factor, found, complaint))
+        !results_compute(&what, r->what->wanted, found, complaint))
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(found, "no friction given");

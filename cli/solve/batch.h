@@ -3,13 +3,15 @@
 #ifndef CLI_BATCH_H
 #define CLI_BATCH_H
 
+#include "results.h"
+
 #include "contact/inputs.h"
 #include "rows/output_options.h"
 
 typedef struct {
     const char *path, *encoding; /* NULL for UTF-8 */
     input_texts constants; /* of the command line: for the columns that the file does not have */
-    bool yield_factor;
+    results_wanted wanted; /* the edges too where a column needs them */
 } batch;
 
 /* Returns the exit status: that of a failure where there are rows and every one has an error. */

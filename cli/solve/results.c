@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
+#include "off_centre.h"
+
 #include "contact/doubts.h"
 #include "contact/loads.h"
 #include "text/list.h"
@@ -22,6 +24,11 @@ const result_kind result_kinds[RESULT_COUNT] = {
     [RESULT_Q_OVER_FP] = {"Q_over_fP", "tangential force over its sliding value"},
     [RESULT_C] = {"c", "half-width of the stick zone"},
     [RESULT_C_OVER_B] = {"c_over_b", "stick zone over contact; 0 slides"},
+    [RESULT_LEFT] = {"left", "left edge of the contact"},
+    [RESULT_RIGHT] = {"right", "right edge of the contact"},
+    [RESULT_STICK_LEFT] = {"stick_left", "left edge of the stick zone"},
+    [RESULT_STICK_RIGHT] = {"stick_right", "right edge of the stick zone"},
+    [RESULT_TILT] = {"tilt", "angle by which the moment tilts body 2, in radians"},
     [RESULT_TENSION] = {"max_tension", "tension at the trailing edge under P and Q"},
     [RESULT_TENSION_SLIDING] = {"max_tension_sliding", "the same in full sliding, Q = f P"},
     [RESULT_VON_MISES_SLIDING] = {"von_mises_sliding", "largest von Mises stress in full sliding"},
@@ -36,6 +43,13 @@ const result_kind result_kinds[RESULT_COUNT] = {
     [RESULT_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2) under P and Q"},
     [RESULT_WARNINGS] = {"warnings", "what makes these numbers doubtful"},
 };
+
+bool results_include(results_wanted wanted, int result)
+{
+    if (result == RESULT_YIELD_FACTOR)
+        return wanted.yield_factor;
+    return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
+}
 
 static const double SQRT_3 = 1.7320508075688772;
 
@@ -57,6 +71,9 @@ static void geometry(const contact_case *what, double b, cell row[])
     row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
     row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha));
     row[RESULT_P_TRANSITION] = cell_number(unit * rwedge_transition_pressure(alpha));
+    row[RESULT_LEFT] = cell_number(-b);
+    row[RESULT_RIGHT] = cell_number(b);
+    row[RESULT_TILT] = cell_number(0);
 }
 
 /* Without friction there is neither stick nor slip to speak of. */
@@ -74,6 +91,8 @@ static bool friction(const contact_case *what, double b, cell row[], char compla
     row[RESULT_Q_OVER_FP] = rough ? cell_number(ratio) : cell_empty();
     row[RESULT_C] = rough ? cell_number(c * b) : cell_empty();
     row[RESULT_C_OVER_B] = rough ? cell_number(c) : cell_empty();
+    row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
+    row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
     row[RESULT_TENSION] = cell_number(what->theta / what->A * sxx);
     row[RESULT_TENSION_SLIDING] = cell_number(what->f * what->P / b * rwedge_max_tension(alpha));
     return true;
@@ -135,9 +154,9 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
 {
     rwedge_contact *contact = NULL;
     double factor;
-    int32_t status = rwedge_contact_create(what->theta, what->a, what->A, what->f, &contact);
+    int32_t status = case_contact(what, &contact);
     if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(what->P, what->Q, contact);
+        status = loads_apply_monotonic(case_load(what), contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, what->nu1, what->k, &factor, NULL, NULL);
     rwedge_contact_destroy(contact);
@@ -147,7 +166,16 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
     return true;
 }
 
-bool results_compute(const contact_case *what, bool wants_yield_factor, results *found,
+static bool compute(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
+{
+    geometry(what, b, row);
+    if (what->M == 0 && what->sigma == 0)
+        return friction(what, b, row, complaint) && strength(what, b, row, complaint);
+    const int32_t status = off_centre_results(what, row);
+    return status == RWEDGE_OK || not_computed("left", rwedge_strerror(status), complaint);
+}
+
+bool results_compute(const contact_case *what, results_wanted wanted, results *found,
                      char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < RESULT_COUNT; i++)
@@ -155,13 +183,11 @@ bool results_compute(const contact_case *what, bool wants_yield_factor, results 
     const double b = rwedge_half_width(what->theta, what->a, what->A, what->P);
     if (!isnormal(b) || !isfinite(what->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
-    geometry(what, b, found->value);
-    if (!friction(what, b, found->value, complaint) || !strength(what, b, found->value, complaint))
+    if (!compute(what, b, found->value, complaint) ||
+        (wanted.yield_factor && !isnan(what->k) && !yield_factor(what, found->value, complaint)))
         return false;
-    if (wants_yield_factor && !isnan(what->k) && !yield_factor(what, found->value, complaint))
-        return false;
-    const double safety = isnan(what->k) ? NAN : found->value[RESULT_SAFETY].number;
-    found->doubts = doubts_of(what, b, safety);
+    const double safety = found->value[RESULT_SAFETY].number; /* NAN where it is empty */
+    found->doubts = doubts_of(what, found->value[RESULT_B].number, safety);
     found->warnings[0] = '\0';
     doubts_write(found->doubts, found->warnings, sizeof found->warnings);
     if (isinf(safety))

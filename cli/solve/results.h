@@ -19,6 +19,11 @@ enum {
     RESULT_Q_OVER_FP,
     RESULT_C,
     RESULT_C_OVER_B,
+    RESULT_LEFT, /* up to the tilt, where there is moment or tension */
+    RESULT_RIGHT,
+    RESULT_STICK_LEFT,
+    RESULT_STICK_RIGHT,
+    RESULT_TILT,
     RESULT_TENSION,
     RESULT_TENSION_SLIDING,
     RESULT_VON_MISES_SLIDING,
@@ -41,6 +46,13 @@ typedef struct {
 
 extern const result_kind result_kinds[RESULT_COUNT];
 
+/* Which results that not everybody asks for are wanted. */
+typedef struct {
+    bool yield_factor; /* takes longest */
+    bool edges;        /* with the tilt */
+} results_wanted;
+bool results_include(results_wanted wanted, int result);
+
 /* One contact's results; the warnings' text is kept in them, and the bits of those that are the
  * library's. */
 typedef struct {
@@ -50,7 +62,7 @@ typedef struct {
 } results;
 
 /* False, with the complaint, where one cannot be computed. */
-bool results_compute(const contact_case *what, bool yield_factor, results *found,
+bool results_compute(const contact_case *what, results_wanted wanted, results *found,
                      char complaint[COMPLAINT_SIZE]);
 
 /* Adds to the warnings. */

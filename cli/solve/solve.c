@@ -43,20 +43,18 @@ static void describe_results(FILE *stream)
           stream);
     for (int i = 0; i < RESULT_COUNT; i++)
         fprintf(stream, "  %-20s %s\n", result_kinds[i].column, result_kinds[i].meaning);
-    fputs("\nQ < f P is taken to have grown from 0 under constant P.\n", stream);
+    fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M.\n"
+          "left to tilt come with --M or --sigma; what holds only without them is empty.\n",
+          stream);
 }
 
 /* ---- One contact ---- */
 
 typedef struct {
     results found;
-    bool row, yield_factor;
+    bool row;
+    results_wanted wanted;
 } answer;
-
-static bool is_shown(const answer *one, int result)
-{
-    return result != RESULT_YIELD_FACTOR || one->yield_factor;
-}
 
 static void write_list(const answer *one, records *rows)
 {
@@ -65,7 +63,7 @@ static void write_list(const answer *one, records *rows)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++) {
-        if (!is_shown(one, i))
+        if (!results_include(one->wanted, i))
             continue;
         rows->format->value(rows, columns[0], cell_text(result_kinds[i].column));
         rows->format->value(rows, columns[1], one->found.value[i]);
@@ -77,11 +75,11 @@ static void write_list(const answer *one, records *rows)
 static void write_row(const answer *one, records *rows)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
-        if (is_shown(one, i))
+        if (results_include(one->wanted, i))
             rows->format->name(rows, result_kinds[i].column);
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++)
-        if (is_shown(one, i))
+        if (results_include(one->wanted, i))
             rows->format->value(rows, result_kinds[i].column, one->found.value[i]);
     rows->format->end_row(rows);
 }
@@ -105,7 +103,7 @@ static int solve_one(const input_texts *texts, answer *one, const output_options
     char complaint[COMPLAINT_SIZE];
     if (!case_read(texts, CASE_OF_SOLVE, &what, complaint))
         return usage_error("%s", complaint);
-    if (!results_compute(&what, one->yield_factor, &one->found, complaint))
+    if (!results_compute(&what, one->wanted, &one->found, complaint))
         return failure("%s", complaint);
     const int status = output_options_write(how, write_answer, one);
     if (status == STATUS_DONE)
@@ -163,11 +161,13 @@ static int solve(const arguments *given)
     if (status == STATUS_DONE)
         status = read_layout(given, &one.row);
     if (status == STATUS_DONE)
-        status = read_yield_factor(given, &many.constants, &one.yield_factor);
+        status = read_yield_factor(given, &many.constants, &one.wanted.yield_factor);
     if (status != STATUS_DONE)
         return status;
+    one.wanted.edges =
+        input_is_given(&many.constants, INPUT_M) || input_is_given(&many.constants, INPUT_SIGMA);
+    many.wanted = one.wanted;
     how.no_formulas = given->value[OPTION_NO_FORMULAS] != NULL;
-    many.yield_factor = one.yield_factor;
     return many.path != NULL ? batch_run(&many, &how) : solve_one(&many.constants, &one, &how);
 }
 

@@ -94,8 +94,9 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
     const rw_patch settled = contact->settled;
     if (contact->origins.count == 0 || x < settled.left || x > settled.right)
         return 0;
-    const double w = rw_path_displacement(&contact->memory, &contact->origins.all[0].base,
-                                          contact->geometry.a, x);
+    double w;
+    rw_path_displacement(&contact->memory, &contact->origins.all[0].base, contact->geometry.a, 1,
+                         &x, &w);
     return contact->f > 1 ? contact->f * w * contact->geometry.theta
                           : contact->geometry.theta * w * contact->f;
 }

@@ -183,7 +183,7 @@ missing --a "--a or --radius"
 missing --P --P
 refuses "rwedge solve: missing: --E1, --nu1, --theta or --theta-deg, --a or --radius, --P" solve
 for option in --Q=0 --k=300 --yield-stress=300; do
-    refuses "rwedge solve: missing: --f; friction has no default where Q or a yield stress is given" solve $contact $option
+    refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a yield stress is given" solve $contact $option
 done
 refuses "rwedge solve: --theta-deg 3: given together with --theta; allowed: one of the two" solve $contact --theta-deg 3
 refuses "rwedge solve: --radius 3: given together with --a; allowed: one of the two" solve $contact --radius 3

@@ -143,7 +143,7 @@ printf 'P,a,f\n100,1,0\n' >frictionless.csv
 run solve -i frictionless.csv $fixed
 same "friction 0 in a column" "-" "$(column warnings out)"
 # Where Q or a yield stress is given, a default of 0 would look like a result.
-no_default="missing: f; friction has no default where Q or a yield stress is given; allowed: columns or options"
+no_default="missing: f; friction has no default where Q, sigma or a yield stress is given; allowed: columns or options"
 printf 'P,a,Q\n100,1,0\n' >frictionless.csv
 cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed
 for strength in k yield_stress; do

@@ -165,7 +165,7 @@ run figure 6 --data -o old.csv
 same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
 
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric"
 refuses "rwedge figure: which figure must follow; allowed: $all" figure
 refuses "rwedge figure: 1: unknown figure; allowed: $all" figure 1
 refuses "rwedge figure: 3: unexpected; allowed: one figure, and options" figure 2 3

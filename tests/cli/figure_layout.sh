@@ -19,6 +19,7 @@ nothing "it yields at the surface, whatever f is" 5 --nu 0
 nothing "the elastic limit of a sharp wedge is 0" 4 --a-over-b 0
 nothing "without slip there is no shear traction" 7 --c-over-b 1
 nothing "without an amplitude nothing slips" loop --q-over-fp 0
+nothing "without Q there is no shear traction" eccentric --q-over-fp 0
 
 if ! command -v gnuplot >/dev/null 2>&1; then
     [ "$failures" -eq 0 ] || finish
@@ -125,5 +126,12 @@ draws loop --q-over-fp 0.05:0.6:0.05
 same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
 draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
 shows "a/b = 0.123456"
+
+draws eccentric
+above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"
+draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5
+draws eccentric --a-over-b 2 --q-over-fp 1
+draws eccentric --sigma-over-max=-1:1:0.4
+same "six names" 6 "$(number_of 'πbσ/(4Q) = [-0-9.]*')"
 
 finish

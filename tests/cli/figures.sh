@@ -128,7 +128,7 @@ draws() { # FORMAT ARGUMENTS...: the same bytes again, elsewhere and in another 
     same "the same bytes" "" "$(cmp "drawn.$format" again 2>&1)"
 }
 
-for name in 2 3 4 5 6 7 field loop; do
+for name in 2 3 4 5 6 7 field loop eccentric; do
     for format in svg png pdf; do
         draws $format $name
     done

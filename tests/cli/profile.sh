@@ -104,8 +104,8 @@ same "points by default" 202 "$(wc -l <out | tr -d ' ')"
 refuses "rwedge profile: --load 300,100: Q must not exceed f P = 90: there is no equilibrium" \
     profile $wedge --load 300,0 --load 300,100
 refuses "rwedge profile: --load -1,0: P must not be below 0, and Q must be 0 where P is" profile $wedge --load -1,0
-for text in 300 300, ,1 300,1,2 300:1 "300, 1" "" a,b; do
-    refuses "rwedge profile: --load $text: must be two numbers P,Q" profile $wedge --load 300,0 --load "$text"
+for text in 300 300, ,1 300,1,2 300,1,2,3,4 300:1 "300, 1" "" a,b; do
+    refuses "rwedge profile: --load $text: must be numbers P,Q or P,M,Q,sigma" profile $wedge --load 300,0 --load "$text"
 done
 history_fails() { # MESSAGE TEXT
     printf '%b' "$2" >bad.csv

@@ -150,7 +150,7 @@ classdef rwedge_contact < handle
         %   The largest |d sigma| with which the present Q may change to another under constant P and M,
         %   stress: 4 |dQ|/(pi s). Inf without friction.   new
         %     Q  finite
-        %   NaN outside the domain; 0 when separated.
+        %   NaN outside the domain; 0 when separated. Relative error as that of the edges.
             if nargin < 2
                 error('rwedge:arguments', 'too few arguments: value = contact.largest_tension_step(Q)');
             end
@@ -169,8 +169,8 @@ classdef rwedge_contact < handle
         %EDGES  [left, right] = contact.edges()
         %   The edges of the contact, left < x < right.   new
         %     left, right  length
-        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, over 1 -
-        %   |tilt|/theta.
+        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, or of |x| where that
+        %   is larger, over 1 - |tilt|/theta.
             [left, right] = rwedge_mex('contact_edges', contact.number);
         end
 
@@ -179,14 +179,17 @@ classdef rwedge_contact < handle
         %   The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
         %   |p|. Those of the contact where there is no such zone.   new
         %     left, right  length
-        %   rwedge:absent in full sliding, and when separated; rwedge:handle.
+        %   rwedge:absent in full sliding, and when separated; rwedge:handle. After one step of Q and sigma
+        %   the error is that of the contact's edges, over the root of the part of P that the zone carries,
+        %   and with the zone's tilt where that is larger.
             [left, right] = rwedge_mex('contact_stick_zone', contact.number);
         end
 
         function value = tilt(contact)
         %TILT  value = contact.tilt()
         %   The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
-        %   0 without a moment.
+        %   0 without a moment. Error below 1e-14 theta, where the edges have their relative
+        %   error.
             value = rwedge_mex('contact_tilt', contact.number);
         end
 
@@ -199,7 +202,8 @@ classdef rwedge_contact < handle
         %     normal_left, normal_right  K_N, stress over the root of a length
         %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
         %                                sigma less what it was when the bodies touched
-        %   rwedge:absent when separated; rwedge:handle.
+        %   rwedge:absent when separated; rwedge:handle. K_N to 1e-14 of the larger one, of the edges that
+        %   rwedge_contact.edges() gives.
             [normal_left, normal_right, shear_left, shear_right] = rwedge_mex('contact_edge_asymptotes', contact.number);
         end
 

@@ -5,9 +5,9 @@
  * entries.h, which is written from rwedge.h as they are.
  *
  * A function of numbers is taken over the elements of its arguments: arrays of one size, or of
- * size 1 in a dimension, which go with all along it. So is one of points. Other functions of arrays take them
- * whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held where it is
- * called. */
+ * size 1 in a dimension, which go with all along it. So is one of points. Other functions of
+ * arrays take them whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held
+ * where it is called. */
 #include "entries.h"
 #include "rwedge.h"
 
@@ -248,16 +248,15 @@ static void extend(shape *all, const char *name, int argument, const mxArray *ar
     }
 }
 
-/* Which element of an array goes with element i of the results, of which there are n. */
-static size_t element_of(const mxArray *array, const shape *all, size_t i, size_t n)
+/* Which element of an array goes with element i of the results, where it is neither a scalar nor
+ * has as many. */
+static size_t element_of(const mxArray *array, const shape *all, size_t i)
 {
-    if (is_scalar(array) || mxGetNumberOfElements(array) == n)
-        return is_scalar(array) ? 0 : i;
     size_t at = 0, stride = 1;
     for (mwSize k = 0; k < all->count; k++) {
-        const size_t size = size_in(array, k);
-        at += size > 1 ? i % all->size[k] * stride : 0;
-        i /= all->size[k];
+        const size_t size = (size_t)size_in(array, k), along = (size_t)all->size[k];
+        at += size > 1 ? i % along * stride : 0;
+        i /= along;
         stride *= size;
     }
     return at;
@@ -360,7 +359,7 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
     const shape all = take(call->name, call->arguments, arguments, v);
     size_t n = 1;
     for (mwSize k = 0; k < all.count; k++)
-        n *= all.size[k];
+        n *= (size_t)all.size[k];
     for (int j = 0; j < call->results; j++) {
         results[j] = mxCreateNumericArray(all.count, all.size, mxDOUBLE_CLASS, mxREAL);
         r[j] = mxGetPr(results[j]);
@@ -370,10 +369,15 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
     const size_t counts[ENTRY_SIZES] = {n};
     if (suits_array(many, arguments, n) && many->call(object, counts, v, r, NULL) == RWEDGE_OK)
         return;
+    enum { EXPANDS = 2 };
+    size_t steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
+    for (int j = 0; j < call->arguments; j++) {
+        const size_t elements = mxGetNumberOfElements(arguments[j]);
+        steps[j] = elements == 1 ? 0 : elements == n ? 1 : EXPANDS;
+    }
     for (size_t i = 0; i < n; i++) {
-        size_t at[ENTRY_ARGUMENTS];
         for (int j = 0; j < call->arguments; j++)
-            at[j] = element_of(arguments[j], &all, i, n);
+            at[j] = steps[j] == EXPANDS ? element_of(arguments[j], &all, i) : i * steps[j];
         one(call, object, v, at, r, i, n);
     }
 }

@@ -60,6 +60,7 @@ pytest_of "$source/tests" "$@"
 rm -rf sdist editable
 mkdir sdist
 (cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
+rm -r "$source/library" # what went into it
 tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
 SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
 (source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep" "$@")

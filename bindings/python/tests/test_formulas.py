@@ -230,7 +230,7 @@ def test_docstring_says_what_the_header_says(name):
     assert f"{name}({', '.join(inputs)})" in doc
     assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
     for argument in inputs:
-        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0]}" in doc
+        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0].rstrip(';')}" in doc
     assert f"Source: {about['source']}." in doc and about["source"]
     assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
     assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))

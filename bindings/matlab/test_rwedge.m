@@ -252,6 +252,40 @@ function series()
     claim('potential', isfinite(re + im));
 end
 
+% With one argument, or one result, more than the header has, no function is called.
+function surplus()
+    contact = rwedge_contact(0.01, 0.5, 0.1, 2);
+    series = rwedge_series(0.3, 5);
+    table = fileread(fullfile(fileparts(mfilename('fullpath')), '..', 'interface', 'entries.h'));
+    rows = regexp(table, '\{"(\w+)", "(\w*)", entry_\w+, (\d), \d, (\d)[^\n]*\n *[^,\n]*, (\d+), (\d+), ', 'tokens');
+    claim('every function has a row', numel(rows) > 60);
+    for i = 1:numel(rows)
+        [name, family, takes_object, makes_object, inputs, outputs] = rows{i}{:};
+        first = {name};
+        if takes_object == '1' && strcmp(family, 'contact')
+            first{2} = contact.number;
+        elseif takes_object == '1'
+            first{2} = series.number;
+        end
+        given = num2cell(0.3 * ones(1, str2double(inputs) + 1));
+        outputs = max(str2double(outputs), makes_object == '1');
+        claim([name ' with an argument too many'], ends_badly(outputs, [first given]));
+        if outputs > 0
+            claim([name ' with a result too many'], ends_badly(outputs + 1, [first given(2:end)]));
+        end
+    end
+end
+
+function holds = ends_badly(outputs, given)
+    results = cell(1, outputs);
+    try
+        [results{:}] = rwedge_mex(given{:});
+        holds = false;
+    catch err
+        holds = strcmp(err.identifier, 'rwedge:arguments');
+    end
+end
+
 % What every function and method says of itself.
 function texts()
     claim('version', ~isempty(regexp(rwedge_version(), '^\d+\.\d+\.\d+$', 'once')));
@@ -308,6 +342,7 @@ shown();
 contacts();
 lives();
 series();
+surplus();
 texts();
 costs();
 exit(double(failures > 0));

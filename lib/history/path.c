@@ -172,7 +172,7 @@ static double tilt_by(double moment, double half_width)
 {
     static const double UNBOUNDED = 1e200;
     if (half_width == 0)
-        return moment == 0 ? 0 : copysign(UNBOUNDED, moment);
+        return copysign(UNBOUNDED, moment);
     return 2 / RW_PI * moment / pow(half_width, 2);
 }
 

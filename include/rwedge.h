@@ -365,7 +365,7 @@ RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, do
 /* The largest |d sigma| with which the present Q may change to another under constant P and M,
  * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
  *   Q  finite
- * NaN outside the domain; NaN for NULL; 0 when separated. */
+ * NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges. */
 RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
 
 /* The present loads.                                                                            new
@@ -376,19 +376,22 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
 
 /* The edges of the contact, left < x < right.                                                   new
  *   left, right  length
- * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
- * |tilt|/theta. */
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, or of |x| where that
+ * is larger, over 1 - |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
  * |p|. Those of the contact where there is no such zone.                                        new
  *   left, right  length
- * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. */
+ * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+ * the error is that of the contact's edges, over the root of the part of P that the zone carries,
+ * and with the zone's tilt where that is larger. */
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
 /* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
- * 0 without a moment; NaN for NULL. */
+ * 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
+ * error. */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 
 /* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
@@ -398,7 +401,8 @@ RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
  *   normal_left, normal_right  K_N, stress over the root of a length
  *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
  *                              sigma less what it was when the bodies touched
- * RWEDGE_EABSENT when separated; RWEDGE_ENULL. */
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
+ * rwedge_contact_edges() gives. */
 RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
                                                   double *normal_left, double *normal_right,
                                                   double *shear_left, double *shear_right);
@@ -412,7 +416,8 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
  *   left, right     its edges, length
  * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
  * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
- * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. */
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+ * rwedge_contact_stick_zone(). */
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,
                                           double Q2, double sigma2, double *left, double *right);

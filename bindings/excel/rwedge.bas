@@ -846,7 +846,7 @@ End Function
 ' The largest |d sigma| with which the present Q may change to another under constant P and M,
 ' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
 '   Q  finite
-' NaN outside the domain; NaN for NULL; 0 when separated.
+' NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
@@ -884,8 +884,8 @@ End Function
 
 ' The edges of the contact, left < x < right.                                                   new
 '   left, right  length
-' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, over 1 -
-' |tilt|/theta.
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL. Error below 1e-14 of the width, or of |x| where that
+' is larger, over 1 - |tilt|/theta.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row left, right.
 Public Function RWEDGE_CONTACT_EDGES( _
@@ -906,7 +906,9 @@ End Function
 ' The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
 ' |p|. Those of the contact where there is no such zone.                                        new
 '   left, right  length
-' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL.
+' RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
+' the error is that of the contact's edges, over the root of the part of P that the zone carries,
+' and with the zone's tilt where that is larger.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row left, right.
 Public Function RWEDGE_CONTACT_STICK_ZONE( _
@@ -925,12 +927,13 @@ Attribute RWEDGE_CONTACT_STICK_ZONE.VB_Description = "The edges of the stick zon
 End Function
 
 ' The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
-' 0 without a moment; NaN for NULL.
+' 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
+' error.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_TILT( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant) As Variant
-Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad: |tilt| < theta. 0 without a moment; NaN for NULL."
+Attribute RWEDGE_CONTACT_TILT.VB_Description = "The angle by which the moment tilts the wedge, rad: |tilt| < theta. 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative error."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -948,7 +951,8 @@ End Function
 '   normal_left, normal_right  K_N, stress over the root of a length
 '   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
 '                              sigma less what it was when the bodies touched
-' RWEDGE_EABSENT when separated; RWEDGE_ENULL.
+' RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
+' rwedge_contact_edges() gives.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 ' In a cell: the row normal_left, normal_right, shear_left, shear_right.
 Public Function RWEDGE_CONTACT_EDGE_ASYMPTOTES( _
@@ -976,7 +980,8 @@ End Function
 '   left, right     its edges, length
 ' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
 ' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
-' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM.
+' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+' rwedge_contact_stick_zone().
 ' In a cell: the row left, right.
 Public Function RWEDGE_PERMANENT_STICK( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, ByVal P1 As Double, _
@@ -1148,7 +1153,7 @@ End Function
 '           apex of the sharp wedge
 '   x, y    where the maximum is, length; each may be NULL
 ' The search is for the global maximum, around each remembered edge of slip, at every scale. It
-' takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
+' takes as long as the stresses at about 7000 points for a first load, and at 25 000 where
 ' rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
 ' RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
 ' below 1e-12.

@@ -44,6 +44,7 @@ typedef struct {
     rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
 } rw_contact_fields;
 
+void rw_contact_fields_clear(rw_contact_fields *fields, int n);
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
 

@@ -101,7 +101,8 @@ static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, r
     if (!(load > 0))
         return RWEDGE_EABSENT;
     const rw_patch patch = rw_patch_under_tilt(g, load, tilt);
-    if (!rw_patch_is_nested(patch, first->patch) || !rw_patch_is_nested(patch, second->patch))
+    if (!rw_patch_is_nested(patch, first->patch, tilt) ||
+        !rw_patch_is_nested(patch, second->patch, tilt))
         return RWEDGE_EPATH;
     return give_edges(patch, left, right);
 }

@@ -62,6 +62,12 @@ static void add(rw_field *sum, double weight, rw_field field)
     sum->H_im += weight * field.H_im;
 }
 
+void rw_contact_fields_clear(rw_contact_fields *fields, int n)
+{
+    for (int i = 0; i < n; i++)
+        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
+}
+
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields)
 {
@@ -85,8 +91,7 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
                           const double y[], rw_contact_fields *fields)
 {
     const rw_memory *memory = &contact->memory;
-    for (size_t i = 0; i < n; i++)
-        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
+    rw_contact_fields_clear(fields, (int)n);
     for (size_t j = 1; j < memory->count; j++) {
         const double weight = rw_patch_weight(memory, j);
         const bool whole = j + 1 == memory->count;

@@ -86,17 +86,19 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     if (status != RWEDGE_OK)
         return status;
     step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
-    step->patch = rw_patch_under_moment(g, to.P, to.M);
-    step->to.tilt = to.M == 0                 ? 0
-                    : isnan(step->patch.left) ? NAN /* there is no such patch */
-                                              : rw_patch_pressing(g->a, step->patch).tilt;
-    if (is_same_pressing(contact, to) && !rw_path_is_plain(&contact->memory, step->to)) {
+    if (is_same_pressing(contact, to) &&
+        (to.M != 0 || !rw_path_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;
         step->to.load = end->load;
         step->to.tilt = end->tilt;
         step->patch = end->patch;
+        return RWEDGE_OK;
     }
+    step->patch = rw_patch_under_moment(g, to.P, to.M);
+    step->to.tilt = to.M == 0                 ? 0
+                    : isnan(step->patch.left) ? NAN /* there is no such patch */
+                                              : rw_patch_pressing(g->a, step->patch).tilt;
     return RWEDGE_OK;
 }
 
@@ -199,10 +201,10 @@ static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int
     if (slip == 0)
         return true;
     if (origins->count == 0)
-        return rw_patch_is_nested(step->patch, from);
+        return rw_patch_is_nested(step->patch, from, step->to.tilt);
     return origins->all[0].to_load <= origins->all[0].from_load &&
-           rw_patch_is_nested(from, contact->settled) &&
-           rw_patch_is_nested(step->patch, contact->settled);
+           rw_patch_is_nested(from, contact->settled, step->to.tilt) &&
+           rw_patch_is_nested(step->patch, contact->settled, step->to.tilt);
 }
 
 /* The part of a patch inside of another. */

@@ -11,6 +11,8 @@
 typedef struct {
     rw_patch patch;
     double weight;
+    size_t frame; /* where the fields of the patch are kept */
+    bool is_new;  /* they were not there under the load before */
 } piece;
 
 /* After each load: its pieces, from first[i] to first[i + 1] - 1, the last being the contact. */
@@ -38,84 +40,88 @@ static bool begin(record *r, size_t loads)
 static bool note(record *r, const rwedge_contact *contact)
 {
     const rw_memory *memory = &contact->memory;
-    const size_t more = memory->count - 1, count = r->first[r->loads];
-    if (r->capacity - count < more) {
-        const size_t capacity = count + count / 2 + more;
+    size_t count = r->first[r->loads];
+    if (r->capacity - count < memory->count) {
+        const size_t capacity = count + count / 2 + memory->count;
         piece *pieces = realloc(r->pieces, capacity * sizeof *pieces);
         if (!pieces)
             return false;
         r->pieces = pieces;
         r->capacity = capacity;
     }
-    for (size_t j = 1; j < memory->count; j++)
-        r->pieces[count + j - 1] = (piece){memory->corners[j].patch, rw_patch_weight(memory, j)};
-    r->sigma[r->loads++] = contact->loads.sigma;
-    r->first[r->loads] = count + more;
+    for (size_t j = 1; j < memory->count; j++) {
+        const double weight = rw_patch_weight(memory, j);
+        if (weight != 0 || j + 1 == memory->count)
+            r->pieces[count++] = (piece){.patch = memory->corners[j].patch, .weight = weight};
+    }
+    const size_t more = count - r->first[r->loads];
     r->most = more > r->most ? more : r->most;
+    r->sigma[r->loads++] = contact->loads.sigma;
+    r->first[r->loads] = count;
     return true;
+}
+
+/* ---- Where fields are kept from one load to the next ---- */
+
+/* Twice as many as a load has pieces. */
+typedef struct {
+    rw_patch patch;
+    size_t last; /* the load that needs it, from 1 on */
+    rw_fields fields;
+} frame;
+
+/* The frame that has the patch since the load before, or the first that neither load needs. */
+static void place(piece *p, size_t load, frame frames[], size_t count)
+{
+    p->is_new = true;
+    for (size_t i = 0; i < count; i++) {
+        const bool is_needed = frames[i].last > 0 && frames[i].last + 1 >= load;
+        if (is_needed && memcmp(&frames[i].patch, &p->patch, sizeof p->patch) == 0) {
+            p->frame = i;
+            p->is_new = false;
+            break;
+        }
+        if (!is_needed)
+            p->frame = i;
+    }
+    frames[p->frame].patch = p->patch;
+    frames[p->frame].last = load;
+}
+
+static frame *place_all(record *r)
+{
+    const size_t count = 2 * r->most + 1;
+    frame *frames = calloc(count, sizeof *frames);
+    for (size_t load = 0; frames && load < r->loads; load++)
+        for (size_t j = r->first[load]; j < r->first[load + 1]; j++)
+            place(&r->pieces[j], load + 1, frames, count);
+    return frames;
 }
 
 /* ---- A block of points ---- */
 
-/* The fields of patches, kept from one load to the next. */
-typedef struct {
-    rw_patch patch;
-    size_t last_used; /* by the load of this number, from 1 on; 0 is never */
-    rw_fields fields;
-} frame;
-
-typedef struct {
-    double a;
-    frame *frames; /* twice as many as a load has pieces */
-    size_t count;
-} reel;
-
-/* The frame of a patch under a load: that which the load before had, or the first that neither
- * needs. */
-static const rw_fields *fields_of(reel *kept, rw_patch patch, size_t load, int n, const double x[],
-                                  const double y[])
-{
-    frame *unused = NULL;
-    for (size_t i = 0; i < kept->count; i++) {
-        frame *f = &kept->frames[i];
-        const bool is_kept = f->last_used > 0 && f->last_used + 1 >= load;
-        if (is_kept && memcmp(&f->patch, &patch, sizeof patch) == 0) {
-            f->last_used = load;
-            return &f->fields;
-        }
-        if (!is_kept && !unused)
-            unused = f;
-    }
-    unused->patch = patch;
-    unused->last_used = load;
-    rw_patch_fields(kept->a, patch, n, x, y, &unused->fields);
-    return &unused->fields;
-}
-
-static void sum_up(const record *r, size_t load, reel *kept, int n, const double x[],
+static void sum_up(const record *r, size_t load, double a, frame frames[], int n, const double x[],
                    const double y[], rw_contact_fields *fields)
 {
-    for (int i = 0; i < n; i++)
-        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
+    rw_contact_fields_clear(fields, n);
     for (size_t j = r->first[load]; j < r->first[load + 1]; j++) {
-        const bool whole = j + 1 == r->first[load + 1];
-        if (r->pieces[j].weight != 0 || whole)
-            rw_add_patch(fields_of(kept, r->pieces[j].patch, load + 1, n, x, y),
-                         r->pieces[j].weight, whole, n, fields);
+        const piece *p = &r->pieces[j];
+        rw_fields *of_patch = &frames[p->frame].fields;
+        if (p->is_new)
+            rw_patch_fields(a, p->patch, n, x, y, of_patch);
+        rw_add_patch(of_patch, p->weight, j + 1 == r->first[load + 1], n, fields);
     }
 }
 
-static void roll(const rwedge_contact *contact, const record *r, reel *kept, size_t n,
+static void roll(const rwedge_contact *contact, const record *r, frame frames[], size_t n,
                  const double x[], const double y[], double sxx[], double syy[], double txy[])
 {
     for (size_t start = 0; start < n; start += RW_BLOCK) {
         const int block = n - start < RW_BLOCK ? (int)(n - start) : RW_BLOCK;
-        for (size_t i = 0; i < kept->count; i++)
-            kept->frames[i].last_used = 0;
         for (size_t load = 0; load < r->loads; load++) {
             rw_contact_fields fields;
             const size_t to = load * n + start;
-            sum_up(r, load, kept, block, x + start, y + start, &fields);
+            sum_up(r, load, contact->geometry.a, frames, block, x + start, y + start, &fields);
             rw_contact_stresses_from(contact, r->sigma[load], &fields, block, sxx + to, syy + to,
                                      txy + to);
         }
@@ -124,17 +130,29 @@ static void roll(const rwedge_contact *contact, const record *r, reel *kept, siz
 
 /* ---- All loads ---- */
 
+static bool have_stress(const rwedge_contact *contact, size_t n, const double x[], const double y[])
+{
+    for (size_t i = 0; i < n; i++)
+        if (!rw_contact_has_stress(contact, x[i], y[i]))
+            return false;
+    return true;
+}
+
+/* Points have to be in the domain in units of the half-width too: of the least, of the largest. */
 static int32_t load_all(rwedge_contact *contact, size_t loads, const double P[], const double M[],
                         const double Q[], const double sigma[], size_t n, const double x[],
                         const double y[], record *r)
 {
+    double least = HUGE_VAL, most = 0;
     for (size_t i = 0; i < loads; i++) {
         const int32_t status = rwedge_contact_apply(contact, P[i], M[i], Q[i], sigma[i]);
         if (status != RWEDGE_OK)
             return status;
-        for (size_t j = 0; j < n; j++)
-            if (!rw_contact_has_stress(contact, x[j], y[j]))
-                return RWEDGE_EDOMAIN;
+        const double b = rwedge_contact_half_width(contact);
+        if ((b == 0 || b < least || b > most) && !have_stress(contact, n, x, y))
+            return RWEDGE_EDOMAIN;
+        least = b > 0 ? fmin(b, least) : least;
+        most = fmax(b, most);
         if (!note(r, contact))
             return RWEDGE_ENOMEM;
     }
@@ -146,18 +164,17 @@ static int32_t follow(rwedge_contact *contact, size_t loads, const double P[], c
                       const double y[], double sxx[], double syy[], double txy[])
 {
     record r;
-    reel kept = {.a = contact->geometry.a};
+    frame *frames = NULL;
     int32_t status = begin(&r, loads) ? RWEDGE_OK : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK)
         status = load_all(contact, loads, P, M, Q, sigma, n, x, y, &r);
     if (status == RWEDGE_OK) {
-        kept.count = 2 * r.most + 1;
-        kept.frames = malloc(kept.count * sizeof *kept.frames);
-        status = kept.frames ? RWEDGE_OK : RWEDGE_ENOMEM;
+        frames = place_all(&r);
+        status = frames ? RWEDGE_OK : RWEDGE_ENOMEM;
     }
     if (status == RWEDGE_OK)
-        roll(contact, &r, &kept, n, x, y, sxx, syy, txy);
-    free(kept.frames);
+        roll(contact, &r, frames, n, x, y, sxx, syy, txy);
+    free(frames);
     discard(&r);
     return status;
 }

@@ -21,35 +21,38 @@
 
 typedef struct {
     double a, m, s, delta;
+    rw_patch patch;
     rw_corners ends;
     double clear[2]; /* 1 - t, exactly */
     bool flank;      /* lies outside of the patch */
     rw_eccentric potential;
 } outside;
 
-/* cosh(w) - 1 */
-static double cosh_less_1(double w)
+/* X = sinh(w), C = cosh(w) = 1 + less. */
+typedef struct {
+    double w, X, C, less;
+} place;
+
+static place place_at(double w)
 {
-    const double half = sinh(w / 2);
-    return 2 * half * half;
+    const double half = sinh(w / 2), less = 2 * half * half;
+    return (place){w, 2 * half * sqrt(1 + half * half), 1 + less, less};
 }
 
 /* omega of an end, 0 for one that is not inside. */
-static double omega(const outside *o, int end, double w)
+static double omega(const outside *o, int end, place at)
 {
     if (!o->ends.is_inside[end])
         return 0;
-    return rw_angle(o->clear[end] - o->ends.sine[end] * cosh_less_1(w),
-                    o->ends.cosine[end] * sinh(w));
+    return rw_angle(o->clear[end] - o->ends.sine[end] * at.less, o->ends.cosine[end] * at.X);
 }
 
 /* (omega_0 - omega_1)/alpha, both ends inside. */
-static double omega_difference(const outside *o, double w)
+static double omega_difference(const outside *o, place at)
 {
     const rw_corners *k = &o->ends;
-    const double X = sinh(w), C = cosh(w);
-    const double x0 = o->clear[0] - k->sine[0] * cosh_less_1(w),
-                 x1 = o->clear[1] - k->sine[1] * cosh_less_1(w);
+    const double X = at.X, C = at.C;
+    const double x0 = o->clear[0] - k->sine[0] * at.less, x1 = o->clear[1] - k->sine[1] * at.less;
     const double x = x0 * x1 + k->cosine[0] * k->cosine[1] * X * X;
     const double y_over = 2 * k->sin_half_over * X * (k->sin_middle - C * k->cos_half);
     return rw_angle_over(x, y_over, k->alpha, k->per_alpha);
@@ -65,40 +68,42 @@ static double slope(double w, const void *context)
 {
     const outside *o = context;
     const rw_corners *k = &o->ends;
-    const double X = sinh(w), C = cosh(w);
+    const place at = place_at(w);
+    const double X = at.X, C = at.C;
     double sum;
     if (is_rounded(o) && k->per_alpha == 0)
-        sum = omega(o, 0, w);
+        sum = omega(o, 0, at);
     else if (is_rounded(o))
-        sum = k->half_over * X + (C - k->sine[1]) * omega_difference(o, w) / 2 + omega(o, 0, w);
+        sum = k->half_over * X + (C - k->sine[1]) * omega_difference(o, at) / 2 + omega(o, 0, at);
     else
         sum = k->half_over * X +
-              ((C - k->sine[0]) * omega(o, 0, w) - (C - k->sine[1]) * omega(o, 1, w)) *
+              ((C - k->sine[0]) * omega(o, 0, at) - (C - k->sine[1]) * omega(o, 1, at)) *
                   k->per_alpha / 2;
     return sum * X;
 }
 
 /* int (cosh(w) - t) omega sinh(w) dw of an end */
-static double primitive_of(const outside *o, int end, double w)
+static double primitive_of(const outside *o, int end, place at)
 {
-    const double t = o->ends.sine[end], c = o->ends.cosine[end], from = cosh(w) - t;
-    return from * from * omega(o, end, w) / 2 - c / 2 * (sinh(w) - t * w);
+    const double t = o->ends.sine[end], c = o->ends.cosine[end], from = at.C - t;
+    return from * from * omega(o, end, at) / 2 - c / 2 * (at.X - t * at.w);
 }
 
 /* int slope, times pi/2. */
 static double primitive(const outside *o, double w)
 {
     const rw_corners *k = &o->ends;
-    const double X = sinh(w), C = cosh(w);
+    const place at = place_at(w);
+    const double X = at.X, C = at.C;
     if (is_rounded(o) && k->per_alpha == 0)
-        return (C - k->sine[0]) * omega(o, 0, w) - k->cosine[0] * w;
+        return (C - k->sine[0]) * omega(o, 0, at) - k->cosine[0] * w;
     const double segment = k->half_over / 2 * (C * X - w);
     if (!is_rounded(o))
-        return segment + (primitive_of(o, 0, w) - primitive_of(o, 1, w)) * k->per_alpha / 2;
+        return segment + (primitive_of(o, 0, at) - primitive_of(o, 1, at)) * k->per_alpha / 2;
     const double from = C - k->sine[1], sum = 2 * C - k->sine[0] - k->sine[1];
     const double cos_twice = 1 - 2 * k->sin_middle * k->sin_middle;
     const double rest = k->sin_half_over / 2 * (k->sin_middle * X + cos_twice * k->cos_half * w);
-    return segment + from * from * omega_difference(o, w) / 4 + sum * omega(o, 0, w) / 2 - rest;
+    return segment + from * from * omega_difference(o, at) / 4 + sum * omega(o, 0, at) / 2 - rest;
 }
 
 /* Where the closed form neither cancels next to the edge nor far away. */
@@ -132,10 +137,11 @@ static double w_at(const outside *o, double right, double x)
     return asinh(sqrt(beyond * (2 + beyond)));
 }
 
-/* x > right. The formulas hold as far as the profile is what they take it for. */
-static double right_gap(double a, rw_patch patch, double x)
+/* The formulas hold as far as the profile is what they take it for. */
+static outside outside_of(double a, rw_patch patch)
 {
     outside o = {.a = a,
+                 .patch = patch,
                  .m = rw_patch_middle(patch),
                  .s = rw_patch_half_width(patch),
                  .delta = rw_patch_pressing(a, patch).tilt,
@@ -143,28 +149,47 @@ static double right_gap(double a, rw_patch patch, double x)
                  .flank = patch.right >= a};
     o.clear[0] = (patch.right + a) / o.s;
     o.clear[1] = (patch.right - a) / o.s;
-    const double whole = w_at(&o, patch.right, x);
-    const double rounding = o.flank ? whole : fmin(whole, w_at(&o, patch.right, a));
+    rw_eccentric_init(&o.potential, a, patch);
+    return o;
+}
+
+/* x > right */
+static double right_gap(const outside *o, double x)
+{
+    const double whole = w_at(o, o->patch.right, x);
+    const double rounding = o->flank ? whole : fmin(whole, w_at(o, o->patch.right, o->a));
     const double closed = fmin(rounding, FAR);
     double gap =
-        2 / RW_PI * (closed < NEAR ? integrate(slope, &o, 0, closed) : primitive(&o, closed));
-    if (!o.flank && closed < rounding)
-        gap += 2 / RW_PI * integrate(slope, &o, closed, rounding);
-    const double from = o.flank ? closed : rounding;
-    if (from < whole) {
-        rw_eccentric_init(&o.potential, a, patch);
-        gap += integrate(plain_slope, &o, from, whole);
+        2 / RW_PI * (closed < NEAR ? integrate(slope, o, 0, closed) : primitive(o, closed));
+    if (!o->flank && closed < rounding)
+        gap += 2 / RW_PI * integrate(slope, o, closed, rounding);
+    const double from = o->flank ? closed : rounding;
+    if (from < whole)
+        gap += integrate(plain_slope, o, from, whole);
+    return o->s * gap;
+}
+
+/* Adds the gaps at n > 0 points that ascend, times a weight. */
+static void add_gaps(double a, rw_patch patch, double weight, size_t n, const double x[],
+                     double sum[])
+{
+    if (x[0] < patch.left) {
+        const outside left = outside_of(a, (rw_patch){-patch.right, -patch.left});
+        for (size_t i = 0; i < n && x[i] < patch.left; i++)
+            sum[i] += weight * right_gap(&left, -x[i]);
     }
-    return o.s * gap;
+    if (x[n - 1] > patch.right) {
+        const outside right = outside_of(a, patch);
+        for (size_t i = n; i-- > 0 && x[i] > patch.right;)
+            sum[i] += weight * right_gap(&right, x[i]);
+    }
 }
 
 double rw_patch_gap(double a, rw_patch patch, double x)
 {
-    if (x > patch.right)
-        return right_gap(a, patch, x);
-    if (x < patch.left)
-        return right_gap(a, (rw_patch){-patch.right, -patch.left}, -x);
-    return 0;
+    double gap = 0;
+    add_gaps(a, patch, 1, 1, &x, &gap);
+    return gap;
 }
 
 /* ---- Displacement ---- */
@@ -176,30 +201,33 @@ static size_t count_common(const rw_memory *one, const rw_memory *other)
     size_t i = 1;
     /* always: they differ before one of them ends, because one has slipped where the other has
      * not */
-    while (ALWAYS(i + 1 < one->count && i + 1 < other->count) &&
-           one->corners[i].load == other->corners[i].load &&
-           one->corners[i].ratio == other->corners[i].ratio)
+    while (one->corners[i].load == other->corners[i].load &&
+           one->corners[i].ratio == other->corners[i].ratio &&
+           ALWAYS(i + 1 < one->count && i + 1 < other->count))
         i++;
     return i;
 }
 
 /* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
-static double displacement(const rw_memory *path, size_t first, double a, double x)
+static void add_displacement(const rw_memory *path, size_t first, double sign, double a, size_t n,
+                             const double x[], double sum[])
 {
-    double sum = 0;
     for (size_t i = first; i < path->count; i++) {
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
-        sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
+        add_gaps(a, path->corners[i].patch, sign * (path->corners[i].ratio - beyond), n, x, sum);
     }
     if (first > 1)
-        sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
-    return sum;
+        add_gaps(a, path->corners[first - 1].patch, -sign * path->corners[first].ratio, n, x, sum);
 }
 
-double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x)
+void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
+                          const double x[], double displacement[])
 {
     const size_t common = count_common(path, beyond);
-    return displacement(path, common, a, x) - displacement(beyond, common, a, x);
+    for (size_t i = 0; i < n; i++)
+        displacement[i] = 0;
+    add_displacement(path, common, 1, a, n, x, displacement);
+    add_displacement(beyond, common, -1, a, n, x, displacement);
 }
 
 /* ---- Energy ---- */
@@ -210,26 +238,24 @@ typedef struct {
     double a;
 } annulus;
 
-static double work_at(double x, const void *context)
-{
-    const annulus *w = context;
-    const double slip = rw_path_displacement(w->after, w->before, w->a, x);
-    const double sign = rw_memory_end(w->after)->ratio; /* of slip, at all points: one_way.h */
-    return fmax(0, sign * slip * rw_eccentric_at(w->contact, x, 0).G_im);
-}
+enum { STEPS = 20, NODES = 2 * STEPS + 1 };
 
 /* Between two marks: the integrand is smooth but for roots and logarithms at the ends, which the
- * substitution of tanh and sinh takes away. */
+ * substitution of tanh and sinh takes away. Slip has the sign of the last layer everywhere, see
+ * one_way.h. */
 static double panel_integral(const annulus *w, double left, double right)
 {
     const double half = (right - left) / 2, middle = left + half, step = 0.16;
-    double sum = 0;
-    for (int i = -20; i <= 20; i++) {
-        const double t = i * step, u = tanh(RW_HALF_PI * sinh(t));
-        const double x = middle + half * u, weight = RW_HALF_PI * cosh(t) * (1 - u * u);
-        if (x > left && x < right)
-            sum += weight * work_at(x, w);
+    double x[NODES], weight[NODES], slip[NODES], sum = 0;
+    for (int i = 0; i < NODES; i++) {
+        const double t = (i - STEPS) * step, u = tanh(RW_HALF_PI * sinh(t));
+        x[i] = fmin(fmax(left, middle + half * u), right);
+        weight[i] = RW_HALF_PI * cosh(t) * (1 - u * u);
     }
+    rw_path_displacement(w->after, w->before, w->a, NODES, x, slip);
+    const double sign = rw_memory_end(w->after)->ratio;
+    for (int i = 0; i < NODES; i++)
+        sum += weight[i] * fmax(0, sign * slip[i] * rw_eccentric_at(w->contact, x[i], 0).G_im);
     return half * step * sum;
 }
 

@@ -72,9 +72,12 @@ static double tilt_tolerance(const rw_memory *memory, rw_loading to)
     return 64 * DBL_EPSILON * (1 + fmax(fabs(to.stretch), fabs(rw_memory_end(memory)->stretch)));
 }
 
-bool rw_patch_is_nested(rw_patch inner, rw_patch outer)
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)
 {
-    const double tolerance = SLACK * (outer.right - outer.left);
+    const double reach = fmax(fabs(outer.left), fabs(outer.right)); /* may be many widths */
+    const double tolerance =
+        (SLACK + 16 * DBL_EPSILON / (1 - fabs(tilt))) * (outer.right - outer.left) +
+        8 * DBL_EPSILON * reach;
     return isgreaterequal(inner.left, outer.left - tolerance) &&
            islessequal(inner.right, outer.right + tolerance);
 }
@@ -112,9 +115,10 @@ static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_d
         d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
     else if (fabs(rw_memory_missing_tilt(before, d->slip, to)) > tilt_tolerance(memory, to))
         return false;
-    return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch)) &&
-           rw_patch_is_nested(d->corner.patch, memory->corners[d->kept].patch) &&
-           rw_patch_is_nested(d->corner.patch, patch) &&
+    const double tilt = fmax(fabs(to.tilt), fabs(d->corner.tilt));
+    return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch, tilt)) &&
+           rw_patch_is_nested(d->corner.patch, memory->corners[d->kept].patch, tilt) &&
+           rw_patch_is_nested(d->corner.patch, patch, tilt) &&
            rw_slips_one_way(memory, d, s->geometry->a);
 }
 
@@ -168,7 +172,7 @@ static double tilt_by(double moment, double half_width)
 {
     static const double UNBOUNDED = 1e200;
     if (half_width == 0)
-        return moment == 0 ? 0 : copysign(UNBOUNDED, moment);
+        return copysign(UNBOUNDED, moment);
     return 2 / RW_PI * moment / pow(half_width, 2);
 }
 
@@ -212,7 +216,7 @@ static rw_obstacle sticking_recession(const rw_step *s, const rw_departure *d)
 {
     const rw_corner *end = rw_memory_end(s->memory);
     if (d->kept + 1 != s->memory->count ||
-        (d->kept > 1 && !rw_patch_is_nested(end[-1].patch, s->patch)))
+        (d->kept > 1 && !rw_patch_is_nested(end[-1].patch, s->patch, s->to.tilt)))
         return RW_FRONTS_PART;
     return keeps_to_layer(s, end->ratio, tilt_rate(s, s->patch, end->patch)) ? RW_NO_OBSTACLE
                                                                              : RW_SLIPS_BOTH_WAYS;
@@ -290,7 +294,8 @@ static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *f
     if (!adds_everywhere(length_of(s->geometry, load), tilt, larger,
                          tilt_tolerance(s->memory, s->to)))
         return RW_SLIPS_BOTH_WAYS;
-    if (grows(s) || rw_patch_is_nested(from->stuck, to->contact) || stays_behind(s, from, to, rate))
+    if (grows(s) || rw_patch_is_nested(from->stuck, to->contact, s->to.tilt) ||
+        stays_behind(s, from, to, rate))
         return RW_NO_OBSTACLE;
     return RW_FRONTS_PART;
 }

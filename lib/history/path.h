@@ -13,8 +13,9 @@
 rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
 rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
 
-/* Whether one patch lies inside another, to rounding. false for NaN. */
-bool rw_patch_is_nested(rw_patch inner, rw_patch outer);
+/* Whether one patch lies inside another, to the rounding that patches of a tilt have. false for
+ * NaN. */
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt);
 
 /* A straight step of the loads. The patches are those of the contact at its ends. */
 typedef struct {

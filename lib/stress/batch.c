@@ -3,17 +3,9 @@
 #include "stress/batch.h"
 
 #include "stress/closed_form.h"
+#include "stress/lanes.h"
 
-enum { LANES = 8 };          /* a multiple of the numbers in a vector */
 enum { WORTH_A_VECTOR = 3 }; /* fewer points are quicker one by one */
-
-RW_INLINE void put(rw_fields *fields, int i, rw_field field)
-{
-    fields->G_re[i] = field.G_re;
-    fields->G_im[i] = field.G_im;
-    fields->H_re[i] = field.H_re;
-    fields->H_im[i] = field.H_im;
-}
 
 typedef rw_field formula(const rw_potential *p, rw_place at);
 
@@ -22,10 +14,10 @@ typedef rw_field formula(const rw_potential *p, rw_place at);
 RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int count,
                      const double *restrict x, const double *restrict y, rw_fields *restrict fields)
 {
-    for (int first = 0; first < count; first += LANES)
-        for (int i = first; i < first + LANES; i++) {
+    for (int first = 0; first < count; first += RW_LANES)
+        for (int i = first; i < first + RW_LANES; i++) {
             const rw_field right = right_field(p, rw_place_of(p, x[i], y[i]));
-            put(fields, i, rw_mirrored(p, x[i], y[i], right));
+            rw_put(fields, i, rw_mirrored(p, x[i], y[i], right));
         }
 }
 
@@ -38,32 +30,7 @@ RW_INLINE void apply_its_formula(const rw_potential *p, int count, const double 
         apply(rw_rounded_field, p, count, x, y, fields);
 }
 
-static void apply_baseline(const rw_potential *p, int count, const double x[], const double y[],
-                           rw_fields *fields)
-{
-    apply_its_formula(p, count, x, y, fields);
-}
-
-/* Vectors of four numbers, where the processor has them. Every x86-64 has vectors of two. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
-__attribute__((target("avx2"))) static void
-apply_avx2(const rw_potential *p, int count, const double x[], const double y[], rw_fields *fields)
-{
-    apply_its_formula(p, count, x, y, fields);
-}
-
-static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
-                       rw_fields *fields)
-{
-    (__builtin_cpu_supports("avx2") ? apply_avx2 : apply_baseline)(p, count, x, y, fields);
-}
-#else
-static void apply_best(const rw_potential *p, int count, const double x[], const double y[],
-                       rw_fields *fields)
-{
-    apply_baseline(p, count, x, y, fields);
-}
-#endif
+RW_BEST_PROCESSOR(apply_best, apply_its_formula, rw_potential)
 
 static bool is_remote(const rw_potential *p, double x, double y)
 {
@@ -76,7 +43,7 @@ void rw_potential_fields(const rw_potential *potential, int count, const double 
 {
     if (count < WORTH_A_VECTOR) {
         for (int i = 0; i < count; i++)
-            put(fields, i, rw_potential_at(potential, x[i], y[i]));
+            rw_put(fields, i, rw_potential_at(potential, x[i], y[i]));
         return;
     }
     double near_x[RW_BATCH], near_y[RW_BATCH];
@@ -87,12 +54,12 @@ void rw_potential_fields(const rw_potential *potential, int count, const double 
         near_y[i] = near ? y[i] : 0;
         all_near = all_near && near;
     }
-    for (int i = count; i % LANES != 0; i++) { /* fills the last vector */
+    for (int i = count; i % RW_LANES != 0; i++) { /* fills the last vector */
         near_x[i] = near_x[count - 1];
         near_y[i] = near_y[count - 1];
     }
     apply_best(potential, count, near_x, near_y, fields);
     for (int i = 0; !all_near && i < count; i++)
         if (is_remote(potential, x[i], y[i]))
-            put(fields, i, rw_potential_at(potential, x[i], y[i]));
+            rw_put(fields, i, rw_potential_at(potential, x[i], y[i]));
 }

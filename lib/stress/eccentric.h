@@ -15,7 +15,7 @@ typedef struct {
                                      * the left one */
     double sine[2], cosine[2];       /* of the angles of the rounding's ends */
     double sin_middle, slant;        /* slant: the tangent of the angle midway */
-    double above, beside, clearance; /* see turn_part() */
+    double above, beside, clearance; /* see turn_over() */
     double side;                     /* of the end that is inside, if one is: +1 flank beyond it */
     double arc_over;
 } rw_half_view;

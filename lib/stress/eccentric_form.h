@@ -66,32 +66,43 @@ RW_INLINE rw_complex rw_over_X(const rw_elliptic *e, double y, double re, double
     return (rw_complex){scale * (re * X_re + im * X_im), scale * (im * X_re - re * X_im)};
 }
 
-/* A = (l_0 - l_1)/(2 alpha). With eta = (z - sin(phi_0)) ... the quotient of whose factors eta +-
- * cos(zeta) sin(half) l_0 - l_1 is the logarithm of, their product being (z - sin(phi_0))(z -
- * sin(phi_1)). */
-RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
-                                     double cosh_less_1, const rw_elliptic *e)
+/* A = (l_0 - l_1)/(2 alpha), a logarithm: of the quotient of eta +- cos(zeta) sin(half), whose
+ * product is (z - sin(phi_0))(z - sin(phi_1)). First of its modulus, then its angle. */
+RW_INLINE double log_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
+                          rw_complex eta, const rw_elliptic *e)
 {
-    const double s = k->sin_half, c = k->cos_half, cos_whole = c * c - s * s;
-    const double eta_re = c * at.apex - v->sin_middle * s * s, eta_im = c * at.y;
     const double C_re = e->cos_v * e->cosh_w, C_im = -(e->sin_v * e->sinh_w);
-    const double way = (eta_re - v->sin_middle * e->sinh_w * e->sinh_w) / e->cosh_w;
-    const double sign = rw_if_negative(way + 0.0, -1, 1), signed_s = sign * s;
-    const double W_re = eta_re + signed_s * C_re, W_im = eta_im + signed_s * C_im;
+    const double way = (eta.re - v->sin_middle * e->sinh_w * e->sinh_w) / e->cosh_w;
+    const double sign = rw_if_negative(way + 0.0, -1, 1), signed_s = sign * k->sin_half;
+    const double W_re = eta.re + signed_s * C_re, W_im = eta.im + signed_s * C_im;
     const double W = W_re * W_re + W_im * W_im, y2 = at.y * at.y;
     const double product = (at.past[0] * at.past[0] + y2) * (at.past[1] * at.past[1] + y2);
-    const double log_over = rw_log_of_quotient_over(
-        W * W, product + ZERO_SQUARED, 4 * k->sin_half_over * e->cos_v * (sign * way) * W, k->alpha,
-        k->per_alpha);
+    return 0.25 * sign *
+           rw_log_of_quotient_over(W * W, product + ZERO_SQUARED,
+                                   4 * k->sin_half_over * e->cos_v * (sign * way) * W, k->alpha,
+                                   k->per_alpha);
+}
+
+RW_INLINE double turn_over(const rw_corners *k, const rw_half_view *v, rw_complex eta,
+                           double cosh_less_1, const rw_elliptic *e)
+{
+    const double s = k->sin_half, c = k->cos_half, cos_whole = c * c - s * s;
     const double turn =
         e->sinh_w * (c * cosh_less_1 + v->clearance +
                      v->above * (e->cos_v * e->cos_v / (1 + e->sin_v)) + v->beside * e->sin_v);
-    const double eta2 = eta_re * eta_re + eta_im * eta_im;
+    const double eta2 = eta.re * eta.re + eta.im * eta.im;
     const double inner = eta2 - s * s * (e->cos_v * e->cos_v + e->sinh_w * e->sinh_w);
     const double x = inner * cos_whole + 4 * s * s * c * turn;
     const double y_over = 2 * k->sin_half_over * (c * inner - cos_whole * turn);
-    return (rw_complex){0.25 * sign * log_over,
-                        0.5 * rw_angle_over(x, y_over, k->alpha, k->per_alpha)};
+    return 0.5 * rw_angle_over(x, y_over, k->alpha, k->per_alpha);
+}
+
+RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
+                                     double cosh_less_1, const rw_elliptic *e)
+{
+    const double s = k->sin_half, c = k->cos_half;
+    const rw_complex eta = {c * at.apex - v->sin_middle * s * s, c * at.y};
+    return (rw_complex){log_over(k, v, at, eta, e), turn_over(k, v, eta, cosh_less_1, e)};
 }
 
 /* Hertz: G = R/alpha. */

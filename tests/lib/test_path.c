@@ -280,6 +280,38 @@ static void results_are_continuous_in_moment_and_tension(void **state)
     rwedge_contact_destroy(other);
 }
 
+/* An edge of the contact, or of what sticks, that passes an end of the rounding. */
+static void results_are_continuous_where_an_edge_passes_the_rounding(void **state)
+{
+    (void)state;
+    const double a = 1.2, P = 0.1;
+    double inside = 0, outside = 3 * P; /* moments with the right edge there */
+    while (outside - inside > 1e-9) {
+        const double M = (inside + outside) / 2;
+        rwedge_contact *contact = create(a, F);
+        apply(contact, P, M, 0, 0);
+        *(edges(contact).right < a ? &inside : &outside) = M;
+        rwedge_contact_destroy(contact);
+    }
+    rwedge_contact *below = create(a, F), *above = create(a, F);
+    apply(below, P, inside, 0, 0);
+    apply(above, P, outside, 0, 0);
+    assert_true(edges(below).right < a && edges(above).right >= a);
+    for (int i = 0; i < 2; i++) {
+        for (double x = -2; x < 2; x += 0.13) {
+            double s[3], t[3];
+            stress_at(below, x, 0.1, s);
+            stress_at(above, x, 0.1, t);
+            for (int k = 0; k < 3; k++)
+                assert_within(s[k], t[k], 1e-7);
+        }
+        apply(below, P, inside, 0.03, 0.005);
+        apply(above, P, outside, 0.03, 0.005);
+    }
+    rwedge_contact_destroy(below);
+    rwedge_contact_destroy(above);
+}
+
 /* A tension that is there before the contact only adds. */
 static void tension_before_contact_only_adds(void **state)
 {
@@ -534,7 +566,7 @@ static void without_friction_all_is_exact(void **state)
     rwedge_contact_destroy(fresh);
 }
 
-static void random_loads_are_finite_or_refused(void **state)
+static void random_loads_are_finite_or_change_nothing(void **state)
 {
     (void)state;
     uint64_t seed = 77;
@@ -550,8 +582,16 @@ static void random_loads_are_finite_or_refused(void **state)
                 random_fraction(&seed) < 0.3 ? c.Q : F * P * (2 * random_fraction(&seed) - 1);
             const double sigma =
                 random_fraction(&seed) < 0.5 ? c.sigma : 0.2 * random_fraction(&seed);
+            double before[256], after[256];
+            const size_t n = rwedge_contact_state_size(c.contact);
+            assert_true(n <= 256);
+            assert_int_equal(rwedge_contact_state(c.contact, n, before), RWEDGE_OK);
             const int32_t status = rwedge_contact_apply(c.contact, P, M, Q, sigma);
             assert_true(status == RWEDGE_OK || status == RWEDGE_EPATH || status == RWEDGE_ESLIDING);
+            if (status != RWEDGE_OK) {
+                assert_int_equal(rwedge_contact_state(c.contact, n, after), RWEDGE_OK);
+                assert_memory_equal(before, after, n * sizeof *before);
+            }
             status == RWEDGE_OK ? accepted++ : refused++;
             if (status == RWEDGE_OK)
                 c.P = P, c.M = M, c.Q = Q, c.sigma = sigma;
@@ -823,6 +863,7 @@ int main(void)
         cmocka_unit_test(opposite_loads_give_the_mirror_image),
         cmocka_unit_test(stresses_are_in_equilibrium),
         cmocka_unit_test(results_are_continuous_in_moment_and_tension),
+        cmocka_unit_test(results_are_continuous_where_an_edge_passes_the_rounding),
         cmocka_unit_test(tension_before_contact_only_adds),
         cmocka_unit_test(what_has_no_closed_form_is_refused),
         cmocka_unit_test(what_sticks_between_two_fronts_is_refused),
@@ -834,7 +875,7 @@ int main(void)
         cmocka_unit_test(a_tilted_contact_slides),
         cmocka_unit_test(a_moment_may_be_taken_away),
         cmocka_unit_test(without_friction_all_is_exact),
-        cmocka_unit_test(random_loads_are_finite_or_refused),
+        cmocka_unit_test(random_loads_are_finite_or_change_nothing),
         cmocka_unit_test(the_pressure_rises_as_its_asymptote_says),
         cmocka_unit_test(the_slip_length_is_that_of_the_asymptotes),
         cmocka_unit_test(what_never_slips_is_what_cycles_leave),

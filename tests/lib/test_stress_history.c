@@ -143,6 +143,26 @@ static void corners_of_one_slope_add_nothing(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Separated there is only the tension. */
+static void separated_bodies_are_stretched(void **state)
+{
+    (void)state;
+    static const double P[] = {0, 0.5, 0}, M[] = {0, 0.1, 0}, Q[] = {0, 0, 0}, sigma[] = {2, 2, 3};
+    const double x = 0.1, y = 0.2, deep = -1;
+    double sxx[3], syy[3], txy[3];
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(
+        rwedge_contact_stress_history(contact, 3, P, M, Q, sigma, 1, &x, &deep, sxx, syy, txy),
+        RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_contact_stress_history(contact, 3, P, M, Q, sigma, 1, &x, &y, sxx, syy, txy),
+        RWEDGE_OK);
+    assert_true(sxx[0] == 2 && syy[0] == 0 && txy[0] == 0);
+    assert_true(sxx[2] == 3 && syy[2] == 0 && txy[2] == 0);
+    assert_true(syy[1] < 0);
+    rwedge_contact_destroy(contact);
+}
+
 /* One argument at a time. */
 static void what_is_missing_is_said(void **state)
 {
@@ -178,6 +198,7 @@ int main(void)
         cmocka_unit_test(gives_the_bits_of_single_calls_along_random_histories),
         cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
         cmocka_unit_test(corners_of_one_slope_add_nothing),
+        cmocka_unit_test(separated_bodies_are_stretched),
         cmocka_unit_test(what_is_missing_is_said),
     };
     return RUN_CLAIMS("stress_history", tests);

@@ -171,11 +171,50 @@ static double load_steps(long n)
     return sum;
 }
 
-/* ---- Critical planes ---- */
+/* ---- Cycles of loads ---- */
 
 /* Stresses at points through a cycle of a fretting test. */
 enum { CYCLES = 1000, LOADS = 40 };
 static double cycle[3][LOADS * CYCLES];
+
+/* Q and sigma of the cycle, in phase. */
+static double cyclic_Q[LOADS], cyclic_sigma[LOADS], steady_P[LOADS], steady_M[LOADS];
+
+static void make_loads(double M, double sigma)
+{
+    for (int i = 0; i < LOADS; i++) {
+        steady_P[i] = 20000;
+        steady_M[i] = M;
+        cyclic_Q[i] = 9000 * sin(TURN * i / LOADS);
+        cyclic_sigma[i] = sigma * sin(TURN * i / LOADS);
+    }
+}
+
+/* The same in one call, a point and load counted as one. */
+static double history(long n, double M, double sigma)
+{
+    rwedge_contact *contact;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK)
+        return NAN;
+    make_loads(M, sigma);
+    int32_t status = rwedge_contact_apply(contact, 20000, M, 0, 0);
+    for (int i = 0; i < 2 && status == RWEDGE_OK; i++)
+        status = rwedge_contact_stress_history(contact, LOADS, steady_P, steady_M, cyclic_Q,
+                                               cyclic_sigma, (size_t)(n * i) / LOADS, xs, ys,
+                                               out[0], out[1], out[2]);
+    rwedge_contact_destroy(contact);
+    return status == RWEDGE_OK ? out[0][0] + out[2][n - 1] : NAN;
+}
+
+static double centred_history(long n)
+{
+    return history(n, 0, 0);
+}
+
+static double history_off_centre(long n)
+{
+    return history(n, 3000, 100);
+}
 
 static bool make_cycles(void)
 {
@@ -257,6 +296,8 @@ static void print_calls(double series, double search)
         {"load step and 100 stress points", load_steps, 1000, 0},
         {"yield factor, one load", yield_factors_of_one_load, 100, 0},
         {"yield factor, 251 corners", yield_factors_of_251, 1, 0},
+        {"stresses through a cycle of Q", centred_history, LOADS * CYCLES, 0},
+        {"and of Q and sigma, under M", history_off_centre, LOADS * CYCLES, 0},
         {"Smith-Watson-Topper of 40 loads", smith_watson_topper, CYCLES, 0},
         {"Fatemi-Socie of 40 loads", fatemi_socie, CYCLES, 0},
     };

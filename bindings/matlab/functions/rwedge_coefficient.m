@@ -7,7 +7,7 @@ function value = rwedge_coefficient(alpha, n)
 %   relatively, and 1e-22 of the values around: this counts next to a zero of b_n.
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_coefficient(alpha, n)');
 end

@@ -8,6 +8,7 @@ classdef rwedge_contact < handle
 %     f      coefficient of friction, 0 <= f <= 1e6
 %
 %   c = rwedge_contact(theta, a, A, f)      a contact without load
+%   c = rwedge_contact(theta, a, A, f, beta)  with rwedge_dundurs_beta(...): it warns where dissimilar bodies have friction
 %   c.load(P, Q)
 %   c.apply(P, M, Q, sigma)
 %   value = c.obstacle(P, M, Q, sigma)
@@ -32,17 +33,36 @@ classdef rwedge_contact < handle
 %
 %   c.load(P, Q) takes vectors too, one load after the other: those before one that is refused stay.
 %
+%   Doubtful results give the warning rwedge:validity: see rwedge_validity. warning('off', 'rwedge:validity') silences it.
+%
 %   It is freed when the last variable that holds it is cleared. "help rwedge_contact.load" and so on say more.
     properties (SetAccess = private, Hidden, Transient)
         number = 0
+        a = NaN % for a warning
     end
     methods
-        function contact = rwedge_contact(theta, a, A, f)
+        function contact = rwedge_contact(theta, a, A, f, beta)
             if nargin > 0 && nargin < 4
                 error('rwedge:arguments', 'too few arguments: contact = rwedge_contact(theta, a, A, f)');
             elseif nargin > 0
                 contact.number = rwedge_mex('contact_create', theta, a, A, f);
+                contact.a = a;
+                contact.warn('theta', theta);
             end
+            if nargin > 4
+                contact.warn('beta', beta, 'f', f);
+            end
+        end
+
+        function disp(contact)
+        %DISP  The loads, and the sizes of the contact.
+            if ~rwedge_mex('is_contact', contact.number)
+                disp('  rwedge_contact, deleted');
+                return
+            end
+            [P, M, Q, sigma] = contact.loads();
+            fprintf('  rwedge_contact: P = %.6g, M = %.6g, Q = %.6g, sigma = %.6g; half-width %.6g, stick zone %.6g\n', ...
+                P, M, Q, sigma, contact.half_width(), contact.stick_half_width());
         end
 
         function delete(contact)
@@ -56,6 +76,7 @@ classdef rwedge_contact < handle
         %   rwedge:handle, rwedge:memory.
             other = rwedge_contact();
             other.number = rwedge_mex('contact_copy', contact.number);
+            other.a = contact.a;
         end
 
         function load(contact, P, Q)
@@ -76,6 +97,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
             rwedge_mex('contact_load', contact.number, P, Q);
+            contact.warn_of_size();
         end
 
         function apply(contact, P, M, Q, sigma)
@@ -104,6 +126,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end
             rwedge_mex('contact_apply', contact.number, P, M, Q, sigma);
+            contact.warn_of_size();
         end
 
         function value = obstacle(contact, P, M, Q, sigma)
@@ -127,7 +150,7 @@ classdef rwedge_contact < handle
         %   The largest |d sigma| with which the present Q may change to another under constant P and M,
         %   stress: 4 |dQ|/(pi s). Inf without friction.   new
         %     Q  finite
-        %   NaN outside the domain; 0 when separated.
+        %   NaN outside the domain; 0 when separated. Relative error as that of the edges.
             if nargin < 2
                 error('rwedge:arguments', 'too few arguments: value = contact.largest_tension_step(Q)');
             end
@@ -146,8 +169,8 @@ classdef rwedge_contact < handle
         %EDGES  [left, right] = contact.edges()
         %   The edges of the contact, left < x < right.   new
         %     left, right  length
-        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, over 1 -
-        %   |tilt|/theta.
+        %   rwedge:absent when separated; rwedge:handle. Error below 1e-14 of the width, or of |x| where that
+        %   is larger, over 1 - |tilt|/theta.
             [left, right] = rwedge_mex('contact_edges', contact.number);
         end
 
@@ -156,14 +179,17 @@ classdef rwedge_contact < handle
         %   The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
         %   |p|. Those of the contact where there is no such zone.   new
         %     left, right  length
-        %   rwedge:absent in full sliding, and when separated; rwedge:handle.
+        %   rwedge:absent in full sliding, and when separated; rwedge:handle. After one step of Q and sigma
+        %   the error is that of the contact's edges, over the root of the part of P that the zone carries,
+        %   and with the zone's tilt where that is larger.
             [left, right] = rwedge_mex('contact_stick_zone', contact.number);
         end
 
         function value = tilt(contact)
         %TILT  value = contact.tilt()
         %   The angle by which the moment tilts the wedge, rad: |tilt| < theta.   new
-        %   0 without a moment.
+        %   0 without a moment. Error below 1e-14 theta, where the edges have their relative
+        %   error.
             value = rwedge_mex('contact_tilt', contact.number);
         end
 
@@ -176,7 +202,8 @@ classdef rwedge_contact < handle
         %     normal_left, normal_right  K_N, stress over the root of a length
         %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
         %                                sigma less what it was when the bodies touched
-        %   rwedge:absent when separated; rwedge:handle.
+        %   rwedge:absent when separated; rwedge:handle. K_N to 1e-14 of the larger one, of the edges that
+        %   rwedge_contact.edges() gives.
             [normal_left, normal_right, shear_left, shear_right] = rwedge_mex('contact_edge_asymptotes', contact.number);
         end
 
@@ -250,6 +277,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
             end
             [sxx, syy, txy] = rwedge_mex('contact_stress_history', contact.number, P, M, Q, sigma, x, y);
+            contact.warn_of_size();
         end
 
         function value = state_size(contact)
@@ -311,7 +339,7 @@ classdef rwedge_contact < handle
         %             apex of the sharp wedge
         %     x, y    where the maximum is, length
         %   The search is for the global maximum, around each remembered edge of slip, at every scale. It
-        %   takes as long as the stresses at about 3000 points for a first load, and at 10 000 where
+        %   takes as long as the stresses at about 7000 points for a first load, and at 25 000 where
         %   rwedge_contact.memory() is 250. rwedge:absent when separated: there is no stress.
         %   rwedge:domain; rwedge:handle; rwedge:range where the factor leaves the domain. Relative error
         %   below 1e-12.
@@ -320,6 +348,31 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: [factor, x, y] = contact.yield_factor(nu, k)');
             end
             [factor, x, y] = rwedge_mex('contact_yield_factor', contact.number, nu, k);
+            contact.warn('safety', factor);
+        end
+    end
+    methods (Access = private)
+        function warn_of_size(contact)
+            b = rwedge_mex('contact_half_width', contact.number);
+            if b > 0
+                contact.warn('alpha', contact.a / b);
+            end
+        end
+
+        % Warns by rwedge_validity of the arguments that are given by name.
+        function warn(contact, varargin)
+            known = struct('theta', NaN, 'alpha', NaN, 'beta', NaN, 'f', NaN, 'safety', NaN);
+            for k = 1:2:numel(varargin)
+                known.(varargin{k}) = varargin{k + 1};
+            end
+            doubts = rwedge_mex('validity', known.theta, known.alpha, known.beta, known.f, NaN, known.safety);
+            bit = 1;
+            while doubts >= bit
+                if bitand(doubts, bit)
+                    warning('rwedge:validity', '%s', rwedge_mex('validity_text', bit));
+                end
+                bit = 2 * bit;
+            end
         end
     end
     methods (Static)

@@ -9,13 +9,14 @@ function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigm
 %     left, right     its edges, length
 %   rwedge:absent where all slides at times; rwedge:path where the edges slip in opposite
 %   directions, or what sticks would reach beyond one of the contacts; rwedge:sliding,
-%   rwedge:domain, rwedge:range, rwedge:memory.
+%   rwedge:domain, rwedge:range, rwedge:memory. Error as that of
+%   rwedge_contact.stick_zone().
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 %     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 %     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
 %     f      coefficient of friction, 0 <= f <= 1e6
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 %   Where rwedge:absent is said above, the results are NaN, and no error.
 if nargin < 12
     error('rwedge:arguments', 'too few arguments: [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)');

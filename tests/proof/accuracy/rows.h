@@ -7,6 +7,6 @@
 #include "probe.h"
 
 extern const row LAW_ROWS[], STICK_ROWS[], STRESS_ROWS[], STRENGTH_ROWS[], DESIGN_ROWS[],
-    HISTORY_ROWS[], MEASURE_ROWS[], SERIES_ROWS[];
+    HISTORY_ROWS[], ECCENTRIC_ROWS[], MEASURE_ROWS[], SERIES_ROWS[];
 
 #endif

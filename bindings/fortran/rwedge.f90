@@ -13,7 +13,8 @@
 ! - On error the outputs are as they were.
 ! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
-!   return one from a function: compilers copy the handle there, not what it holds. README.md says more.
+!   return one from a function: compilers copy the handle there, not what it holds. Such a copy is noticed: it is as if it had
+!   not been created. In OpenMP take private(c) and assign to it; firstprivate(c) makes such copies. README.md says more.
 ! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
@@ -40,6 +41,7 @@ module rwedge
     type, public :: rwedge_contact
         private
         type(c_ptr) :: handle = c_null_ptr
+        type(c_ptr) :: place = c_null_ptr ! where the handle is when it is this contact's own
     contains
         procedure :: create => contact_create
         procedure :: copy => contact_copy
@@ -56,13 +58,19 @@ module rwedge
         procedure :: half_width => contact_half_width
         procedure :: stick_half_width => contact_stick_half_width
         procedure :: memory => contact_memory
-        procedure :: tractions => contact_tractions
-        procedure :: stresses => contact_stresses
+        procedure, private :: tractions_of_list => contact_tractions
+        procedure, private :: tractions_of_grid => contact_tractions_of_grid
+        generic :: tractions => tractions_of_list, tractions_of_grid
+        procedure, private :: stresses_of_list => contact_stresses
+        procedure, private :: stresses_of_grid => contact_stresses_of_grid
+        generic :: stresses => stresses_of_list, stresses_of_grid
         procedure :: stress_history => contact_stress_history
         procedure :: state_size => contact_state_size
         procedure :: state => contact_state
         procedure :: restore => contact_restore
-        procedure :: slip => contact_slip
+        procedure, private :: slip_of_list => contact_slip
+        procedure, private :: slip_of_grid => contact_slip_of_grid
+        generic :: slip => slip_of_list, slip_of_grid
         procedure :: dissipated_energy => contact_dissipated_energy
         procedure :: yield_factor => contact_yield_factor
         procedure, private :: assign_contact
@@ -96,6 +104,14 @@ module rwedge
             import :: c_ptr, c_size_t
             type(c_ptr), value :: text
             integer(c_size_t) :: length
+        end function
+
+        ! The address of a handle: that to which nothing is moved.
+        pure function address_of(handle, same, nothing) bind(C, name="memmove") result(address)
+            import :: c_ptr, c_size_t
+            type(c_ptr), intent(in) :: handle, same
+            integer(c_size_t), value :: nothing
+            type(c_ptr) :: address
         end function
 
         function c_version() bind(C, name="rwedge_version") result(value)
@@ -665,12 +681,28 @@ contains
             text = text // ', element ' // trim(number)
         end if
         text = text // ': ' // rwedge_error_text(status)
-        if (status == rwedge_enull) text = text // ' (create it first)'
+        if (status == rwedge_enull) text = text // ' (create it first; a copy by firstprivate or SOURCE= is none)'
         do i = 1, size(values)
             write (number, '(g0.15)') values(i)
-            text = text // merge(': ', ', ', i == 1) // trim(number)
+            text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
         end do
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+    end function
+
+    ! The i-th name in "name(arguments)", with " = " behind it; nothing where there are no names.
+    pure function name_in(call, i) result(text)
+        character(*), intent(in) :: call
+        integer, intent(in) :: i
+        character(:), allocatable :: text
+        integer :: k, first, last
+        first = index(call, '(') + 1
+        do k = 2, i
+            first = first + index(call(first:), ',')
+        end do
+        last = first - 1 + scan(call(first:), ',)')
+        text = adjustl(call(first:last - 1))
+        text = trim(text) // ' = '
+        if (call(first:last - 1) == '...' .or. i > 1 .and. index(call, ',') == 0) text = ''
     end function
 
     ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
@@ -690,23 +722,38 @@ contains
 
     ! ---- The life of objects -------------------------------------------------------------------------------------------
 
+    ! The handle, if this contact is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, has no
+    ! contact; nor has memory that was never set, as for private.
+    pure function own(this) result(handle)
+        class(rwedge_contact), intent(in) :: this
+        type(c_ptr) :: handle
+        handle = c_null_ptr
+        if (c_associated(this%place, address_of(this%handle, this%handle, 0_c_size_t))) handle = this%handle
+    end function
+
     ! What the contact held before is freed last: it may have been copied from itself.
     subroutine own_contact(this, handle)
         class(rwedge_contact), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
-        call c_contact_destroy(this%handle)
+        call c_contact_destroy(own(this))
         this%handle = handle
+        this%place = address_of(this%handle, this%handle, 0_c_size_t)
     end subroutine
 
     !> this = from, by copy(); both may be without a contact.
     impure elemental subroutine assign_contact(this, from)
         class(rwedge_contact), intent(inout) :: this
         type(rwedge_contact), intent(in) :: from
-        if (c_associated(from%handle)) then
-            call this%copy(from)
-        else
-            call this%destroy()
+        type(c_ptr) :: created
+        type(c_ptr), pointer :: held
+        created = c_null_ptr
+        if (c_associated(from%place)) then
+            ! compilers may hand over a copy of what stands at the right, byte by byte: the contact is where it was made
+            call c_f_pointer(from%place, held)
+            if (c_associated(held, from%handle)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', &
+                [real(c_double) ::], '')
         end if
+        call own_contact(this, created)
     end subroutine
 
     !> Frees; NULL is allowed.
@@ -1130,7 +1177,7 @@ contains
         character(*), intent(inout), optional :: errmsg
         type(c_ptr) :: created
         integer(c_int32_t) :: status
-        status = c_contact_copy(from%handle, created)
+        status = c_contact_copy(own(from), created)
         if (status == rwedge_ok) call own_contact(this, created)
         call conclude(status, 'rwedge_contact%copy()', [real(c_double) ::], '', stat, errmsg)
     end subroutine
@@ -1152,7 +1199,7 @@ contains
         real(c_double), intent(in) :: P, Q
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_load(this%handle, P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
+        call conclude(c_contact_load(own(this), P, Q), 'rwedge_contact%load(P, Q)', [P, Q], &
             'P 0, or 1e-60 to 1e60, not below 1e-8 of the last P; 0, or 1e-60 to 1e60 in magnitude, |Q| ' // &
             '<= f P', stat, errmsg)
     end subroutine
@@ -1182,7 +1229,7 @@ contains
         real(c_double), intent(in) :: P, M, Q, sigma
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_apply(this%handle, P, M, Q, sigma), 'rwedge_contact%apply(P, M, Q, sigma)', [P, M, Q, sigma], &
+        call conclude(c_contact_apply(own(this), P, M, Q, sigma), 'rwedge_contact%apply(P, M, Q, sigma)', [P, M, Q, sigma], &
             'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
             'magnitude; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 to 1e60 in ' // &
             'magnitude', stat, errmsg)
@@ -1196,7 +1243,7 @@ contains
         class(rwedge_contact), intent(in) :: this
         real(c_double), intent(in) :: Q
         real(c_double) :: value
-        value = c_contact_largest_tension_step(this%handle, Q)
+        value = c_contact_largest_tension_step(own(this), Q)
     end function
 
     !> The present loads.   new
@@ -1207,7 +1254,7 @@ contains
         real(c_double), intent(inout) :: P, M, Q, sigma
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_loads(this%handle, P, M, Q, sigma), 'rwedge_contact%loads()', [real(c_double) ::], &
+        call conclude(c_contact_loads(own(this), P, M, Q, sigma), 'rwedge_contact%loads()', [real(c_double) ::], &
             '', stat, errmsg)
     end subroutine
 
@@ -1220,8 +1267,7 @@ contains
         real(c_double), intent(inout) :: left, right
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_edges(this%handle, left, right), 'rwedge_contact%edges()', [real(c_double) ::], &
-            '', stat, errmsg)
+        call conclude(c_contact_edges(own(this), left, right), 'rwedge_contact%edges()', [real(c_double) ::], '', stat, errmsg)
     end subroutine
 
     !> The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
@@ -1235,7 +1281,7 @@ contains
         real(c_double), intent(inout) :: left, right
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_stick_zone(this%handle, left, right), 'rwedge_contact%stick_zone()', [real(c_double) ::], &
+        call conclude(c_contact_stick_zone(own(this), left, right), 'rwedge_contact%stick_zone()', [real(c_double) ::], &
             '', stat, errmsg)
     end subroutine
 
@@ -1245,7 +1291,7 @@ contains
     pure function contact_tilt(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
-        value = c_contact_tilt(this%handle)
+        value = c_contact_tilt(own(this))
     end function
 
     !> How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as
@@ -1262,7 +1308,7 @@ contains
         real(c_double), intent(inout) :: normal_left, normal_right, shear_left, shear_right
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_contact_edge_asymptotes(this%handle, normal_left, normal_right, shear_left, shear_right), &
+        call conclude(c_contact_edge_asymptotes(own(this), normal_left, normal_right, shear_left, shear_right), &
             'rwedge_contact%edge_asymptotes()', [real(c_double) ::], &
             '', stat, errmsg)
     end subroutine
@@ -1300,7 +1346,7 @@ contains
     pure function contact_half_width(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
-        value = c_contact_half_width(this%handle)
+        value = c_contact_half_width(own(this))
     end function
 
     !> Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
@@ -1309,7 +1355,7 @@ contains
     pure function contact_stick_half_width(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
-        value = c_contact_stick_half_width(this%handle)
+        value = c_contact_stick_half_width(own(this))
     end function
 
     !> How many points of its history the contact remembers; 0 when separated, and for NULL. The time
@@ -1317,7 +1363,7 @@ contains
     pure function contact_memory(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
-        value = c_contact_memory(this%handle)
+        value = c_contact_memory(own(this))
     end function
 
     !> Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
@@ -1337,10 +1383,10 @@ contains
         integer :: i
         status = rwedge_erange
         if (all([size(p), size(q)] == size(x))) &
-            status = c_contact_tractions(this%handle, size(x, kind=c_size_t), x, p, q)
+            status = c_contact_tractions(own(this), size(x, kind=c_size_t), x, p, q)
         if (status == rwedge_edomain) then
             do i = 1, size(x)
-                if (c_contact_tractions(this%handle, 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
+                if (c_contact_tractions(own(this), 1_c_size_t, x(i:i), s(1:1), s(2:2)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%tractions(x)', [x(i)], &
                     'x 0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge', stat, errmsg, i)
                 return
@@ -1349,6 +1395,26 @@ contains
         call conclude(status, 'rwedge_contact%tractions(...)', [real(c_double) ::], &
             'x 0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge; arrays of one ' // &
             'size', stat, errmsg)
+    end subroutine
+
+    !> The same of arrays of rank 2.
+    subroutine contact_tractions_of_grid(this, x, p, q, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:, :)
+        real(c_double), intent(inout) :: p(:, :), q(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: list_p(:), list_q(:)
+        if (.not. (all([size(p, 1), size(q, 1)] == size(x, 1)) .and. all([size(p, 2), size(q, 2)] == size(x, 2)))) then
+            call conclude(rwedge_erange, 'rwedge_contact%tractions(...)', [real(c_double) ::], 'arrays of one shape', stat, &
+                &errmsg)
+            return
+        end if
+        list_p = reshape(p, [size(p)])
+        list_q = reshape(q, [size(q)])
+        call this%tractions(reshape(x, [size(x)]), list_p, list_q, stat, errmsg)
+        p = reshape(list_p, shape(p))
+        q = reshape(list_q, shape(q))
     end subroutine
 
     !> Stresses at n points (x, y) of the half-plane, tension positive.   Eq. (28), (32), (33); new
@@ -1367,10 +1433,10 @@ contains
         integer :: i
         status = rwedge_erange
         if (all([size(y), size(sxx), size(syy), size(txy)] == size(x))) &
-            status = c_contact_stresses(this%handle, size(x, kind=c_size_t), x, y, sxx, syy, txy)
+            status = c_contact_stresses(own(this), size(x, kind=c_size_t), x, y, sxx, syy, txy)
         if (status == rwedge_edomain) then
             do i = 1, size(x)
-                if (c_contact_stresses(this%handle, 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
+                if (c_contact_stresses(own(this), 1_c_size_t, x(i:i), y(i:i), s(1:1), s(2:2), s(3:3)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%stresses(x, y)', [x(i), y(i)], &
                     'x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge; y ' // &
                     '0, or 1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge', stat, errmsg, i)
@@ -1380,6 +1446,29 @@ contains
         call conclude(status, 'rwedge_contact%stresses(...)', [real(c_double) ::], &
             'x 0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge; y 0, or ' // &
             '1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> The same of arrays of rank 2.
+    subroutine contact_stresses_of_grid(this, x, y, sxx, syy, txy, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:, :), y(:, :)
+        real(c_double), intent(inout) :: sxx(:, :), syy(:, :), txy(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: list_sxx(:), list_syy(:), list_txy(:)
+        if (.not. (all([size(y, 1), size(sxx, 1), size(syy, 1), size(txy, 1)] == size(x, 1)) .and. all([size(y, 2), size(sxx, &
+            2), size(syy, 2), size(txy, 2)] == size(x, 2)))) then
+            call conclude(rwedge_erange, 'rwedge_contact%stresses(...)', [real(c_double) ::], 'arrays of one shape', stat, &
+                &errmsg)
+            return
+        end if
+        list_sxx = reshape(sxx, [size(sxx)])
+        list_syy = reshape(syy, [size(syy)])
+        list_txy = reshape(txy, [size(txy)])
+        call this%stresses(reshape(x, [size(x)]), reshape(y, [size(y)]), list_sxx, list_syy, list_txy, stat, errmsg)
+        sxx = reshape(list_sxx, shape(sxx))
+        syy = reshape(list_syy, shape(syy))
+        txy = reshape(list_txy, shape(txy))
     end subroutine
 
     !> Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
@@ -1404,7 +1493,7 @@ contains
         status = rwedge_erange
         if (all([size(M), size(Q), size(sigma)] == size(P)) .and. size(y) == size(x) .and. all(shape(sxx) == [size(x), &
             size(P)]) .and. all(shape(syy) == [size(x), size(P)]) .and. all(shape(txy) == [size(x), size(P)])) &
-            status = c_contact_stress_history(this%handle, size(P, kind=c_size_t), P, M, Q, sigma, size(x, kind=c_size_t), x, &
+            status = c_contact_stress_history(own(this), size(P, kind=c_size_t), P, M, Q, sigma, size(x, kind=c_size_t), x, &
                 y, sxx, syy, txy)
         i = first_outside(P, 0.0_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
@@ -1465,7 +1554,7 @@ contains
     pure function contact_state_size(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
-        value = c_contact_state_size(this%handle)
+        value = c_contact_state_size(own(this))
     end function
 
     !> The contact as numbers, for restarts and for other processes: what is made of them again gives
@@ -1480,7 +1569,7 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_int32_t) :: status
-        status = c_contact_state(this%handle, size(state, kind=c_size_t), state)
+        status = c_contact_state(own(this), size(state, kind=c_size_t), state)
         call conclude(status, 'rwedge_contact%state()', [real(c_double) ::], '', stat, errmsg)
     end subroutine
 
@@ -1532,10 +1621,10 @@ contains
         integer :: i
         status = rwedge_erange
         if (size(slip) == size(x)) &
-            status = c_contact_slip(this%handle, size(x, kind=c_size_t), x, slip)
+            status = c_contact_slip(own(this), size(x, kind=c_size_t), x, slip)
         if (status == rwedge_edomain) then
             do i = 1, size(x)
-                if (c_contact_slip(this%handle, 1_c_size_t, x(i:i), s(1:1)) == rwedge_ok) cycle
+                if (c_contact_slip(own(this), 1_c_size_t, x(i:i), s(1:1)) == rwedge_ok) cycle
                 call conclude(status, 'rwedge_contact%slip(x)', [x(i)], &
                     '0, or 1e-60 to 1e60 in magnitude, |x| <= b', stat, errmsg, i)
                 return
@@ -1543,6 +1632,24 @@ contains
         end if
         call conclude(status, 'rwedge_contact%slip(...)', [real(c_double) ::], &
             '0, or 1e-60 to 1e60 in magnitude, |x| <= b; arrays of one size', stat, errmsg)
+    end subroutine
+
+    !> The same of arrays of rank 2.
+    subroutine contact_slip_of_grid(this, x, slip, stat, errmsg)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: x(:, :)
+        real(c_double), intent(inout) :: slip(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: list_slip(:)
+        if (.not. (all([size(slip, 1)] == size(x, 1)) .and. all([size(slip, 2)] == size(x, 2)))) then
+            call conclude(rwedge_erange, 'rwedge_contact%slip(...)', [real(c_double) ::], 'arrays of one shape', stat, &
+                &errmsg)
+            return
+        end if
+        list_slip = reshape(slip, [size(slip)])
+        call this%slip(reshape(x, [size(x)]), list_slip, stat, errmsg)
+        slip = reshape(list_slip, shape(slip))
     end subroutine
 
     !> Energy dissipated by friction since the contact was created, per unit thickness (a force): the
@@ -1555,7 +1662,7 @@ contains
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value
-        value = c_contact_dissipated_energy(this%handle)
+        value = c_contact_dissipated_energy(own(this))
     end function
 
     !> How far the present state is from first yield (von Mises, plane strain): k over the maximum of
@@ -1578,7 +1685,7 @@ contains
         character(*), intent(inout), optional :: errmsg
         real(c_double) :: place(2)
         integer(c_int32_t) :: status
-        status = c_contact_yield_factor(this%handle, nu, k, factor, place(1), place(2))
+        status = c_contact_yield_factor(own(this), nu, k, factor, place(1), place(2))
         if (status == rwedge_ok .and. present(x)) x = place(1)
         if (status == rwedge_ok .and. present(y)) y = place(2)
         call conclude(status, 'rwedge_contact%yield_factor(nu, k)', [nu, k], '0 <= nu <= 0.5; k 1e-60 to 1e60', stat, errmsg)

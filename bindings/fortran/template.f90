@@ -13,7 +13,8 @@
 ! - On error the outputs are as they were.
 ! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
-!   return one from a function: compilers copy the handle there, not what it holds. README.md says more.
+!   return one from a function: compilers copy the handle there, not what it holds. Such a copy is noticed: it is as if it had
+!   not been created. In OpenMP take private(c) and assign to it; firstprivate(c) makes such copies. README.md says more.
 ! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
@@ -31,6 +32,7 @@ module rwedge
     type, public :: rwedge_contact
         private
         type(c_ptr) :: handle = c_null_ptr
+        type(c_ptr) :: place = c_null_ptr ! where the handle is when it is this contact's own
     contains
 {contact procedures}
         procedure, private :: assign_contact
@@ -56,6 +58,14 @@ module rwedge
             import :: c_ptr, c_size_t
             type(c_ptr), value :: text
             integer(c_size_t) :: length
+        end function
+
+        ! The address of a handle: that to which nothing is moved.
+        pure function address_of(handle, same, nothing) bind(C, name="memmove") result(address)
+            import :: c_ptr, c_size_t
+            type(c_ptr), intent(in) :: handle, same
+            integer(c_size_t), value :: nothing
+            type(c_ptr) :: address
         end function
 
 {interfaces}
@@ -129,12 +139,28 @@ contains
             text = text // ', element ' // trim(number)
         end if
         text = text // ': ' // rwedge_error_text(status)
-        if (status == rwedge_enull) text = text // ' (create it first)'
+        if (status == rwedge_enull) text = text // ' (create it first; a copy by firstprivate or SOURCE= is none)'
         do i = 1, size(values)
             write (number, '(g0.15)') values(i)
-            text = text // merge(': ', ', ', i == 1) // trim(number)
+            text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
         end do
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+    end function
+
+    ! The i-th name in "name(arguments)", with " = " behind it; nothing where there are no names.
+    pure function name_in(call, i) result(text)
+        character(*), intent(in) :: call
+        integer, intent(in) :: i
+        character(:), allocatable :: text
+        integer :: k, first, last
+        first = index(call, '(') + 1
+        do k = 2, i
+            first = first + index(call(first:), ',')
+        end do
+        last = first - 1 + scan(call(first:), ',)')
+        text = adjustl(call(first:last - 1))
+        text = trim(text) // ' = '
+        if (call(first:last - 1) == '...' .or. i > 1 .and. index(call, ',') == 0) text = ''
     end function
 
     ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.
@@ -154,23 +180,38 @@ contains
 
     ! ---- The life of objects -------------------------------------------------------------------------------------------
 
+    ! The handle, if this contact is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, has no
+    ! contact; nor has memory that was never set, as for private.
+    pure function own(this) result(handle)
+        class(rwedge_contact), intent(in) :: this
+        type(c_ptr) :: handle
+        handle = c_null_ptr
+        if (c_associated(this%place, address_of(this%handle, this%handle, 0_c_size_t))) handle = this%handle
+    end function
+
     ! What the contact held before is freed last: it may have been copied from itself.
     subroutine own_contact(this, handle)
         class(rwedge_contact), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
-        call c_contact_destroy(this%handle)
+        call c_contact_destroy(own(this))
         this%handle = handle
+        this%place = address_of(this%handle, this%handle, 0_c_size_t)
     end subroutine
 
     !> this = from, by copy(); both may be without a contact.
     impure elemental subroutine assign_contact(this, from)
         class(rwedge_contact), intent(inout) :: this
         type(rwedge_contact), intent(in) :: from
-        if (c_associated(from%handle)) then
-            call this%copy(from)
-        else
-            call this%destroy()
+        type(c_ptr) :: created
+        type(c_ptr), pointer :: held
+        created = c_null_ptr
+        if (c_associated(from%place)) then
+            ! compilers may hand over a copy of what stands at the right, byte by byte: the contact is where it was made
+            call c_f_pointer(from%place, held)
+            if (c_associated(held, from%handle)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', &
+                [real(c_double) ::], '')
         end if
+        call own_contact(this, created)
     end subroutine
 
     !> Frees; NULL is allowed.

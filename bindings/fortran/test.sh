@@ -57,6 +57,9 @@ fi
 grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt ||
     fail "it does not say why it ends"
 
+fortran copies -O2 -fopenmp -Wno-compare-reals
+./copies
+
 fortran hostile_host -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace
 # in a shell of its own, which says how it ended
 if sh -c './hostile_host 0; exit $?' >trapped.txt 2>&1; then

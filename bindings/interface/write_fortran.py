@@ -30,6 +30,8 @@ def folded(line: str, indent: int) -> str:
             quoted ^= letter == "'"
             if not quoted and line[i - 1:i + 1] == ", ":
                 best = i + 1
+        if best == 0:
+            sys.exit(f"write_fortran.py: no place to break the line {line}")
         lines.append(margin + line[:best] + "&")
         line, margin = line[best:], " " * (indent + 4)
     return "\n".join([*lines, margin + line])
@@ -100,7 +102,8 @@ def passed(f: Function, sizes: dict[str, str], at: str = "") -> str:
         name = name_of(p)
         k = f.outputs.index(p) + 1 if p in f.outputs else 0
         if p.role in ("handle", "changed"):
-            words.append("from%handle" if f.of("created") else "this%handle")
+            owner = "from" if f.of("created") else "this"
+            words.append(f"own({owner})" if p.kind == "contact" else f"{owner}%handle")
         elif p.role == "created":
             words.append("created")
         elif p.role == "size":
@@ -284,11 +287,50 @@ def procedures(interface: Interface) -> str:
             section = f.section
             parts.append(f"    ! ---- {section} ".ljust(121, "-") + "\n")
         parts.append(procedure(f))
+        if has_grid(f):
+            parts.append(grid(f))
     return "\n".join(parts).rstrip("\n")
 
 
 def bound(interface: Interface, family: str) -> str:
-    return "\n".join(f"        procedure :: {f.method} => {f.name}" for f in interface.functions if f.family == family)
+    lines = []
+    for f in (f for f in interface.functions if f.family == family):
+        if has_grid(f):
+            lines += [f"        procedure, private :: {f.method}_of_list => {f.name}",
+                      f"        procedure, private :: {f.method}_of_grid => {f.name}_of_grid",
+                      f"        generic :: {f.method} => {f.method}_of_list, {f.method}_of_grid"]
+        else:
+            lines.append(f"        procedure :: {f.method} => {f.name}")
+    return "\n".join(lines)
+
+
+def has_grid(f: Function) -> bool:
+    """A method of points takes them as a grid too."""
+    return bool(f.family) and f.pointwise and all(len(p.size) == 1 for p in f.inputs + f.outputs)
+
+
+def grid(f: Function) -> str:
+    """The same of arrays of rank 2: those of the list, laid out again."""
+    names = [name_of(p) for p in f.inputs + f.outputs]
+    first, others = names[0], names[1:]
+    fits = " .and. ".join(f"all([{', '.join(f'size({n}, {k})' for n in others)}] == size({first}, {k}))" for k in (1, 2))
+    lists = ", ".join(f"reshape({name_of(p)}, [size({name_of(p)})])" if p in f.inputs else f"list_{name_of(p)}"
+                      for p in f.inputs + f.outputs)
+    dummies = [(f"class(rwedge_{f.family}), intent(in)", "this")]
+    dummies += [(in_fortran(p)[0], f"{name_of(p)}(:, :)") for p in f.inputs + f.outputs]
+    dummies += [("integer, intent(out), optional", "stat"), ("character(*), intent(inout), optional", "errmsg")]
+    dummies += [("real(c_double), allocatable", f"list_{name_of(p)}(:)") for p in f.outputs]
+    lines = declarations(dummies)
+    lines += [f"if (.not. ({fits})) then",
+              f"    call conclude(rwedge_erange, '{call_name(f)}(...)', [real(c_double) ::], 'arrays of one shape', stat, &",
+              "        &errmsg)",
+              "    return", "end if"]
+    lines += [f"list_{name_of(p)} = reshape({name_of(p)}, [size({name_of(p)})])" for p in f.outputs]
+    lines.append(f"call this%{f.method}({lists}, stat, errmsg)")
+    lines += [f"{name_of(p)} = reshape(list_{name_of(p)}, shape({name_of(p)}))" for p in f.outputs]
+    head = f"subroutine {f.name}_of_grid({', '.join(['this', *names, 'stat', 'errmsg'])})"
+    return "\n".join(["    !> The same of arrays of rank 2.", folded(head, 4),
+                      *(folded(x.lstrip(), 8 + len(x) - len(x.lstrip())) for x in lines), "    end subroutine\n"])
 
 
 def module(interface: Interface, template: str) -> str:

@@ -8,7 +8,7 @@ import re
 from header import EQUATION, Function, Interface
 from write_c import reason
 
-ARRAYS = "The arguments are arrays of one size, or scalars, which go with every element."
+ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
 
@@ -90,7 +90,14 @@ def method_text(f: Function) -> str:
     return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
             commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
             f"{margin}    " + call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]) +
-            f";\n{margin}end\n")
+            f";\n{doubts(f, margin)}{margin}end\n")
+
+
+def doubts(f: Function, margin: str) -> str:
+    """What warns where a result of the contact is doubtful: after a load, or by a factor."""
+    if f.of("changed") and "P" in inputs(f):
+        return f"{margin}    {f.family}.warn_of_size();\n"
+    return f"{margin}    {f.family}.warn('safety', factor);\n" if "factor" in outputs(f) else ""
 
 
 def maker_text(f: Function) -> str:

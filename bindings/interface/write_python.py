@@ -184,9 +184,10 @@ from __future__ import annotations
 
 from typing import Any, SupportsFloat, SupportsIndex
 
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ._general import call
+from ._types import Numbers
 
 __all__: list[str] = {names}
 
@@ -196,7 +197,7 @@ class _Object:
         raise NotImplementedError
 
 '''
-TYPES = {"in array": "ArrayLike", "double": "SupportsFloat", "int32_t": "SupportsIndex"}
+TYPES = {"in array": "Numbers", "double": "SupportsFloat", "int32_t": "SupportsIndex"}
 
 
 def result_type(f: Function) -> str:
@@ -232,10 +233,10 @@ def made_py(interface: Interface) -> str:
 
 
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Any
+from typing import Any, Protocol, overload, type_check_only
 
-from numpy import ufunc
-from numpy.typing import ArrayLike, NDArray
+from numpy import float64, ufunc
+from numpy.typing import NDArray
 
 from ._contact import Contact as Contact
 from ._contact import Loads as Loads
@@ -243,31 +244,51 @@ from ._contact import YieldFactor as YieldFactor
 from ._library import Error as Error
 from ._library import SlidingError as SlidingError
 from ._series import Series as Series
+from ._types import Numbers, Scalar
+from ._validity import ValidityWarning as ValidityWarning
 
 __version__: str
 __all__ = [
 {names}
 ]
 
-{ufuncs}
+# A formula is a ufunc that takes its arguments by name too.
+
+{formulas}
 
 def stresses(
-    alpha: ArrayLike, f: ArrayLike, c: ArrayLike, x: ArrayLike, y: ArrayLike
+    alpha: Numbers, f: Numbers, c: Numbers, x: Numbers, y: Numbers
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
 '''
+FORMULA = '''@type_check_only
+class _{name}(Protocol):
+    ufunc: ufunc
+    @overload
+    def __call__(self, {scalars}) -> {result}: ...
+    @overload
+    def __call__(
+        self, {numbers}, *, out: Any = ..., where: Numbers = ..., casting: str = ..., order: str = ..., dtype: Any = ...,
+        subok: bool = ..., signature: Any = ...
+    ) -> Any: ...
+    def __getattr__(self, name: str) -> Any: ...
+
+{name}: _{name}'''
+
+
+def formula_type(f: Function) -> str:
+    result = f"tuple[{', '.join(['float64'] * len(f.outputs))}]" if f.outputs else "float64"
+    scalars = ", ".join(f"{p.name}: {'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
+    numbers = ", ".join(f"{p.name}: Numbers" for p in f.inputs)
+    return FORMULA.format(name=f.name, scalars=scalars, numbers=numbers, result=result)
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["Contact", "Error", "Loads", "Series", "SlidingError", "YieldFactor", "stresses"]
+    public = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_ufunc(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")
-    ufuncs = []
-    for f in functions:
-        results = f" -> ({', '.join(p.name for p in f.outputs)})" if f.outputs else ""
-        ufuncs.append(f"# ({', '.join(p.name for p in f.inputs)}){results}")
-        ufuncs.append(f"{f.name}: ufunc" if is_ufunc(f) else f"from ._made import {f.name} as {f.name}")
-    return PYI.format(names="\n".join(names), ufuncs="\n".join(ufuncs))
+    formulas = [formula_type(f) if is_ufunc(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
+    return PYI.format(names="\n".join(names), formulas="\n".join(formulas))
 
 
 def texts(interface: Interface) -> dict[str, str]:

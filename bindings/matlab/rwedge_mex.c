@@ -4,10 +4,10 @@
  * makes one call to this file. What functions there are, with which arguments, is in the table of
  * entries.h, which is written from rwedge.h as they are.
  *
- * A function of numbers is taken over the elements of its arguments: arrays of one size, or
- * scalars, which go with every element. So is one of points. Other functions of arrays take them
- * whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held where it is
- * called. */
+ * A function of numbers is taken over the elements of its arguments: arrays of one size, or of
+ * size 1 in a dimension, which go with all along it. So is one of points. Other functions of
+ * arrays take them whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held
+ * where it is called. */
 #include "entries.h"
 #include "rwedge.h"
 
@@ -99,11 +99,14 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
 
 /* The library's text, the arguments v[j][at[j]] where they are to blame, and which element of
  * several it is, counted from 0; -1 for none. */
-static void fail_with(int32_t status, const entry *call, const double *const v[], const size_t at[],
-                      const size_t n[], long element)
+static void fail_with(int32_t status, const entry *call, const void *object,
+                      const double *const v[], const size_t at[], const size_t n[], long element)
 {
     message m = {"", 0};
     add(&m, "rwedge_%s: %s", call->name, rwedge_strerror(status));
+    if (status == RWEDGE_EABSENT && strcmp(call->family, "contact") == 0 && object &&
+        rwedge_contact_half_width(object) == 0)
+        add(&m, ": the contact is unloaded");
     if (status == RWEDGE_EDOMAIN || status == RWEDGE_ERANGE || status == RWEDGE_ESLIDING)
         add_arguments(&m, call, v, at, n);
     if (element >= 0)
@@ -206,43 +209,86 @@ static void fail_without(const char *function, kind of)
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
 
-static bool same_size(const mxArray *one, const mxArray *other)
-{
-    const mwSize n = mxGetNumberOfDimensions(one);
-    return n == mxGetNumberOfDimensions(other) &&
-           memcmp(mxGetDimensions(one), mxGetDimensions(other),
-                  (size_t)n * sizeof *mxGetDimensions(one)) == 0;
-}
-
 static bool is_scalar(const mxArray *array)
 {
     return mxGetNumberOfElements(array) == 1;
 }
 
-/* The numbers of the arguments; NULL, or the one that is not a scalar and says the size of the
- * results. */
-static const mxArray *take(const char *name, int count, const mxArray *const arguments[],
-                           const double *v[])
+/* The sizes of the results. */
+enum { MAX_DIMENSIONS = 32 };
+typedef struct {
+    mwSize count, size[MAX_DIMENSIONS];
+} shape;
+
+static mwSize size_in(const mxArray *array, mwSize dimension)
 {
-    const mxArray *size = NULL;
-    for (int j = 0; j < count; j++) {
-        if (!mxIsDouble(arguments[j]) || mxIsComplex(arguments[j]) || mxIsSparse(arguments[j]))
-            fail("class", "rwedge_%s: argument %d is not a full array of real doubles, but %s %s",
-                 name, j + 1,
-                 mxIsSparse(arguments[j])    ? "sparse"
-                 : mxIsComplex(arguments[j]) ? "complex"
-                                             : "of class",
-                 mxGetClassName(arguments[j]));
-        v[j] = mxGetPr(arguments[j]);
-        if (is_scalar(arguments[j]))
-            continue;
-        if (size && !same_size(size, arguments[j]))
+    return dimension < mxGetNumberOfDimensions(array) ? mxGetDimensions(array)[dimension] : 1;
+}
+
+/* Takes an array's sizes into those of the results: in each dimension the same, or 1, which goes
+ * with all. */
+static void extend(shape *all, const char *name, int argument, const mxArray *array)
+{
+    const mwSize dimensions = mxGetNumberOfDimensions(array);
+    if (dimensions > MAX_DIMENSIONS)
+        fail("size", "rwedge_%s: argument %d has more than %d dimensions", name, argument,
+             (int)MAX_DIMENSIONS);
+    for (; all->count < dimensions; all->count++)
+        all->size[all->count] = 1;
+    for (mwSize k = 0; k < all->count; k++) {
+        const mwSize size = size_in(array, k);
+        if (size != 1 && all->size[k] != 1 && size != all->size[k])
             fail("size",
-                 "rwedge_%s: argument %d is neither a scalar nor of the size of those before it",
-                 name, j + 1);
-        size = arguments[j];
+                 "rwedge_%s: argument %d has the size %lu in dimension %lu, where those before it "
+                 "have %lu",
+                 name, argument, (unsigned long)size, (unsigned long)k + 1,
+                 (unsigned long)all->size[k]);
+        if (all->size[k] == 1)
+            all->size[k] = size;
     }
-    return size;
+}
+
+/* Which element of an array goes with element i of the results, where it is neither a scalar nor
+ * has as many. */
+static size_t element_of(const mxArray *array, const shape *all, size_t i)
+{
+    size_t at = 0, stride = 1;
+    for (mwSize k = 0; k < all->count; k++) {
+        const size_t size = (size_t)size_in(array, k), along = (size_t)all->size[k];
+        at += size > 1 ? i % along * stride : 0;
+        i /= along;
+        stride *= size;
+    }
+    return at;
+}
+
+/* The numbers of an argument. Those of another class are converted by MATLAB, which frees them. */
+static const double *numbers_of(const char *name, int argument, const mxArray *array)
+{
+    const bool numbers = mxIsNumeric(array) || mxIsLogical(array);
+    if (!numbers || mxIsComplex(array) || mxIsSparse(array))
+        fail("class", "rwedge_%s: argument %d is not a full array of real numbers, but %s %s", name,
+             argument,
+             mxIsSparse(array)    ? "sparse"
+             : mxIsComplex(array) ? "complex"
+                                  : "of class",
+             mxGetClassName(array));
+    if (mxIsDouble(array))
+        return mxGetPr(array);
+    mxArray *given = (mxArray *)(uintptr_t)array, *converted = NULL; /* not changed by it */
+    mexCallMATLAB(1, &converted, 1, &given, "double");
+    return mxGetPr(converted);
+}
+
+/* The numbers of the arguments, and the sizes of what is computed from each of their elements. */
+static shape take(const char *name, int count, const mxArray *const arguments[], const double *v[])
+{
+    shape all = {2, {1, 1}};
+    for (int j = 0; j < count; j++) {
+        v[j] = numbers_of(name, j + 1, arguments[j]);
+        extend(&all, name, j + 1, arguments[j]);
+    }
+    return all;
 }
 
 static const entry *entry_named(const char *name)
@@ -270,7 +316,7 @@ static bool suits_array(const entry *call, const mxArray *const arguments[], siz
     if (!call || n < 2)
         return false;
     for (int j = 0; j < call->arguments; j++)
-        if (is_scalar(arguments[j]) != (call->argument[j].sizes[0] < 0))
+        if (mxGetNumberOfElements(arguments[j]) != (call->argument[j].sizes[0] < 0 ? 1 : n))
             return false;
     return true;
 }
@@ -300,7 +346,7 @@ static void one(const entry *call, void *object, const double *const v[], const 
     const int32_t status = status_of(call, object, single, w, s, NULL);
     const bool is_answer = !call->has_status || (status == RWEDGE_EABSENT && !call->takes_object);
     if (status != RWEDGE_OK && !is_answer)
-        fail_with(status, call, v, at, NULL, n > 1 ? (long)i : -1);
+        fail_with(status, call, object, v, at, NULL, n > 1 ? (long)i : -1);
     for (int j = 0; status != RWEDGE_OK && j < call->results; j++)
         *s[j] = NAN;
 }
@@ -310,23 +356,28 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
 {
     const double *v[ENTRY_ARGUMENTS];
     double *r[ENTRY_RESULTS];
-    const mxArray *size = take(call->name, call->arguments, arguments, v);
-    const size_t n = size ? mxGetNumberOfElements(size) : 1;
+    const shape all = take(call->name, call->arguments, arguments, v);
+    size_t n = 1;
+    for (mwSize k = 0; k < all.count; k++)
+        n *= (size_t)all.size[k];
     for (int j = 0; j < call->results; j++) {
-        results[j] = size ? mxCreateNumericArray(mxGetNumberOfDimensions(size),
-                                                 mxGetDimensions(size), mxDOUBLE_CLASS, mxREAL)
-                          : mxCreateDoubleMatrix(1, 1, mxREAL);
+        results[j] = mxCreateNumericArray(all.count, all.size, mxDOUBLE_CLASS, mxREAL);
         r[j] = mxGetPr(results[j]);
     }
     /* where it fails, the loop finds out which point it is */
     const entry *many = array_function(call);
-    const size_t all[ENTRY_SIZES] = {n};
-    if (suits_array(many, arguments, n) && many->call(object, all, v, r, NULL) == RWEDGE_OK)
+    const size_t counts[ENTRY_SIZES] = {n};
+    if (suits_array(many, arguments, n) && many->call(object, counts, v, r, NULL) == RWEDGE_OK)
         return;
+    enum { EXPANDS = 2 };
+    size_t steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
+    for (int j = 0; j < call->arguments; j++) {
+        const size_t elements = mxGetNumberOfElements(arguments[j]);
+        steps[j] = elements == 1 ? 0 : elements == n ? 1 : EXPANDS;
+    }
     for (size_t i = 0; i < n; i++) {
-        size_t at[ENTRY_ARGUMENTS];
         for (int j = 0; j < call->arguments; j++)
-            at[j] = is_scalar(arguments[j]) ? 0 : i;
+            at[j] = steps[j] == EXPANDS ? element_of(arguments[j], &all, i) : i * steps[j];
         one(call, object, v, at, r, i, n);
     }
 }
@@ -377,7 +428,8 @@ static mxArray *result_array(const entry_result *of, const size_t n[])
 }
 
 /* Ends with the first element of an array that is outside its domain, or with all numbers. */
-static void fail_whole(int32_t status, const entry *call, const double *const v[], const size_t n[])
+static void fail_whole(int32_t status, const entry *call, const void *object,
+                       const double *const v[], const size_t n[])
 {
     size_t at[ENTRY_ARGUMENTS] = {0};
     for (int j = 0; status == RWEDGE_EDOMAIN && j < call->arguments; j++) {
@@ -385,10 +437,10 @@ static void fail_whole(int32_t status, const entry *call, const double *const v[
         const size_t count = sizes[0] < 0 ? 0 : n[sizes[0]] * (sizes[1] < 0 ? 1 : n[sizes[1]]);
         for (at[j] = 0; at[j] < count; at[j]++)
             if (!entry_allows(&call->argument[j], v[j][at[j]]))
-                fail_with(status, call, v, at, n, (long)at[j]);
+                fail_with(status, call, object, v, at, n, (long)at[j]);
         at[j] = 0;
     }
-    fail_with(status, call, v, at, n, -1);
+    fail_with(status, call, object, v, at, n, -1);
 }
 
 static void whole(const entry *call, void *object, const mxArray *const arguments[],
@@ -406,7 +458,7 @@ static void whole(const entry *call, void *object, const mxArray *const argument
     }
     const int32_t status = status_of(call, object, n, v, r, made);
     if (status != RWEDGE_OK)
-        fail_whole(status, call, v, n);
+        fail_whole(status, call, object, v, n);
 }
 
 static bool is_of_whole_arrays(const entry *call)
@@ -440,6 +492,11 @@ static mxArray *destroy_series(const mxArray *argument)
     return NULL;
 }
 
+static mxArray *is_contact(const mxArray *argument)
+{
+    return mxCreateDoubleScalar(find(CONTACT, argument) ? 1 : 0);
+}
+
 static mxArray *version(const mxArray *argument)
 {
     (void)argument;
@@ -460,6 +517,7 @@ static const struct {
 } commands[] = {
     {"contact_destroy", 1, destroy_contact},
     {"series_destroy", 1, destroy_series},
+    {"is_contact", 1, is_contact},
     {"version", 0, version},
     {"alive", 0, objects_alive},
 };
@@ -478,7 +536,8 @@ static mxArray *call_text(int of, int arguments, const mxArray *const given[])
 {
     const double *number;
     need(text_entries[of].name, 1, arguments);
-    if (take(text_entries[of].name, 1, given, &number))
+    take(text_entries[of].name, 1, given, &number);
+    if (!is_scalar(given[0]))
         fail("size", "rwedge_%s takes a scalar", text_entries[of].name);
     return mxCreateString(text_entries[of].text(is_int32(*number) ? (int32_t)*number : -1));
 }
@@ -491,7 +550,7 @@ static void call_entry(const entry *of, int nlhs, mxArray *plhs[], int nrhs,
     void *object = NULL, *made = NULL;
     handle *slot = of->makes_object ? free_slot() : NULL; /* before find(): it may move them */
     if (of->makes_object && !slot)
-        fail_with(RWEDGE_ENOMEM, of, NULL, NULL, NULL, -1);
+        fail_with(RWEDGE_ENOMEM, of, NULL, NULL, NULL, NULL, -1);
     if (of->takes_object) {
         const handle *h = nrhs > 0 ? find(kind_of(of), prhs[0]) : NULL;
         if (!h)

@@ -74,6 +74,7 @@ cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsynta
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
 cat >known.txt <<'END'
 mexAtExit
+mexCallMATLAB
 mexErrMsgIdAndTxt
 mexLock
 mexUnlock
@@ -90,6 +91,8 @@ mxGetPr
 mxGetString
 mxIsComplex
 mxIsDouble
+mxIsLogical
+mxIsNumeric
 mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"

@@ -55,7 +55,74 @@ function shapes()
     end
     claim('one output', isequal(rwedge_stress(0.3, 0.2, 0.5, p, 0.1 + 0 * p)(3), rwedge_stress(0.3, 0.2, 0.5, p(3), 0.1)));
     refused('size', {'rwedge_pressure', 'argument 2'}, @() rwedge_pressure(1:3, 1:2));
-    refused('size', {'argument 2'}, @() rwedge_pressure(1:3, (1:3)'));
+    refused('size', {'argument 2', '2 in dimension 3', 'have 4'}, @() rwedge_pressure(alpha, zeros(2, 3, 2)));
+    grid = rwedge_shear([0.2 0.4 0.6], [0.1; 0.3], reshape([0.2 0.5], 1, 1, 2));
+    claim('the size of a grid', isequal(size(grid), [2 3 2]));
+    claim('a grid', grid(2, 3, 1) == rwedge_shear(0.6, 0.3, 0.2) && grid(1, 2, 2) == rwedge_shear(0.4, 0.1, 0.5));
+    claim('a row goes with nothing', isequal(size(rwedge_pressure(zeros(0, 1), 1:3)), [0 3]));
+    [sxx, ~, txy] = rwedge_stress(0.3, 0.2, 0.5, -1:0.5:1, (0.1:0.1:0.3)');
+    [one, ~, other] = rwedge_stress(0.3, 0.2, 0.5, 0.5, 0.2);
+    claim('a grid of points', isequal(size(txy), [3 5]) && sxx(2, 4) == one && txy(2, 4) == other);
+end
+
+function classes()
+    claim('single', rwedge_load(single(0.25)) == rwedge_load(0.25) && isa(rwedge_load(single(0.25)), 'double'));
+    claim('integers', isequal(rwedge_load(int32([1 2])), rwedge_load([1 2])) && rwedge_load(uint8(3)) == rwedge_load(3));
+    claim('logical', rwedge_load(true) == rwedge_load(1));
+    c = rwedge_contact(0.01, int8(1), 1.8e-5, single(0.5));
+    c.load(int32(1000), int16([0 100]));
+    d = rwedge_contact(0.01, 1, 1.8e-5, 0.5);
+    d.load(1000, [0 100]);
+    claim('loads of other classes', c.dissipated_energy() == d.dissipated_energy() && c.half_width() == d.half_width());
+    for wrong = {'0.25', {0.25}, struct('x', 1)}
+        refused('class', {'argument 1'}, @() rwedge_load(wrong{1}));
+    end
+end
+
+% The last warning has these words; none where they are empty.
+function said(what, words)
+    [text, identifier] = lastwarn();
+    claim(what, strcmp(text, words) && (isempty(words) || strcmp(identifier, 'rwedge:validity')));
+    lastwarn('', '');
+end
+
+% What is said in warnings, in order of the calls.
+function doubts()
+    lastwarn('', '');
+    warning('on', 'rwedge:validity');
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.3, 0);
+    c.load(2000, 0);
+    c.yield_factor(0.3, 1e4);
+    c.load(0, 0);
+    said('nothing is doubtful', '');
+    rwedge_contact(1.15, 0.5, 1.8e-5, 0.3);
+    said('the angle', rwedge_validity_text(1));
+    rwedge_contact(0.01, 0.5, 1.8e-5, 0.3, rwedge_dundurs_beta(2.1e5, 0.3, 7e4, 0.33));
+    said('the bodies', rwedge_validity_text(2));
+    c.load(2000, 0);
+    c.yield_factor(0.3, 10);
+    said('yield', rwedge_validity_text(4));
+    c.load(1e7, 0);
+    said('units', rwedge_validity_text(8));
+    d = c.copy();
+    d.load(2e7, 0);
+    said('units, of a copy', rwedge_validity_text(8));
+    warning('off', 'rwedge:validity');
+end
+
+function shown()
+    c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    c.load(2000, 0);
+    c.load(2000, 300);
+    text = evalc('disp(c)');
+    words = {'P = 2000', 'Q = 300', sprintf('half-width %.6g', c.half_width()), sprintf('%.6g', c.stick_half_width())};
+    for word = words
+        claim(['a contact shows ' word{1}], ~isempty(strfind(text, word{1})));
+    end
+    text = evalc('c');
+    claim('at the prompt too', ~isempty(strfind(text, 'P = 2000')));
+    delete(c);
+    claim('a deleted one', ~isempty(strfind(evalc('disp(c)'), 'deleted')));
 end
 
 function errors()
@@ -77,8 +144,6 @@ function errors()
     end
     refused('range', {'rwedge_series_fit', 'samples * terms <= 2^27'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
     refused('rank', {'rwedge_series_fit'}, @() rwedge_series.fit([0.1 0.1 0.1], [1 1 1], 3));
-    refused('class', {'argument 1', 'int8'}, @() rwedge_load(int8(1)));
-    refused('class', {'single'}, @() rwedge_load(single(1)));
     refused('class', {'char'}, @() rwedge_load('1'));
     refused('class', {'complex'}, @() rwedge_load(1 + 2i));
     refused('class', {'sparse'}, @() rwedge_load(sparse([1 0 2])));
@@ -97,7 +162,7 @@ end
 
 function contacts()
     c = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
-    refused('absent', {'contact_yield_factor'}, @() c.yield_factor(0.3, 300));
+    refused('absent', {'contact_yield_factor', 'unloaded'}, @() c.yield_factor(0.3, 300));
     c.load(1000, 300);
     refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
     refused('domain', {': P = -1; allowed is 0, or 1e-60 to 1e60'}, @() c.load(-1, 0));
@@ -271,6 +336,9 @@ global failures
 failures = 0;
 shapes();
 errors();
+classes();
+doubts();
+shown();
 contacts();
 lives();
 series();

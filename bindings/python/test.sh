@@ -20,7 +20,7 @@ skip()
 }
 
 command -v python3 >/dev/null 2>&1 || skip "no python3"
-tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib"
+tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray"
 older='numpy==1.26.*'
 wanted="$(python3 --version) $tools"
 
@@ -55,6 +55,25 @@ pytest_of()
 cd "$folder"
 export PATH="$folder/venv/bin:$PATH"
 pytest_of "$source/tests" "$@"
+
+# The source distribution is whole: its own tests pass from it, with what it is built to.
+rm -rf sdist editable
+mkdir sdist
+(cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
+rm -r "$source/library" # what went into it
+tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
+SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
+(source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep" "$@")
+
+# An editable install is found.
+SKBUILD_BUILD_DIR=$folder/package pip install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
+    --prefix "$folder/editable" -e "$source"
+python -B -c "
+import glob, site, sys
+site.addsitedir(glob.glob('$folder/editable/lib/*/site-packages')[0])
+import rwedge
+assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
+print('editable:', rwedge.load(0.25))"
 if [ $also_older = yes ]; then
     [ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
     export PYTHONPATH="$folder/older"

@@ -201,9 +201,9 @@ static size_t count_common(const rw_memory *one, const rw_memory *other)
     size_t i = 1;
     /* always: they differ before one of them ends, because one has slipped where the other has
      * not */
-    while (ALWAYS(i + 1 < one->count && i + 1 < other->count) &&
-           one->corners[i].load == other->corners[i].load &&
-           one->corners[i].ratio == other->corners[i].ratio)
+    while (one->corners[i].load == other->corners[i].load &&
+           one->corners[i].ratio == other->corners[i].ratio &&
+           ALWAYS(i + 1 < one->count && i + 1 < other->count))
         i++;
     return i;
 }

@@ -4,16 +4,27 @@
 option(RWEDGE_PRIVATE_DEPS "Put static, hidden copies of GSL and LAPACK into the library" OFF)
 
 if(NOT RWEDGE_PRIVATE_DEPS)
-    find_package(GSL REQUIRED)
-    find_package(LAPACK REQUIRED)
+    find_package(GSL)
+    find_package(LAPACK)
+    if(NOT GSL_FOUND OR NOT LAPACK_FOUND)
+        message(FATAL_ERROR "GSL or LAPACK was not found. Debian and Ubuntu have them in the packages libgsl-dev and "
+            "liblapack-dev.")
+    endif()
     set(RWEDGE_PKGCONFIG_REQUIRES "gsl lapack")
     set(RWEDGE_DEPENDENCIES GSL::gsl GSL::gslcblas LAPACK::LAPACK m)
     return()
 endif()
 
 # The reference LAPACK and BLAS, where a distribution keeps several: they start no threads.
-find_path(RWEDGE_GSL_INCLUDE gsl/gsl_roots.h REQUIRED)
-find_library(RWEDGE_GSL_ARCHIVE libgsl.a REQUIRED)
-find_library(RWEDGE_LAPACK_ARCHIVE NAMES liblapack_pic.a liblapack.a PATH_SUFFIXES lapack REQUIRED)
-find_library(RWEDGE_BLAS_ARCHIVE NAMES libblas_pic.a libblas.a PATH_SUFFIXES blas REQUIRED)
+find_path(RWEDGE_GSL_INCLUDE gsl/gsl_roots.h)
+find_library(RWEDGE_GSL_ARCHIVE libgsl.a)
+find_library(RWEDGE_LAPACK_ARCHIVE NAMES liblapack_pic.a liblapack.a PATH_SUFFIXES lapack)
+find_library(RWEDGE_BLAS_ARCHIVE NAMES libblas_pic.a libblas.a PATH_SUFFIXES blas)
+foreach(needed RWEDGE_GSL_INCLUDE RWEDGE_GSL_ARCHIVE RWEDGE_LAPACK_ARCHIVE RWEDGE_BLAS_ARCHIVE)
+    if(NOT ${needed})
+        message(FATAL_ERROR "${needed} was not found: this build puts static GSL, LAPACK and BLAS into the library, with GSL's "
+            "headers. Debian and Ubuntu have them in the packages libgsl-dev, liblapack-dev and libblas-dev; elsewhere, build GSL "
+            "with --enable-static. Name a file that is elsewhere by -D${needed}=...")
+    endif()
+endforeach()
 set(RWEDGE_DEPENDENCIES m)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The shared library exports exactly what the header declares. It calls nothing that prints, ends the process or changes its state.
-# It calls none of GSL's allocators: they report to a handler that ends the process.    symbols.sh HEADER LIBRARY
+# It calls none of GSL's allocators: they report to a handler that ends the process. The static library has no other global name.
+#     symbols.sh HEADER LIBRARY STATIC_LIBRARY
 set -eu
 command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which reads the header"; exit 77; }
 work=$(mktemp -d)
@@ -18,6 +19,11 @@ fi
 if ! diff "$work/declared" "$work/mentioned" >"$work/difference"; then
     echo "FAILED: the header's comments name functions that it does not declare:"
     cat "$work/difference"
+    exit 1
+fi
+nm --defined-only --extern-only "$3" | awk 'NF == 3 { print $3 }' | sort -u >"$work/visible"
+if ! diff "$work/declared" "$work/visible"; then
+    echo "FAILED: < declared in the header, > visible in the static library"
     exit 1
 fi
 forbidden='^(abort|exit|_exit|_Exit|quick_exit|raise|signal|longjmp|setlocale|printf|fprintf|vfprintf|puts|putchar|fputs|fputc|'

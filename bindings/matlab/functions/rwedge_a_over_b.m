@@ -5,7 +5,7 @@ function value = rwedge_a_over_b(AP_over_theta_a)
 %     AP_over_theta_a  > 0, finite
 %   NaN outside the domain, or where a/b leaves it. Relative error below 1e-14.
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 1
     error('rwedge:arguments', 'too few arguments: value = rwedge_a_over_b(AP_over_theta_a)');
 end

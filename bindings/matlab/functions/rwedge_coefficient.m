@@ -7,7 +7,7 @@ function value = rwedge_coefficient(alpha, n)
 %   where alpha is within 1e-9 (relatively) of a zero of b_n, below 1e-22 of the values around.
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_coefficient(alpha, n)');
 end

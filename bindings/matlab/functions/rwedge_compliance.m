@@ -5,7 +5,7 @@ function value = rwedge_compliance(E1, nu1, E2, nu2)
 %     nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
 %   NaN outside the domain, or where A leaves it. Relative error below 4 epsilon.
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 4
     error('rwedge:arguments', 'too few arguments: value = rwedge_compliance(E1, nu1, E2, nu2)');
 end

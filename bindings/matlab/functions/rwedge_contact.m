@@ -8,6 +8,7 @@ classdef rwedge_contact < handle
 %     f      coefficient of friction, 0 <= f <= 1e6
 %
 %   c = rwedge_contact(theta, a, A, f)      a contact without load
+%   c = rwedge_contact(theta, a, A, f, beta)  with rwedge_dundurs_beta(...): it warns where dissimilar bodies have friction
 %   c.load(P, Q)
 %   c.apply(P, M, Q, sigma)
 %   value = c.obstacle(P, M, Q, sigma)
@@ -32,17 +33,36 @@ classdef rwedge_contact < handle
 %
 %   c.load(P, Q) takes vectors too, one load after the other: those before one that is refused stay.
 %
+%   Doubtful results give the warning rwedge:validity: see rwedge_validity. warning('off', 'rwedge:validity') silences it.
+%
 %   It is freed when the last variable that holds it is cleared. "help rwedge_contact.load" and so on say more.
     properties (SetAccess = private, Hidden, Transient)
         number = 0
+        a = NaN % for a warning
     end
     methods
-        function contact = rwedge_contact(theta, a, A, f)
+        function contact = rwedge_contact(theta, a, A, f, beta)
             if nargin > 0 && nargin < 4
                 error('rwedge:arguments', 'too few arguments: contact = rwedge_contact(theta, a, A, f)');
             elseif nargin > 0
                 contact.number = rwedge_mex('contact_create', theta, a, A, f);
+                contact.a = a;
+                contact.warn('theta', theta);
             end
+            if nargin > 4
+                contact.warn('beta', beta, 'f', f);
+            end
+        end
+
+        function disp(contact)
+        %DISP  The loads, and the sizes of the contact.
+            if ~rwedge_mex('is_contact', contact.number)
+                disp('  rwedge_contact, deleted');
+                return
+            end
+            [P, M, Q, sigma] = contact.loads();
+            fprintf('  rwedge_contact: P = %.6g, M = %.6g, Q = %.6g, sigma = %.6g; half-width %.6g, stick zone %.6g\n', ...
+                P, M, Q, sigma, contact.half_width(), contact.stick_half_width());
         end
 
         function delete(contact)
@@ -56,6 +76,7 @@ classdef rwedge_contact < handle
         %   rwedge:handle, rwedge:memory.
             other = rwedge_contact();
             other.number = rwedge_mex('contact_copy', contact.number);
+            other.a = contact.a;
         end
 
         function load(contact, P, Q)
@@ -76,6 +97,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: contact.load(P, Q)');
             end
             rwedge_mex('contact_load', contact.number, P, Q);
+            contact.warn_of_size();
         end
 
         function apply(contact, P, M, Q, sigma)
@@ -104,6 +126,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: contact.apply(P, M, Q, sigma)');
             end
             rwedge_mex('contact_apply', contact.number, P, M, Q, sigma);
+            contact.warn_of_size();
         end
 
         function value = obstacle(contact, P, M, Q, sigma)
@@ -251,6 +274,7 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)');
             end
             [sxx, syy, txy] = rwedge_mex('contact_stress_history', contact.number, P, M, Q, sigma, x, y);
+            contact.warn_of_size();
         end
 
         function value = state_size(contact)
@@ -320,6 +344,31 @@ classdef rwedge_contact < handle
                 error('rwedge:arguments', 'too few arguments: [factor, x, y] = contact.yield_factor(nu, k)');
             end
             [factor, x, y] = rwedge_mex('contact_yield_factor', contact.number, nu, k);
+            contact.warn('safety', factor);
+        end
+    end
+    methods (Access = private)
+        function warn_of_size(contact)
+            b = rwedge_mex('contact_half_width', contact.number);
+            if b > 0
+                contact.warn('alpha', contact.a / b);
+            end
+        end
+
+        % Warns by rwedge_validity of the arguments that are given by name.
+        function warn(contact, varargin)
+            known = struct('theta', NaN, 'alpha', NaN, 'beta', NaN, 'f', NaN, 'safety', NaN);
+            for k = 1:2:numel(varargin)
+                known.(varargin{k}) = varargin{k + 1};
+            end
+            doubts = rwedge_mex('validity', known.theta, known.alpha, known.beta, known.f, NaN, known.safety);
+            bit = 1;
+            while doubts >= bit
+                if bitand(doubts, bit)
+                    warning('rwedge:validity', '%s', rwedge_mex('validity_text', bit));
+                end
+                bit = 2 * bit;
+            end
         end
     end
     methods (Static)

@@ -8,7 +8,7 @@ function value = rwedge_critical_friction(alpha, nu)
 %   like a square root.
 %     nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_critical_friction(alpha, nu)');
 end

@@ -9,7 +9,7 @@ function value = rwedge_dundurs_beta(E1, nu1, E2, nu2)
 %     E1, E2    Young's moduli, > 0; Inf is a rigid body (one of the two at most)
 %     nu1, nu2  Poisson's ratios, -1 < nu <= 0.5
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 4
     error('rwedge:arguments', 'too few arguments: value = rwedge_dundurs_beta(E1, nu1, E2, nu2)');
 end

@@ -9,7 +9,7 @@ function value = rwedge_elastic_limit(alpha, f, nu)
 %     f   coefficient of friction, 0 <= f <= 1e6
 %     nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 3
     error('rwedge:arguments', 'too few arguments: value = rwedge_elastic_limit(alpha, f, nu)');
 end

@@ -6,7 +6,7 @@ function value = rwedge_largest_shear(sxx, syy, txy, nu)
 %     sxx, syy, txy  stresses, of at most 1e60 in magnitude
 %     nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane stress, szz = 0, give nu = 0
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 4
     error('rwedge:arguments', 'too few arguments: value = rwedge_largest_shear(sxx, syy, txy, nu)');
 end

@@ -7,7 +7,7 @@ function value = rwedge_normal_load(theta, a, A, b)
 %     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 %     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 4
     error('rwedge:arguments', 'too few arguments: value = rwedge_normal_load(theta, a, A, b)');
 end

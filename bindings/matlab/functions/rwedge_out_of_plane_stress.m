@@ -5,7 +5,7 @@ function value = rwedge_out_of_plane_stress(sxx, syy, nu)
 %     sxx, syy  stresses, of at most 1e60 in magnitude
 %     nu        Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane stress, szz = 0, give nu = 0
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 3
     error('rwedge:arguments', 'too few arguments: value = rwedge_out_of_plane_stress(sxx, syy, nu)');
 end

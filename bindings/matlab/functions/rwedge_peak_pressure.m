@@ -4,7 +4,7 @@ function value = rwedge_peak_pressure(alpha)
 %   NaN outside the domain, and for alpha = 0, where it is infinite. Relative error below 1e-14.
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 1
     error('rwedge:arguments', 'too few arguments: value = rwedge_peak_pressure(alpha)');
 end

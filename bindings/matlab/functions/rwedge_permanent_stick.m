@@ -16,7 +16,7 @@ function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigm
 %     A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
 %     f      coefficient of friction, 0 <= f <= 1e6
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 %   Where rwedge:absent is said above, the results are NaN, and no error.
 if nargin < 12
     error('rwedge:arguments', 'too few arguments: [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)');

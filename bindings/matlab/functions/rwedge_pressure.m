@@ -6,7 +6,7 @@ function value = rwedge_pressure(alpha, x)
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %     x      place along the surface, in b, finite
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_pressure(alpha, x)');
 end

@@ -9,7 +9,7 @@ function [s1, s2, angle] = rwedge_principal_stresses(sxx, syy, txy)
 %   two, of the angle below 4 epsilon.
 %     sxx, syy, txy  stresses, of at most 1e60 in magnitude
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 3
     error('rwedge:arguments', 'too few arguments: [s1, s2, angle] = rwedge_principal_stresses(sxx, syy, txy)');
 end

@@ -4,7 +4,7 @@ function value = rwedge_radius(theta, a)
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 %     a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_radius(theta, a)');
 end

@@ -4,7 +4,7 @@ function value = rwedge_rounding(theta, R)
 %     R  radius, length, finite, >= 0
 %     theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small angles
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_rounding(theta, R)');
 end

@@ -7,7 +7,7 @@ function value = rwedge_shear(alpha, c, x)
 %     c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
 %     x      place along the surface, in b, finite
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 3
     error('rwedge:arguments', 'too few arguments: value = rwedge_shear(alpha, c, x)');
 end

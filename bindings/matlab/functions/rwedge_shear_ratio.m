@@ -5,7 +5,7 @@ function value = rwedge_shear_ratio(alpha, c)
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %     c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_shear_ratio(alpha, c)');
 end

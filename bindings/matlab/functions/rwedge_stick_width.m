@@ -6,7 +6,7 @@ function value = rwedge_stick_width(alpha, Q_over_fP)
 %   NaN outside the domain. Relative error below 1e-14. Inverse: rwedge_shear_ratio().
 %     alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is Hertz' contact
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 2
     error('rwedge:arguments', 'too few arguments: value = rwedge_stick_width(alpha, Q_over_fP)');
 end

@@ -3,7 +3,7 @@ function value = rwedge_strerror(status)
 %   What a status means, in English. Static text.
 %     status  any integer
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 1
     error('rwedge:arguments', 'too few arguments: value = rwedge_strerror(status)');
 end

@@ -10,7 +10,7 @@ function [sxx, syy, txy] = rwedge_stress(alpha, f, c, x, y)
 %     f      coefficient of friction, 0 <= f <= 1e6
 %     c      half-width of the stick zone over b, 0 <= c <= 1; 0 is full sliding
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 5
     error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = rwedge_stress(alpha, f, c, x, y)');
 end

@@ -7,7 +7,7 @@ function [limit, x] = rwedge_surface_yield(alpha, f, nu)
 %     f   coefficient of friction, 0 <= f <= 1e6
 %     nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 %   Where rwedge:absent is said above, the results are NaN, and no error.
 if nargin < 3
     error('rwedge:arguments', 'too few arguments: [limit, x] = rwedge_surface_yield(alpha, f, nu)');

@@ -10,7 +10,7 @@ function value = rwedge_validity(theta, alpha, beta, f, k_over_E, safety)
 %     k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
 %     safety    any number; rwedge_yield_load() over P, or that of rwedge_contact.yield_factor()
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 6
     error('rwedge:arguments', 'too few arguments: value = rwedge_validity(theta, alpha, beta, f, k_over_E, safety)');
 end

@@ -4,7 +4,7 @@ function value = rwedge_validity_text(doubt)
 %   such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text.
 %     doubt  any integer
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 1
     error('rwedge:arguments', 'too few arguments: value = rwedge_validity_text(doubt)');
 end

@@ -14,7 +14,7 @@ function value = rwedge_yield_load(theta, a, A, f, nu, k)
 %     f      coefficient of friction, 0 <= f <= 1e6
 %     k      yield stress in pure shear, stress, finite, > 0
 %
-%   The arguments are arrays of one size, or scalars, which go with every element.
+%   The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension.
 if nargin < 6
     error('rwedge:arguments', 'too few arguments: value = rwedge_yield_load(theta, a, A, f, nu, k)');
 end

@@ -12,13 +12,21 @@ import pytest
 import rwedge
 
 PACKAGE = Path(__file__).resolve().parents[1]
-TOP = PACKAGE.parents[1]
+CLONE = PACKAGE.parents[1]
+TOP = CLONE if (CLONE / "include").is_dir() else PACKAGE / "library"  # which a source distribution has
 
 
 @pytest.fixture(scope="session")
-def private():
+def private(tmp_path_factory):
     """Where the library's private build is installed."""
-    return Path(os.environ["RWEDGE_PRIVATE_PREFIX"])
+    if "RWEDGE_PRIVATE_PREFIX" in os.environ:
+        return Path(os.environ["RWEDGE_PRIVATE_PREFIX"])
+    build = tmp_path_factory.mktemp("private")
+    for step in (["-S", TOP, "-B", build, "-DRWEDGE_PRIVATE_DEPS=ON", "-DCMAKE_BUILD_TYPE=Release", "-DRWEDGE_BUILD_CLI=OFF",
+                  "-DRWEDGE_BUILD_TESTS=OFF", "-DCMAKE_INSTALL_LIBDIR=lib"],
+                 ["--build", build], ["--install", build, "--prefix", build / "prefix"]):
+        subprocess.run(["cmake", *step], check=True, capture_output=True)
+    return build / "prefix"
 
 
 @pytest.fixture(scope="session")

@@ -43,8 +43,8 @@ def test_yield_factor_in_full_sliding_is_the_elastic_limit():
     contact.load(2000, 200)
     b = contact.half_width
     limit, x, y = rwedge.yield_point(A_ROUNDING / b, 0.1, 0.3)
-    found = contact.yield_factor(nu=0.3, k=150)
-    assert found.factor == pytest.approx(limit * b * 150 / 2000, rel=1e-12)
+    found = contact.yield_factor(nu=0.3, k=1500)
+    assert found.factor == pytest.approx(limit * b * 1500 / 2000, rel=1e-12)
     assert (found.x, found.y) == pytest.approx((x * b, y * b), rel=1e-6)
 
 
@@ -109,7 +109,7 @@ def test_errors_leave_the_contact_as_it_was(contact):
     assert isinstance(caught.value, ValueError) and caught.value.status == 6
     with pytest.raises(rwedge.Error, match="P = -1.0.*P: 0, or 1e-60 to 1e60"):
         contact.load(-1)
-    with pytest.raises(rwedge.Error, match="a size is out of range"):
+    with pytest.warns(rwedge.ValidityWarning), pytest.raises(rwedge.Error, match="a size is out of range"):
         contact.load(1e-7)
     with pytest.raises(rwedge.Error, match=r"x = inf, y = 1.0: an argument is outside its domain"):
         contact.stresses(np.inf, 1.0)
@@ -132,7 +132,7 @@ def test_bad_parameters():
         rwedge.Contact(2, 1, 1e-5, 0.3)
     with pytest.raises(TypeError, match="theta: must be real number, not str"):
         rwedge.Contact("0.01", 1, 1e-5, 0.3)
-    with pytest.raises(rwedge.Error, match="does not exist"):
+    with pytest.raises(rwedge.Error, match="unloaded"):
         rwedge.Contact(0.01, 1, 1e-5, 0.3).yield_factor(0.3, 300)
     sharp = rwedge.Contact(0.01, 0, 1e-5, 0.3)
     sharp.load(1000)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The formulas are ufuncs: right, broadcasting, quiet, picklable; the docstrings are the header's."""
 import ctypes
+import inspect
 import pickle
 import threading
 import time
@@ -12,7 +13,8 @@ import rwedge
 from rwedge._header import FUNCTIONS
 from rwedge._library import function
 
-UFUNCS = {name: value for name, value in vars(rwedge).items() if isinstance(value, np.ufunc)}
+UFUNCS = {name: value for name, value in vars(rwedge).items() if isinstance(getattr(value, "ufunc", None), np.ufunc)
+          and not name.startswith("_")}
 INSIDE = {  # an argument list inside each domain
     "compliance": (200e3, 0.3, 70e3, 0.33), "dundurs_beta": (200e3, 0.3, 70e3, 0.33), "load": (0.25,), "a_over_b": (4.5,),
     "pressure": (0.25, 0.4), "peak_pressure": (0.25,), "transition_pressure": (0.25,), "coefficient": (0.25, 3),
@@ -171,6 +173,27 @@ def test_wrong_types_and_shapes():
 @pytest.mark.parametrize("name", UFUNCS)
 def test_pickles_by_name(name):
     assert pickle.loads(pickle.dumps(UFUNCS[name])) is UFUNCS[name]
+    assert pickle.loads(pickle.dumps(UFUNCS[name].ufunc)) is UFUNCS[name].ufunc
+
+
+@pytest.mark.parametrize("name", UFUNCS)
+def test_arguments_by_name(name):
+    names, values = list(inspect.signature(UFUNCS[name]).parameters), INSIDE[name]
+    for by_place in range(len(values) + 1):
+        by_name = dict(reversed(list(zip(names[by_place:], values[by_place:]))))
+        assert UFUNCS[name](*values[:by_place], **by_name) == UFUNCS[name](*values)
+
+
+def test_wrong_names_are_named():
+    out = np.empty(2)
+    assert rwedge.elastic_limit([0.25, 0.3], f=0.1, nu=0.3, out=out) is out
+    for given, named in (((0.25,), {"nu": 0.3}), ((0.25, 0.1), {"f": 0.1, "nu": 0.3}), ((), {"alpha": 0.25})):
+        with pytest.raises(TypeError, match=r"elastic_limit\(\) takes alpha, f, nu"):
+            rwedge.elastic_limit(*given, **named)
+    with pytest.raises(TypeError, match="friction"):
+        rwedge.elastic_limit(0.25, 0.1, 0.3, friction=1)
+    assert rwedge.load.outer is not None and rwedge.pressure.nin == 2
+    assert repr(rwedge.pressure) == "<formula rwedge.pressure(alpha, x)>"
 
 
 def test_masked_arrays_keep_their_mask():
@@ -207,7 +230,7 @@ def test_docstring_says_what_the_header_says(name):
     assert f"{name}({', '.join(inputs)})" in doc
     assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
     for argument in inputs:
-        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0]}" in doc
+        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0].rstrip(';')}" in doc
     assert f"Source: {about['source']}." in doc and about["source"]
     assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
     assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))

@@ -88,7 +88,14 @@ b: float = contact.half_width
 p, q = contact.tractions([0.1, 0.2])
 factor: float = contact.yield_factor(0.3, 300).factor
 limit = rwedge.elastic_limit([0.1, 0.2], 0.3, 0.3)
+one: float = rwedge.load(0.25)
+named = rwedge.elastic_limit(0.25, f=[0.1, 0.2], nu=0.3, out=None)
 contact.load()  # type: ignore[call-arg]
+rwedge.yield_point("a", 3, 4)  # type: ignore[arg-type]
+rwedge.load(0.25, 3)  # type: ignore[call-overload]
+rwedge.load(1j)  # type: ignore[call-overload]
+rwedge.load(0.25, friction=3)  # type: ignore[call-overload]
+contact.stresses("a", 3)  # type: ignore[arg-type]
 rwedge.absent(1)  # type: ignore[attr-defined]
 """
 

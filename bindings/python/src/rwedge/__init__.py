@@ -1,36 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The contact of a wedge with a rounded apex and an elastically similar half-plane.
 
-Formulas are NumPy ufuncs: they broadcast, know ``out=`` and ``where=``, and release the GIL. Outside its domain a formula gives
+Formulas are NumPy ufuncs that take arguments by name too: they broadcast, know ``out=`` and ``where=``, and release the GIL. Outside its domain a formula gives
 NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does (``numpy.errstate(invalid="raise")`` makes an
 exception of it); NaN among the arguments gives NaN without one.
 
 ``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
-raises. These raise ValueError outside the domain. NaN among points gives NaN; as a parameter, a load or a sample it is refused.
+raises. These warn of doubtful results (``ValidityWarning``), and raise ValueError outside the domain. NaN among points gives NaN; as a parameter, a load or a sample it is refused.
 
 Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
 in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
 apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed in the library's lib/README.md; "new" marks
 what the paper does not have.
 """
-from . import _made
+from . import _formulas, _made
 from ._contact import Contact, Loads, YieldFactor
-from ._header import FUNCTIONS as _FUNCTIONS
 from ._library import Error, SlidingError
 from ._library import function as _function
 from ._made import *  # noqa: F403
 from ._series import Series
+from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
-from ._ufuncs import ufunc as _ufunc
+from ._validity import ValidityWarning
 
-for _public in (Contact, Error, Loads, Series, SlidingError, YieldFactor):
+for _public in (Contact, Error, Loads, Series, SlidingError, ValidityWarning, YieldFactor):
     _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
-# The ufuncs: all functions of the header that take and give nothing but numbers.
-_ufuncs = {name: _ufunc(name) for name, about in _FUNCTIONS.items() if about["made"] == "ufunc"}
-globals().update(_ufuncs)
-__all__ = ["Contact", "Error", "Loads", "Series", "SlidingError", "YieldFactor", "stresses", *_ufuncs, *_made.__all__]
+# All functions of the header that take and give nothing but numbers.
+globals().update({name: _Formula(ufunc) for name, ufunc in _formulas.UFUNCS.items()})
+__all__ = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
+           *_formulas.UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")
 

@@ -2,17 +2,23 @@
 """A contact with a load history."""
 from __future__ import annotations
 
+import copy
 import ctypes
+import math
+import os
 import threading
-from typing import Any, NamedTuple, SupportsFloat
+import weakref
+from typing import Any, NamedTuple, SupportsFloat, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ._general import call
-from ._library import Handle, check, function, real
+from ._library import EABSENT, Error, Handle, check, function, real
 from ._made import ContactMethods
+from ._types import Numbers
 from ._ufuncs import Points
+from ._validity import warn
 
 _create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
@@ -20,7 +26,11 @@ _loads = function("contact_loads")
 _state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
 _dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
 _yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
+_formula_half_width = function("half_width")
 _tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
+
+
+Self = TypeVar("Self", bound="Contact")
 
 
 class YieldFactor(NamedTuple):
@@ -29,6 +39,36 @@ class YieldFactor(NamedTuple):
     factor: float
     x: float
     y: float
+
+
+class _Forks:
+    """No process is copied while a contact is in the middle of a call: the copy would wait for a thread that it does not have."""
+
+    def __init__(self) -> None:
+        self._lock, self._contacts = threading.RLock(), weakref.WeakSet[Any]()
+        self._held: list[Any] = []
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(before=self._before, after_in_parent=self._after, after_in_child=self._after)
+
+    def add(self, contact: Any) -> None:
+        """Not to be called by who holds a contact's lock."""
+        with self._lock:
+            self._contacts.add(contact)
+
+    def _before(self) -> None:
+        self._lock.acquire()
+        self._held = [contact._lock for contact in self._contacts]
+        for lock in self._held:
+            lock.acquire()
+
+    def _after(self) -> None:
+        for lock in self._held:
+            lock.release()
+        self._held = []
+        self._lock.release()
+
+
+_forks = _Forks()
 
 
 class Loads(NamedTuple):
@@ -56,6 +96,8 @@ class Contact(ContactMethods, Handle):
         composite compliance, 1/stress, finite, > 0: ``compliance(E1, nu1, E2, nu2)``
     f : float
         coefficient of friction, 0 <= f <= 1e6
+    beta : float, optional
+        ``dundurs_beta(E1, nu1, E2, nu2)``, to be warned where dissimilar bodies have friction, as that coupling is neglected
 
     Raises
     ------
@@ -63,47 +105,64 @@ class Contact(ContactMethods, Handle):
         (``rwedge.Error``) outside the domain; the message names the arguments and what is allowed
     TypeError, MemoryError
 
+    Warns
+    -----
+    ValidityWarning
+        where the angle is too large for a half-plane, bodies are dissimilar, a/b looks as if units were mixed (``load``), or the
+        contact yields (``yield_factor``)
+
     Notes
     -----
     A contact is created without load, separated, and freed with its last reference. ``copy()``, ``copy.copy`` and
-    ``copy.deepcopy`` give an independent one, history and all. A pickled contact goes on to the same bits, by ``state()``.
+    ``copy.deepcopy`` give an independent one, history and all, with the attributes of a subclass. A pickled contact goes on to
+    the same bits, by ``state()``.
 
     Threads: different contacts are independent, and their methods release the GIL. Calls for one contact from several
-    threads are safe, and wait for each other; to read one at the same time, give each thread a copy.
+    threads are safe, and wait for each other; to read one at the same time, give each thread a copy. ``os.fork`` waits for
+    the calls that other threads are in.
 
     Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
 
     Examples
     --------
     >>> contact = Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> contact.load(P=2000)
     >>> contact.load(P=2000, Q=300)
     >>> p, q = contact.tractions([0.0, 1.0])
     """
 
-    def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> None:
+    def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
+                 beta: SupportsFloat = math.nan) -> None:
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
         self._begin(handle)
+        warn(theta=self.theta, f=self.f, beta=real("beta", beta))
 
     def _begin(self, handle: ctypes.c_void_p) -> None:
         self._lock = threading.RLock()
         self._adopt(handle, _destroy)
+        _forks.add(self)
 
-    def copy(self) -> Contact:
-        """An independent copy, history and all: to try a load and go back."""
+    def copy(self: Self) -> Self:
+        """An independent copy, history and all: to try a load and go back. The attributes of a subclass are shared."""
         twin, handle = type(self).__new__(type(self)), ctypes.c_void_p()
-        twin._parameters = self._parameters
         with self._lock:
+            twin.__dict__.update(self.__dict__)
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
-            twin._begin(handle)
+        twin._begin(handle)
         return twin
 
-    def __copy__(self) -> Contact:
+    def __copy__(self: Self) -> Self:
         return self.copy()
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> Contact:
-        return self.copy()
+    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
+        twin = self.copy()
+        memo[id(self)] = twin
+        for name, value in twin.__dict__.items():
+            if name not in ("_cell", "_lock"):
+                twin.__dict__[name] = copy.deepcopy(value, memo)
+        return twin
 
     def __repr__(self) -> str:
         parameters = ", ".join(f"{name}={value}" for name, value in self._parameters.items())
@@ -131,6 +190,8 @@ class Contact(ContactMethods, Handle):
         The contact is then as before. Source: Sec. 3.2; new.
         """
         P, Q = real("P", P), real("Q", Q)
+        b = _formula_half_width(self.theta, self.a, self.A, P)
+        warn(alpha=self.a / b if b > 0 else math.nan)
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
 
@@ -148,7 +209,7 @@ class Contact(ContactMethods, Handle):
         return numbers
 
     @classmethod
-    def restore(cls, state: ArrayLike) -> Contact:
+    def restore(cls: type[Self], state: Numbers) -> Self:
         """The contact of the numbers that ``state()`` gave.
 
         Raises
@@ -166,7 +227,8 @@ class Contact(ContactMethods, Handle):
         return contact
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).restore, (self.state(),)
+        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters")}
+        return type(self).restore, (self.state(),), own
 
     @property
     def loads(self) -> Loads:
@@ -246,7 +308,7 @@ class Contact(ContactMethods, Handle):
         the rigid displacement in full sliding. Source: new."""
         return self._value(_dissipated_energy)
 
-    def tractions(self, x: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
+    def tractions(self, x: Numbers) -> tuple[NDArray[Any], NDArray[Any]]:
         """Pressure p and shear traction q at points of the surface, stress, in the shape of x: compression negative; q = f p
         where it slips under Q > 0. Both are 0 for \\|x| >= b.
 
@@ -265,7 +327,7 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             return _tractions(self._address, x)
 
-    def stresses(self, x: ArrayLike, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def stresses(self, x: Numbers, y: Numbers) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Stresses sxx, syy, txy at points (x, y) of the half-plane, tension positive, in the broadcast shape of x and y.
 
         Parameters
@@ -283,7 +345,7 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             return _stresses(self._address, x, y)
 
-    def slip(self, x: ArrayLike) -> NDArray[Any]:
+    def slip(self, x: Numbers) -> NDArray[Any]:
         """Slip at points of the surface, length, in the shape of x: the tangential displacement of the half-plane's surface
         relative to the wedge's since the point last came into contact. It has the sign of q while it grows. 0 where a
         point has stuck ever since. In full sliding it is the least that the loads need.
@@ -319,7 +381,7 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         ValueError
-            outside the domain; when separated, as there is no stress
+            outside the domain; when unloaded, as there is no stress
 
         Loads scaled by the factor would not yield it exactly, as the contact grows: see ``yield_load``.
         """
@@ -327,5 +389,8 @@ class Contact(ContactMethods, Handle):
         factor, x, y = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
         with self._lock:
             status = _yield_factor(self._address, nu, k, *map(ctypes.byref, (factor, x, y)))
+        if status == EABSENT:
+            raise Error("this contact is unloaded: there is no stress to yield under", status)
         check("contact_yield_factor", status, {"nu": nu, "k": k})
+        warn(safety=factor.value)
         return YieldFactor(factor.value, x.value, y.value)

@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._header import FUNCTIONS
+from ._labels import refuse_labels
 from ._library import ERANGE, Error, check, function, integer, real
 
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 
 def _numbers(name: str, given: Any, dimensions: int) -> NDArray[Any]:
+    refuse_labels(name, given)
     array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe"))
     if array.ndim != dimensions:
         raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)

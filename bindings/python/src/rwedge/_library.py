@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import importlib.util
 import math
 import operator
 import sys
@@ -14,10 +15,19 @@ from ._header import FUNCTIONS
 
 TYPES = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "size_t": ctypes.c_size_t, "const char *": ctypes.c_char_p,
          "void": None}  # all others are pointers
-OK, EDOMAIN, ERANGE, ENOMEM, ESLIDING = 0, 1, 3, 5, 6
+OK, EDOMAIN, ENULL, ERANGE, ENOMEM, ESLIDING, EABSENT = 0, 1, 2, 3, 5, 6, 8
 INT32_MAX = 2**31 - 1
 
-library = ctypes.CDLL(str(Path(__file__).with_name("_rwedge" + (".dll" if sys.platform == "win32" else ".so"))))
+
+
+def _path() -> str:
+    """Where the library is: beside this file; or, of an editable install, where the hook of the import finds it."""
+    beside = Path(__file__).with_name("_rwedge" + (".dll" if sys.platform == "win32" else ".so"))
+    found = None if beside.exists() else importlib.util.find_spec("._rwedge", __package__)
+    return str(found.origin if found and found.origin else beside)
+
+
+library = ctypes.CDLL(_path())
 
 
 class Error(ValueError):
@@ -72,12 +82,27 @@ def integer(name: str, value: SupportsIndex) -> int:
     return number
 
 
+def _free(cell: list[int | None], destroy: Any) -> None:
+    address, cell[0] = cell[0], None
+    destroy(address)
+
+
 class Handle:
-    """An object of the library, freed when the last reference to it goes."""
+    """An object of the library, freed when the last reference to it goes; at the end of the process, with its memory.
+
+    In a cycle that is collected, the object may still be reached when it has been freed: from another's __del__. The cell,
+    which is shared with the finalizer, tells that."""
 
     def _adopt(self, handle: ctypes.c_void_p, destroy: Any) -> None:
-        self._address = handle.value
-        weakref.finalize(self, destroy, handle.value)
+        self._cell = [handle.value]
+        weakref.finalize(self, _free, self._cell, destroy).atexit = False
+
+    @property
+    def _address(self) -> int:
+        address = self._cell[0]
+        if address is None:
+            raise Error(f"this {type(self).__name__} has been freed: it is used after the end of its life", ENULL)
+        return address
 
     def __reduce__(self) -> Any:
         raise TypeError(f"a {type(self).__name__} cannot be pickled: send what it is made from, and make it there")

@@ -6,11 +6,13 @@ import ctypes
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ._general import call
 from ._library import EDOMAIN, Error, Handle, check, function, integer, real
+from ._labels import aligned
 from ._made import SeriesMethods
+from ._types import Numbers
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
@@ -19,7 +21,7 @@ _coefficient, _pressure, _potential, _stress = (
     Points("series_" + name) for name in ("coefficient", "pressure", "potential", "stress"))
 
 
-def _samples(numbers: ArrayLike) -> NDArray[Any]:
+def _samples(numbers: Any) -> NDArray[Any]:
     """As the ufuncs take numbers: a TypeError for strings, objects and complex numbers."""
     return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
@@ -58,7 +60,7 @@ class Series(SeriesMethods, Handle):
         self._adopt(handle, _destroy)
 
     @classmethod
-    def fit(cls, x: ArrayLike, p: ArrayLike, terms: SupportsIndex) -> Series:
+    def fit(cls, x: Numbers, p: Numbers, terms: SupportsIndex) -> Series:
         """Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
 
         Parameters
@@ -77,15 +79,15 @@ class Series(SeriesMethods, Handle):
         Source: Sec. 4 of the paper.
         """
         terms = integer("terms", terms)
-        x, p = _samples(x), _samples(p)
-        if x.ndim != 1 or x.shape != p.shape:
-            raise Error(f"x has the shape {x.shape}, p {p.shape}: they must be of one dimension and the same length")
+        places, pressures = map(_samples, aligned((x, p))[0])
+        if places.ndim != 1 or places.shape != pressures.shape:
+            raise Error(f"x has the shape {places.shape}, p {pressures.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()
-        status = _fit(x.size, x.ctypes.data, p.ctypes.data, terms, ctypes.byref(handle))
+        status = _fit(places.size, places.ctypes.data, pressures.ctypes.data, terms, ctypes.byref(handle))
         if status == EDOMAIN:
-            first = np.argmin((abs(x) < 1) & np.isfinite(p))
-            check("series_fit", status, {"x": x[first], "p": p[first]}, f"[{first}]")
-        check("series_fit", status, {"samples": x.size, "terms": terms})
+            first = np.argmin((abs(places) < 1) & np.isfinite(pressures))
+            check("series_fit", status, {"x": places[first], "p": pressures[first]}, f"[{first}]")
+        check("series_fit", status, {"samples": places.size, "terms": terms})
         series._adopt(handle, _destroy)
         return series
 
@@ -117,11 +119,11 @@ class Series(SeriesMethods, Handle):
         \\|a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
         return _residual(self._address)
 
-    def pressure(self, x: ArrayLike) -> NDArray[Any]:
+    def pressure(self, x: Numbers) -> NDArray[Any]:
         """The pressure at x, finite; 0 for \\|x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
         return _pressure(self._address, x)
 
-    def potential(self, f: ArrayLike, x: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+    def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:
         """Muskhelishvili's potential Phi for q = f p, complex, in the broadcast shape of the arguments.
 
         Parameters
@@ -141,7 +143,7 @@ class Series(SeriesMethods, Handle):
         real_part, imaginary_part = _potential(self._address, f, x, y)
         return real_part + 1j * imaginary_part
 
-    def stress(self, f: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def stress(self, f: Numbers, x: Numbers, y: Numbers) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Stresses sxx, syy, txy for q = f p, in theta/A, tension positive, in the broadcast shape of the arguments. At the
         edges they converge slowly.
 

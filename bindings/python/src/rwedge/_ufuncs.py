@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import ctypes
 import importlib
-from typing import Any
+import inspect
+from typing import Any, NoReturn
 
 import numpy as np
 
 from ._header import FUNCTIONS
+from ._labels import aligned
 from ._library import EDOMAIN, check
 from ._library import library as _library
 
@@ -61,8 +63,43 @@ def ufunc(name: str) -> np.ufunc:
     return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0)
 
 
+class Formula:
+    """A ufunc that takes its arguments by name too. The ufunc itself is the attribute ``ufunc``, whose methods and attributes
+    this one has as well, such as ``outer``."""
+
+    def __init__(self, function: np.ufunc) -> None:
+        self.ufunc, self.__name__, self.__doc__, self.__module__ = function, function.__name__, function.__doc__, "rwedge"
+        self._names = [name for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
+        self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+                                                for name in self._names])
+
+    def __call__(self, *given: Any, **options: Any) -> Any:
+        if options:
+            given = self._in_order(given, options)
+        return self.ufunc(*given, **options)
+
+    def _in_order(self, given: tuple[Any, ...], options: dict[str, Any]) -> tuple[Any, ...]:
+        """The arguments that were given by name, out of the options and behind the others."""
+        named = [name for name in self._names if name in options]
+        if named and named != self._names[len(given):]:
+            raise TypeError(f"{self.__name__}() takes {', '.join(self._names)}: {len(given)} given by place, and "
+                            f"{', '.join(named)} by name")
+        return given + tuple(options.pop(name) for name in named)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "ufunc":  # before it has one: while it is copied or unpickled
+            raise AttributeError(name)
+        return getattr(self.ufunc, name)
+
+    def __reduce__(self) -> str:
+        return self.__name__
+
+    def __repr__(self) -> str:
+        return f"<formula rwedge.{self.__name__}({', '.join(self._names)})>"
+
+
 class Points:
-    """A ufunc that raises where an argument is outside its domain, and says which. A NaN still gives NaN.
+    """A ufunc that raises where an argument is outside its domain, and says which. A NaN still gives NaN. Labels are kept.
 
     It is evaluated at once, for lazy arrays (Dask's) too: later the object, whose address it is given, may be gone.
     """
@@ -72,15 +109,17 @@ class Points:
         self.arguments = [argument for kind, argument in FUNCTIONS[name]["parameters"] if kind in ARGUMENTS]
 
     def __call__(self, *given: Any) -> Any:
-        arguments = tuple(map(np.asanyarray, given))
+        arguments, labelled = aligned(given)
         try:
             with np.errstate(invalid="raise"):
-                return self.ufunc(*arguments)
+                results = self.ufunc(*arguments)
         except FloatingPointError:
-            pass
-        self._complain(arguments)
+            self._complain(arguments)
+        if labelled is None:
+            return results
+        return tuple(map(labelled, results)) if isinstance(results, tuple) else labelled(results)
 
-    def _complain(self, arguments: tuple[Any, ...]) -> None:
+    def _complain(self, arguments: tuple[Any, ...]) -> NoReturn:
         """Raises for the first point outside the domain."""
         with np.errstate(invalid="ignore"):
             results = self.ufunc(*arguments)
@@ -93,3 +132,4 @@ class Points:
         place = f"[{', '.join(map(str, index))}]" if index else ""
         values = {argument: float(value[index]) for argument, value in given.items() if argument not in ("contact", "series")}
         check(self.name, EDOMAIN, values, place)
+        raise AssertionError("the ufunc refused what it accepts one by one")

@@ -1,0 +1,64 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+! Copies that a compiler makes byte by byte, as OpenMP's private and firstprivate do, are noticed: they are used by error or by
+! assignment, never freed twice. Grids of points. What a message names.
+program copies
+    use rwedge
+    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
+    implicit none
+    type(rwedge_contact) :: base, c
+    character(200) :: text
+    integer :: i, stat, refused, failures
+    real(c_double) :: b(8), x(2, 3), p(2, 3), q(2, 3), list_p(6), list_q(6)
+
+    failures = 0
+    call base%create(0.01d0, 0.5d0, 1.8d-5, 0.6d0)
+    call base%load(2000d0, 0d0)
+
+    !$omp parallel do private(c, stat) num_threads(4)
+    do i = 1, 8
+        c = base
+        call c%load(2000d0 + i, 100d0, stat)
+        b(i) = c%half_width()
+    end do
+    do i = 1, 8
+        call claim('private: each its own', abs(b(i) - rwedge_half_width(0.01d0, 0.5d0, 1.8d-5, 2000d0 + i)) <= 0)
+    end do
+
+    refused = 0
+    c = base
+    !$omp parallel do firstprivate(c) private(stat) reduction(+:refused) num_threads(4)
+    do i = 1, 8
+        call c%load(3000d0, 0d0, stat)
+        if (stat == rwedge_enull .and. c%half_width() /= c%half_width()) refused = refused + 1
+        c = base
+        call c%load(3000d0, 0d0, stat)
+        if (stat == rwedge_ok) refused = refused + 1
+    end do
+    call claim('firstprivate is no contact, until it is assigned one', refused > 8)
+    call claim('the base is as it was', abs(base%half_width() - c%half_width()) <= 0)
+
+    x = reshape([-0.4d0, -0.2d0, 0d0, 0.1d0, 0.2d0, 0.3d0], [2, 3])
+    p = 0
+    call base%tractions(x, p, q, stat)
+    call base%tractions([x], list_p, list_q)
+    call claim('a grid is its points', stat == rwedge_ok .and. all(abs([p] - list_p) <= 0) .and. all(abs([q] - list_q) <= 0))
+    call base%tractions(x, p(:, 1:2), q, stat, text)
+    call claim('arrays of two shapes', stat == rwedge_erange .and. index(text, 'arrays of one shape') > 0)
+
+    call base%load(2000d0, 1300d0, stat, text)
+    call claim(trim(text), stat == rwedge_esliding .and. index(text, ': P = 2000.') > 0 .and. index(text, ', Q = 1300.') > 0)
+    call base%tractions([0d0, 1d300], list_p(1:2), list_q(1:2), stat, text)
+    call claim(trim(text), stat == rwedge_edomain .and. index(text, 'element 2') > 0 .and. index(text, ': x = ') > 0)
+    if (failures > 0) error stop 1
+    print '(a)', 'copies byte by byte are noticed'
+
+contains
+
+    subroutine claim(what, holds)
+        character(*), intent(in) :: what
+        logical, intent(in) :: holds
+        if (holds) return
+        failures = failures + 1
+        print '(2a)', 'FAILED: ', what
+    end subroutine
+end program

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""When an object lives and when it is gone; interrupts, forks, subclasses."""
+import copy
+import os
+import signal
+import threading
+import time
+
+import pytest
+
+import rwedge
+
+MADE = "import gc, rwedge; c = rwedge.Contact(0.01, 2., 1.82e-5, .3); c.load(2000); c.load(2000, 300)\n"
+LATE = {
+    "at exit": "import atexit; atexit.register(lambda: print(c.half_width))",
+    "in a global's __del__": """
+class Last:
+    def __init__(self, c): self.c = c
+    def __del__(self): print(self.c.half_width)
+last = Last(c)""",
+    "in a cycle's __del__": """
+class Ring:
+    def __init__(self, c): self.c, self.me = c, self
+    def __del__(self):
+        try: print(self.c.half_width)
+        except rwedge.Error as error: print(error)
+Ring(rwedge.Contact(0.01, 2., 1.82e-5, .3)); gc.collect()""",
+    "in a generator of a cycle": """
+def reader(c, ring):
+    try: yield
+    finally:
+        try: print(c.half_width)
+        except rwedge.Error as error: print(error)
+ring = []
+ring.append(reader(rwedge.Contact(0.01, 2., 1.82e-5, .3), ring)); next(ring[0]); del ring; gc.collect()"""}
+
+
+@pytest.mark.parametrize("when", LATE)
+def test_late_use_is_an_answer_or_an_error_and_no_crash(run, when):
+    assert run("-c", MADE + LATE[when]).strip()
+
+
+def test_an_object_that_was_freed_says_so():
+    contact = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+    contact._cell[0] = None  # what the finalizer leaves; the memory is lost to this test
+    with pytest.raises(rwedge.Error, match="this Contact has been freed"):
+        contact.tractions(0.1)
+    with pytest.raises(rwedge.Error, match="this Contact has been freed"):
+        contact.copy()
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer that interrupts")
+def test_an_interrupted_load_reports_the_loads_that_the_contact_has():
+    contact, wrong, interrupted = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3), 0, 0
+    contact.load(1000)
+
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        for i in range(400):
+            try:
+                signal.setitimer(signal.ITIMER_REAL, 1e-5 * (1 + i % 40))
+                while True:
+                    contact.load(3000 - contact.P)
+            except KeyboardInterrupt:
+                interrupted += 1
+            wrong += contact.half_width != rwedge.half_width(0.01, 2.0, 1.82e-5, contact.P)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert interrupted == 400 and wrong == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded:DeprecationWarning")
+def test_a_child_of_fork_can_use_what_another_thread_was_using():
+    contact = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+    contact.load(2000)
+    going = threading.Event()
+
+    def keep_busy():
+        going.set()
+        while going.is_set():
+            contact.yield_factor(0.3, 1e6)
+
+    worker = threading.Thread(target=keep_busy)
+    worker.start()
+    going.wait()
+    try:
+        for _ in range(5):
+            child = os.fork()
+            if child == 0:
+                os._exit(0 if contact.half_width > 0 else 1)
+            for _ in range(600):
+                done, status = os.waitpid(child, os.WNOHANG)
+                if done:
+                    break
+                time.sleep(0.01)
+            else:
+                os.kill(child, signal.SIGKILL)
+                os.waitpid(child, 0)
+            assert done and status == 0
+    finally:
+        going.clear()
+        worker.join()
+
+
+class Pad(rwedge.Contact):
+    """A subclass with something of its own."""
+
+    def __init__(self, name, notes):
+        super().__init__(0.01, 2.0, 1.82e-5, 0.3)
+        self.name, self.notes = name, notes
+
+
+@pytest.mark.parametrize("twin_of", [copy.copy, copy.deepcopy, rwedge.Contact.copy])
+def test_a_copy_has_the_attributes_of_a_subclass(twin_of):
+    pad = Pad("left", ["new"])
+    pad.load(2000)
+    twin = twin_of(pad)
+    assert type(twin) is Pad and (twin.name, twin.notes, twin.P) == ("left", ["new"], 2000)
+    assert (twin.notes is pad.notes) == (twin_of is not copy.deepcopy)
+    twin.load(3000)
+    assert pad.P == 2000 and pad.half_width < twin.half_width
+
+
+def test_a_contact_in_its_own_attributes_is_copied_once():
+    pad = Pad("left", [])
+    pad.notes.append(pad)
+    twin = copy.deepcopy(pad)
+    assert twin.notes[0] is twin

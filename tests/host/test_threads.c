@@ -15,7 +15,7 @@
 #include <string.h>
 
 enum { THREADS_MAX = 8 };
-static int numbers = 120;
+static int numbers = 24;
 static int most; /* results of one number */
 static shared_handles shared;
 

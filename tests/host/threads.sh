@@ -45,7 +45,7 @@ $compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
 $compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/test_ahead.c cli/system/ahead.c cli/text/message.c cli/text/utf8.c \
     cli/system/progress.c cli/system/signals.c cli/system/streams.c -o "$work/ahead" -lcmocka -lpthread
-for program in "$work/threads 12" "$work/ahead"; do
+for program in "$work/threads 8" "$work/ahead"; do
     if ! TSAN_OPTIONS=halt_on_error=1 $program >"$work/log" 2>&1; then
         cat "$work/log"
         echo "FAILED: ${program##*/} under the thread sanitizer of $compiler"

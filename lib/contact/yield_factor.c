@@ -30,7 +30,7 @@
 
 #include <float.h>
 
-enum { ANGLES = 9, RADII = 120, LINE = 7, CLIMB_MAX = 60, FEET = 64 };
+enum { ANGLES = 9, RADII = 120, LINE = 7, CLIMB_MAX = 60, FEET = 8 };
 
 /* The ratio of neighbouring radii: RADII of them span 1e36, from 3 b to INNERMOST of a patch of
  * 1e-20 b. */

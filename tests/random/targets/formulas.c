@@ -5,6 +5,13 @@
 #include "input.h"
 #include "rwedge.h"
 
+/* Any number of terms; but those that are allowed and take seconds are made fewer. */
+static double take_whole(input *in)
+{
+    const int32_t n = (int32_t)take_bytes(in, 4);
+    return n > 65536 && n <= 1 << 24 ? n % 65536 : n;
+}
+
 /* At an edge, any double, or in between. */
 static double take_argument(input *in, const entry_argument *a)
 {
@@ -12,7 +19,7 @@ static double take_argument(input *in, const entry_argument *a)
     if (choice < 64)
         return edge(a, take_byte(in) % edge_count(a));
     if (choice < 128)
-        return a->whole ? (double)(int32_t)take_bytes(in, 4) : take_double(in);
+        return a->whole ? take_whole(in) : take_double(in);
     if (a->whole)
         return (double)take_bytes(in, 1);
     const double v = take_fraction(in) * (choice < 192 ? 1 : 0.5);

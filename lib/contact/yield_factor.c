@@ -30,10 +30,10 @@
 
 #include <float.h>
 
-enum { ANGLES = 9, RADII = 120, LINE = 7, CLIMB_MAX = 60, FEET = 8 };
+enum { ANGLES = 9, RADII = 52, LINE = 7, CLIMB_MAX = 60, FEET = 8 };
 
-/* The ratio of neighbouring radii: RADII of them span 1e36, from 3 b to INNERMOST of a patch of
- * 1e-20 b. */
+/* The ratio of neighbouring radii: RADII of them span 4e15, from 3 b to INNERMOST of b. Grids of
+ * narrow patches and roundings take several times as many. */
 static const double FALL = 0.5;
 
 /* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
@@ -302,7 +302,7 @@ static void note(search *s, const foot *found)
 
 /* On both sides: [1] is the mirror image. */
 typedef struct {
-    double centre, floor;
+    double centre, floor, reach;
     int rows;
     double radius[RADII], cosine[ANGLES], sine[ANGLES];
     double J2[2][RADII * ANGLES];
@@ -312,7 +312,7 @@ static void fill(search *s, polar_grid *grid, double outermost, double innermost
 {
     double radius = outermost;
     int rows = 0;
-    for (; ALWAYS(rows < RADII) && radius > innermost; rows++, radius *= FALL)
+    for (; rows < RADII && radius > innermost; rows++, radius *= FALL)
         grid->radius[rows] = radius;
     grid->rows = rows;
     const bool both = s->is_centred && grid->centre != 0;
@@ -357,7 +357,7 @@ static void note_feet(search *s, const polar_grid *grid, int side)
             const int angle = side ? ANGLES - 1 - j : j;
             const foot found = {side ? -grid->centre : grid->centre,
                                 0.1 * grid->floor,
-                                10 * grid->radius[0],
+                                10 * grid->reach,
                                 {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
                                 here,
                                 here - lowest};
@@ -408,17 +408,20 @@ static void search_around(search *s, const mark *m)
 {
     const bool is_apex = m->at == 0 && s->contact->geometry.a == 0;
     const double innermost = innermost_radius(s, m, is_apex ? 0 : J2_at_mark(s, m->at));
-    if (m->reach <= innermost) /* nothing is higher, or it is another mark to rounding */
-        return;
-    polar_grid grid = {.centre = m->at, .floor = floor_of(m)};
+    polar_grid grid = {.centre = m->at, .floor = floor_of(m), .reach = m->reach};
     for (int j = 0; j < ANGLES; j++) {
         grid.cosine[j] = cos(j * RW_PI / (ANGLES - 1));
         grid.sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
     }
-    fill(s, &grid, m->reach, innermost);
-    note_feet(s, &grid, 0);
-    if (s->is_centred && m->at != 0)
-        note_feet(s, &grid, 1);
+    /* No grid at all where nothing is higher, or where it is another mark to rounding. One that
+     * goes on begins with the last two rows again, because the last had no neighbours inside. */
+    for (double outermost = m->reach; outermost > innermost;
+         outermost = grid.rows == RADII ? grid.radius[RADII - 2] : 0) {
+        fill(s, &grid, outermost, innermost);
+        note_feet(s, &grid, 0);
+        if (s->is_centred && m->at != 0)
+            note_feet(s, &grid, 1);
+    }
 }
 
 /* ---- All marks ---- */

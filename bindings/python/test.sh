@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tests the package: test.sh [--older] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --older: with an older NumPy too. Everything goes into
-# BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
+# Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --long: also from its source distribution, and with an older
+# NumPy. Everything goes into BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
-also_older=no
-[ "$1" != --older ] || { also_older=yes; shift; }
+long=no
+[ "$1" != --long ] || { long=yes; shift; }
 mkdir -p "$1"
 build=$(cd "$1" && pwd)
 shift
@@ -56,16 +56,8 @@ cd "$folder"
 export PATH="$folder/venv/bin:$PATH"
 pytest_of "$source/tests" "$@"
 
-# The source distribution is whole: its own tests pass from it, with what it is built to.
-rm -rf sdist editable
-mkdir sdist
-(cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
-rm -r "$source/library" # what went into it
-tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
-SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
-(source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep" "$@")
-
 # An editable install is found.
+rm -rf editable
 SKBUILD_BUILD_DIR=$folder/package pip install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
     --prefix "$folder/editable" -e "$source"
 python -B -c "
@@ -74,8 +66,17 @@ site.addsitedir(glob.glob('$folder/editable/lib/*/site-packages')[0])
 import rwedge
 assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
 print('editable:', rwedge.load(0.25))"
-if [ $also_older = yes ]; then
-    [ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
-    export PYTHONPATH="$folder/older"
-    pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_series.py" "$@"
-fi
+[ $long = yes ] || exit 0
+
+# The source distribution is whole: its own tests pass from it, with what it is built to.
+rm -rf sdist
+mkdir sdist
+(cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
+rm -r "$source/library" # what went into it
+tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
+SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
+(source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep" "$@")
+
+[ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
+export PYTHONPATH="$folder/older"
+pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_series.py" "$@"

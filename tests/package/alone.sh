@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 options='-std=c99 -Wall -Wextra -Wpedantic -Werror=implicit -fsyntax-only -D_XOPEN_SOURCE=700 -DTEST_DATA="" -DTABLES=""'
 options="$options -DOPTIMISED_BUILD=0 -Iinclude -Ilib -Icli -Ibindings/interface"
-options="$options -Itests/host -Itests/random -Itests/speed -Itests/support"
+options="$options -Itests/host -Itests/host/calls -Itests/random -Itests/speed -Itests/support"
 flint=/usr/include/flint/arb.h
 [ ! -f $flint ] || options="$options -DBALLS_IN_FLINT"
 

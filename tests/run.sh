@@ -142,8 +142,10 @@ if [ $compilers = yes ]; then
 fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
-    # but for those whose own programs would need the sanitizers too, and that build anew anyway
+    # but for those whose own programs would need the sanitizers too, and that build anew anyway; the tool has alternate stacks itself
+    export ASAN_OPTIONS=use_sigaltstack=0
     build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$' --preset debug
+    unset ASAN_OPTIONS
 fi
 if [ $campaign = yes ]; then
     step "commands of the READMEs" python3 tests/shipped/commands.py . --run

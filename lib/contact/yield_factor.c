@@ -241,7 +241,7 @@ static void climb_along(climb *c, double to_angle, double to_log_radius, double 
  * narrow roundings, where J2 is flat to 1e-9. */
 static void climb_to(climb *c, double last_span)
 {
-    for (int i = 0; ALWAYS(i < CLIMB_MAX); i++) { /* a few are enough */
+    for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
         climb_along(c, 1, 0, last_span);
         const polar one = c->top;

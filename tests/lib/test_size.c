@@ -340,6 +340,24 @@ static void a_maximum_next_to_the_edge_is_not_missed(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
+ * off; the grids of other marks find the same top. With nu a little below 0.5 there is less of a
+ * plateau, and J2 differs by less than 1e-13. */
+static void a_long_climb_is_broken_off_without_harm(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.11871519035629816, 4.8339965423190293e-15,
+                                           3.9616415245691163e-08, 0.99667353322652019, &contact),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 0.36913862821393151, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 0.36913862821393151, 0.13581005141048719),
+                     RWEDGE_OK);
+    const double factor = yield_factor(contact, 0.5, 1, NULL, NULL);
+    assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
+    rwedge_contact_destroy(contact);
+}
+
 /* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
 static void many_corners_hide_no_higher_point(void **state)
 {
@@ -433,6 +451,7 @@ int main(void)
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
         cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
+        cmocka_unit_test(a_long_climb_is_broken_off_without_harm),
         cmocka_unit_test(many_corners_hide_no_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
         cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),

@@ -300,8 +300,10 @@ static void a_decimal_comma_changes_no_bit(void **state)
 {
     (void)state;
     const char *name = getenv("COMMA_LOCALE");
-    if (name == NULL)
+    if (name == NULL) {
+        print_message("    only with COMMA_LOCALE, which tests/host/locale.sh sets\n");
         skip();
+    }
     const digest point = digest_of_everything();
     assert_non_null(setlocale(LC_ALL, name));
     char text[8];

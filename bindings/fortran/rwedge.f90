@@ -1910,7 +1910,8 @@ contains
 
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
     !>    Sec. 4 of the paper
-    !>   samples  number of samples, >= terms, samples * terms <= 2^27
+    !>   samples  number of samples, >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33; a
+    !>            fit takes up to 1 GiB and half a minute
     !>   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
     !>            equally spaced) fit best
     !>   terms    >= 1
@@ -1934,19 +1935,19 @@ contains
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
                 '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
-                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '1; samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33', stat, errmsg, i)
             return
         end if
         i = first_outside(p, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
                 '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
-                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '1; samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
             '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
-            'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
+            'samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33; arrays of one size', stat, errmsg)
     end subroutine
 
     !> How many coefficients it holds; 0 for NULL.

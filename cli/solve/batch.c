@@ -138,8 +138,8 @@ static void write_header(run *r)
 static bool solve_row(const run *r, bool malformed, results *found, char complaint[COMPLAINT_SIZE])
 {
     if (malformed) {
-        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64,
-                 csv_input_line(r->in));
+        snprintf(complaint, COMPLAINT_SIZE, "%s in the row of line %" PRId64,
+                 csv_input_fault(r->in), csv_input_line(r->in));
         return false;
     }
     if (!header_fits(&r->names, r->in, complaint))
@@ -213,6 +213,15 @@ static void write_row(run *r, bool malformed)
     progress_step();
 }
 
+/* A quote that is open may close in a later row. What is then no row of the table is taken line by
+ * line: the rows between would be lost. */
+static csv_event next_row(const run *r)
+{
+    const csv_event event = csv_input_next(r->in);
+    const bool misfit = event == CSV_ROW && csv_input_count(r->in) != r->names.count;
+    return misfit && csv_input_take_line(r->in) ? CSV_MALFORMED : event;
+}
+
 /* False, with the reason said, where the file or the format cannot go on. */
 static bool write_rows(void *of_run, records *rows, bool show_progress)
 {
@@ -221,8 +230,7 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     r->rows = rows;
     progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && (event = csv_input_next(r->in)) != CSV_END &&
-           event != CSV_FAILED)
+    while (records_go_on(r->rows) && (event = next_row(r)) != CSV_END && event != CSV_FAILED)
         write_row(r, event == CSV_MALFORMED);
     r->rows->format->end(r->rows);
     progress_erase();

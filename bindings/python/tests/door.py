@@ -41,6 +41,8 @@ def call(name, arguments):
         result = getattr(rwedge, name)(*arguments)
     if result is None:
         return ()
+    if isinstance(result, str):
+        return (len(result),)
     if np.iscomplexobj(result):
         return result.real, result.imag
     return result if isinstance(result, tuple) else (result,)

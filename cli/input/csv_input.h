@@ -14,7 +14,7 @@ typedef struct csv_input csv_input;
 
 typedef enum {
     CSV_ROW,
-    /* quotes are out of place: a row of the cells before that, of one line; the next starts afresh */
+    /* quotes are out of place: the cells before that, of one line; the next starts afresh */
     CSV_MALFORMED,
     CSV_END,
     CSV_FAILED /* it cannot be read on, and the reason has been said */

@@ -213,6 +213,19 @@ static void write_row(run *r, bool malformed)
     progress_step();
 }
 
+/* Behind rows that have gone to standard output: who reads them may not see the exit status. */
+static void write_broken_end(run *r)
+{
+    for (size_t i = 0; i < r->names.count; i++)
+        r->rows->format->value(r->rows, r->names.name[i], cell_empty());
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (r->shown[i])
+            r->rows->format->value(r->rows, result_kinds[i].column, cell_empty());
+    r->rows->format->value(r->rows, error_column,
+                           cell_text("the file could not be read beyond this row"));
+    r->rows->format->end_row(r->rows);
+}
+
 /* A quote that is open may close in a later row. What is then no row of the table is taken line by
  * line: the rows between would be lost. */
 static csv_event next_row(const run *r)
@@ -232,6 +245,8 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     write_header(r);
     while (records_go_on(r->rows) && (event = next_row(r)) != CSV_END && event != CSV_FAILED)
         write_row(r, event == CSV_MALFORMED);
+    if (event == CSV_FAILED)
+        write_broken_end(r);
     r->rows->format->end(r->rows);
     progress_erase();
     return event != CSV_FAILED && records_are_sound(r->rows);

@@ -6,7 +6,8 @@ then gives other answers: exchange.py BUILD [BINDING...]. BUILD is where the tes
 All functions have an exchange at the same time, each one of its own, but for those that make or change an object, which have
 one at a time: their answers are those of all that follows. Exchanges that a compiler refuses are not tried: of a number and
 an array, and in Fortran and Python's classes of a real and an integer. Excel's module, which no door runs, is held by bindings/excel/check.py,
-which is asked in the same way. Not tried are the calls with which Fortran looks for the element to be named in a message.
+which is asked in the same way. Not tried are calls that change no answer: those with which Fortran looks for the element to be named in a message, and the one
+with which MATLAB's class looks whether to warn.
 
 Where a function is symmetric in two arguments, their exchange must change no answer; SYMMETRIC lists these. check.py goes by the
 names, and notices these too.
@@ -155,7 +156,7 @@ class Matlab:
     def sites(self, texts):
         sites = of_calls(self.files[0], texts[self.files[0]], r"\brwedge_(\w+)\(", lambda m: m[1], all_parameters, in_c)
         for file in self.functions:
-            sites += of_calls(file, texts[file], r"rwedge_mex\((?='(\w+)')", lambda m: m[1],
+            sites += of_calls(file, texts[file], r"rwedge_mex\((?!'validity', known)(?='(\w+)')", lambda m: m[1],
                               lambda f: [None, *(f.of("handle", "changed") and [None]), *f.inputs],
                               lambda one, other: True)
             text = texts[file]

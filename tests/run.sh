@@ -163,7 +163,7 @@ if [ $campaign = yes ]; then
     step "edges of all arguments" build/tests/host/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
-    step "fuzzing" sh tests/random/long.sh 240 build/tests/random/libfuzzer
+    step "fuzzing" sh tests/random/long.sh
 fi
 if [ $elsewhere = yes ]; then
     step "the two commands on Debian stable" sh tests/elsewhere.sh stable

@@ -8,10 +8,11 @@ from typing import Any
 
 def need(name: str, what: str) -> Any:
     """The module of that name; or an error that says who needs its package, and how to get it."""
+    package = name.partition(".")[0]
     try:
-        return importlib.import_module(name)
+        importlib.import_module(package)
     except ModuleNotFoundError as error:
-        package = name.partition(".")[0]
         if error.name != package:
             raise
         raise ModuleNotFoundError(f"{what} needs {package}, which is not installed: pip install {package}", name=package) from None
+    return importlib.import_module(name)

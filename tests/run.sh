@@ -159,7 +159,7 @@ if [ $campaign = yes ]; then
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
-    step "Python from the source distribution, and with an older NumPy" sh bindings/python/test.sh --long build
+    step "Python: types, a sweep on a cluster, the source distribution, an older NumPy" sh bindings/python/test.sh --long build
     step "edges of all arguments" build/tests/host/test_calls 5000
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000

@@ -216,7 +216,8 @@ class Python:
             self.built = texts[self.made]
         for file in self.classes.values():
             (self.work / "rwedge" / file.name).write_text(texts[file])
-        return run(self.python, "-B", TOP / "bindings/python/tests/door.py", input=calls, env={"PYTHONPATH": str(self.work)})
+        return run(self.python, "-B", TOP / "bindings/python/tests/door.py", input=calls,
+                   env={"PYTHONPATH": str(self.work), "PYTHONPYCACHEPREFIX": str(BUILD / "python" / "pycache")})
 
 
 class Excel:

@@ -59,6 +59,7 @@ def test_published_cases_are_met(drawn):
     assert len(differences) == 11 and max(map(abs, differences)) < 1e-4
 
 
+@pytest.mark.long
 def test_the_sweep_stores_the_bits_of_the_serial_result(tmp_path, run):
     printed = run(PACKAGE / "examples/sweep.py", tmp_path / "limit.zarr", "--rows", 200, "--columns", 100, "--check")
     assert printed.startswith("20000 points in ")

@@ -57,6 +57,8 @@ cd "$folder"
 export PATH="$folder/venv/bin:$PATH"
 pytest_of "$source/tests" "$@"
 
+[ $long = yes ] || exit 0
+
 # An editable install is found.
 rm -rf editable
 SKBUILD_BUILD_DIR=$folder/package pip install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
@@ -67,7 +69,6 @@ site.addsitedir(glob.glob('$folder/editable/lib/*/site-packages')[0])
 import rwedge
 assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
 print('editable:', rwedge.load(0.25))"
-[ $long = yes ] || exit 0
 
 # The source distribution is whole: its own tests pass from it, with what it is built to.
 rm -rf sdist

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge solve --input: rows in, rows out. A bad row spoils no other row. A bad file is refused before its first row.
+#
+#     batch.sh PROGRAM REFERENCES [ROWS]     ROWS: of the long file (default 20000)
+rows=${3:-20000}
 . "$(dirname "$0")/claims.sh"
 
 fixed="--E1 210000 --nu1 0.3 --theta 0.05"
@@ -328,9 +331,8 @@ if command -v timeout >/dev/null; then
     same "on standard output, the rows before it, and that there may be more" 3 "$(wc -l <out | tr -d ' ')"
 fi
 
-# 100,000 rows in little memory (an address sanitizer reserves more than any limit, and takes its time).
+# Many rows in little memory (an address sanitizer reserves more than any limit, and takes its time).
 limit=65536
-rows=100000
 (ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || { limit=unlimited; rows=3000; }
 awk -v rows=$rows 'BEGIN { srand(7); print "case,theta,a,P,Q,f,k"
     for (i = 1; i <= rows; i++) printf "%d,%.4g,%.4g,%.5g,%.3g,%.3g,300\n", i, 0.005 + 0.09 * rand(), 2 * rand(),

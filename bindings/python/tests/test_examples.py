@@ -94,6 +94,7 @@ def test_the_figure_is_drawn(tmp_path, run):
     assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (770, 550)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("example", ["figure4.py", "sweep.py", "fretting.py"])
 def test_without_its_argument_an_example_says_how_it_is_called(example):
     done = subprocess.run([sys.executable, PACKAGE / "examples" / example], capture_output=True, text=True)

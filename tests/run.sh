@@ -158,6 +158,7 @@ if [ $campaign = yes ]; then
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
+    step "every C file compiles alone" sh tests/package/alone.sh .
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
     step "Python: types, a sweep on a cluster, the source distribution, an older NumPy" sh bindings/python/test.sh --long build
     step "edges of all arguments" build/tests/host/test_calls 5000

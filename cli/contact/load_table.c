@@ -197,7 +197,9 @@ static bool take_row(csv_input *in, bool malformed, char decimal_sign, bool keep
                      load_table *loads)
 {
     load to;
-    char complaint[COMPLAINT_SIZE] = "misplaced quotes";
+    char complaint[COMPLAINT_SIZE];
+    if (malformed)
+        snprintf(complaint, COMPLAINT_SIZE, "%s", csv_input_fault(in));
     if (malformed || !read_row(&loads->names, in, decimal_sign, &to, complaint)) {
         failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
         return false;

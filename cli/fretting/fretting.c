@@ -33,19 +33,18 @@ static const struct poptOption options[] = {
 
 static void describe(FILE *stream)
 {
-    fputs(
-        "\nLOADS.csv is a cycle of loads, as for \"rwedge history\". It is gone through --cycles\n"
-        "times (default 3), and the last time counts: stresses after each of its loads, slip\n"
-        "on the way. Edges of contact and stick zone are always among the places.\n"
-        "\nColumns:\n"
-        "  x, y            the place, y the depth\n",
-        stream);
+    fputs("\nLOADS.csv is a cycle of loads, as for \"rwedge history\". It is gone through\n"
+          "--cycles times (default 3), and the last time counts: stresses after each of its\n"
+          "loads, slip on the way. Edges of contact and stick zone are always looked at.\n"
+          "\nColumns:\n"
+          "  x, y            the place, y the depth\n",
+          stream);
     for (int i = 0; i < MEASURE_COUNT; i++)
         fprintf(stream, "  %-15s %s\n", measure_kinds[i].column, measure_kinds[i].meaning);
-    fputs("\nThe last line, on standard error, names the worst place of each; it is searched\n"
-          "between the places too. Slip, shear and energy are those of the surface in contact.\n"
-          "Ruiz, Boddington and Chen (1984): tension * shear * slip is F1 here, shear * slip F2;\n"
-          "some authors number them the other way round.\n",
+    fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
+          "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
+          "tension * shear * slip, F2 shear * slip (Ruiz, Boddington and Chen, 1984; some\n"
+          "number them the other way round).\n",
           stream);
 }
 

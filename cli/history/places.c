@@ -141,8 +141,8 @@ static int read_file(const char *path, char decimal_sign, places *found)
     csv_event event = CSV_ROW;
     while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END) {
         if (event == CSV_MALFORMED)
-            failure("%s: line %" PRId64 ": misplaced quotes", csv_input_name(in),
-                    csv_input_line(in));
+            failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
+                    csv_input_fault(in));
         status = event == CSV_ROW ? read_row(in, column, decimal_sign, found) : STATUS_FAILED;
     }
     if (status == STATUS_DONE && found->count == 0)

@@ -2,7 +2,7 @@
 /* The next load of a contact: whether it is allowed, and what it does. */
 #include "contact/contact.h"
 #include "history/dissipation.h"
-#include "history/off_centre.h"
+#include "history/edge_work.h"
 
 #include <float.h>
 
@@ -132,7 +132,7 @@ static double share_off_centre(const rwedge_contact *contact, const rw_memory *b
     if (step->to_P != step->from_P || slides)
         return NAN;
     return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_annuli_work(before, after, g->a);
+           rw_edge_work(before, after, g->a);
 }
 
 static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,

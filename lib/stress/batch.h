@@ -3,6 +3,7 @@
 #ifndef RW_BATCH_H
 #define RW_BATCH_H
 
+#include "base/inline.h"
 #include "stress/potential.h"
 
 /* The bits of rw_potential_at(), at count <= RW_BATCH points: several times faster. */
@@ -14,6 +15,14 @@ typedef struct {
 static inline rw_field rw_field_in(const rw_fields *fields, int i)
 {
     return (rw_field){fields->G_re[i], fields->G_im[i], fields->H_re[i], fields->H_im[i]};
+}
+
+RW_INLINE void rw_put(rw_fields *fields, int i, rw_field field)
+{
+    fields->G_re[i] = field.G_re;
+    fields->G_im[i] = field.G_im;
+    fields->H_re[i] = field.H_re;
+    fields->H_im[i] = field.H_im;
 }
 
 void rw_potential_fields(const rw_potential *potential, int count, const double x[],

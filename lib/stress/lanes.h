@@ -9,14 +9,6 @@
 
 enum { RW_LANES = 8 }; /* a multiple of the numbers in a vector */
 
-RW_INLINE void rw_put(rw_fields *fields, int i, rw_field field)
-{
-    fields->G_re[i] = field.G_re;
-    fields->G_im[i] = field.G_im;
-    fields->H_re[i] = field.H_re;
-    fields->H_im[i] = field.H_im;
-}
-
 /* Defines NAME(potential, count, x, y, fields), which does LOOP for the processor at hand: vectors
  * of four numbers where it has them. Every x86-64 has vectors of two. */
 #define RW_PARAMETERS(POTENTIAL)                                                                   \

@@ -79,8 +79,8 @@ static double next_end(const layer *l, double t)
     const rw_patch here = patch_at(l, t);
     const double to_left = (-l->a - here.left) / (l->to.left - l->from.left),
                  to_right = (l->a - here.right) / (l->to.right - l->from.right);
-    const double grown = 3 * rw_patch_half_width(here) /
-                         (rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
+    const double grown =
+        3 * rw_patch_half_width(here) / (rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
     double way = 1 - t;
     if (to_left > 0)
         way = fmin(way, to_left);

@@ -53,12 +53,17 @@ static double energy_of(const rwedge_contact *contact, double P, double shear)
     return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
-static void measure_new_corners(rwedge_contact *contact)
+/* The last corner, if it is new, is the contact. */
+static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
 {
     rw_memory *memory = &contact->memory;
-    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);)
-        memory->corners[i].patch = rw_patch_under_tilt(&contact->geometry, memory->corners[i].load,
-                                                       memory->corners[i].tilt);
+    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);) {
+        rw_corner *corner = &memory->corners[i];
+        corner->patch =
+            corner->load == step->to.load
+                ? step->patch
+                : rw_patch_under_tilt(&contact->geometry, corner->load, corner->tilt);
+    }
 }
 
 /* Differences of rounding in P and M are none. */
@@ -154,7 +159,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].tilt = 0;
         memory->corners[0].stretch = step->to.stretch;
     }
-    measure_new_corners(contact);
+    measure_new_corners(contact, step);
     const bool slides = rw_memory_slides(memory);
     contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
 }

@@ -59,10 +59,9 @@ static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
     rw_memory *memory = &contact->memory;
     for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);) {
         rw_corner *corner = &memory->corners[i];
-        corner->patch =
-            corner->load == step->to.load
-                ? step->patch
-                : rw_patch_under_tilt(&contact->geometry, corner->load, corner->tilt);
+        corner->patch = corner->load == step->to.load
+                            ? step->patch
+                            : rw_patch_under_tilt(&contact->geometry, corner->load, corner->tilt);
     }
 }
 
@@ -293,7 +292,8 @@ static const char *text_of(rw_obstacle obstacle)
                "bodies first";
     case RW_GROWS_UNEVENLY:
         return "the contact would grow with a shear that does not keep to its tilt: change P and M "
-               "first, under constant Q and sigma, then Q and sigma";
+               "first, under constant Q and sigma, then Q and sigma; a tension from before the "
+               "contact is a load of its own, with P = M = Q = 0";
     default:
         return "";
     }

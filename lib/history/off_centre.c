@@ -12,7 +12,6 @@
  * rounding, and beyond x = a the slope is 1 - delta - G. */
 #include "history/off_centre.h"
 
-#include "base/always.h"
 #include "base/integral.h"
 #include "base/logarithm.h"
 #include "stress/eccentric.h"
@@ -194,20 +193,6 @@ double rw_patch_gap(double a, rw_patch patch, double x)
 
 /* ---- Displacement ---- */
 
-/* The first corner in which two paths differ: it is a front inside the layer of the other one, or
- * its layer has another slope. */
-static size_t count_common(const rw_memory *one, const rw_memory *other)
-{
-    size_t i = 1;
-    /* always: they differ before one of them ends, because one has slipped where the other has
-     * not */
-    while (one->corners[i].load == other->corners[i].load &&
-           one->corners[i].ratio == other->corners[i].ratio &&
-           ALWAYS(i + 1 < one->count && i + 1 < other->count))
-        i++;
-    return i;
-}
-
 /* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
 static void add_displacement(const rw_memory *path, size_t first, double sign, double a, size_t n,
                              const double x[], double sum[])
@@ -223,7 +208,10 @@ static void add_displacement(const rw_memory *path, size_t first, double sign, d
 void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
                           const double x[], double displacement[])
 {
-    const size_t common = count_common(path, beyond);
+    /* they differ before one of them ends, because one has slipped where the other has not: at a
+     * front inside a layer of the other, or by the slope of a layer */
+    const rw_trail other = rw_memory_trail(beyond);
+    const size_t common = rw_memory_common(path, &other);
     for (size_t i = 0; i < n; i++)
         displacement[i] = 0;
     add_displacement(path, common, 1, a, n, x, displacement);

@@ -630,14 +630,6 @@ contains
         text = text_of(c_strerror(status))
     end function
 
-    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
-    function contact_obstacle(this, P, M, Q, sigma) result(text)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: P, M, Q, sigma
-        character(:), allocatable :: text
-        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
-    end function
-
     function text_of(c_text) result(text)
         type(c_ptr), intent(in) :: c_text
         character(:), allocatable :: text
@@ -1234,6 +1226,17 @@ contains
             'magnitude; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 to 1e60 in ' // &
             'magnitude', stat, errmsg)
     end subroutine
+
+    !> Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+    !> English; empty where it would not.   new
+    !>   arguments as for rwedge_contact_apply(); the contact stays as it is
+    !> Static text, never NULL.
+    function contact_obstacle(this, P, M, Q, sigma) result(text)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: P, M, Q, sigma
+        character(:), allocatable :: text
+        text = text_of(c_contact_obstacle(own(this), P, M, Q, sigma))
+    end function
 
     !> The largest |d sigma| with which the present Q may change to another under constant P and M,
     !> stress: 4 |dQ|/(pi s). HUGE_VAL without friction.   new

@@ -88,14 +88,6 @@ contains
         text = text_of(c_strerror(status))
     end function
 
-    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
-    function contact_obstacle(this, P, M, Q, sigma) result(text)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: P, M, Q, sigma
-        character(:), allocatable :: text
-        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
-    end function
-
     function text_of(c_text) result(text)
         type(c_ptr), intent(in) :: c_text
         character(:), allocatable :: text

@@ -1318,10 +1318,10 @@ contains
 
     !> The zone that never slips while loads go to and fro between two points in a straight line, once
     !> the first cycles are over, whatever was before.   new
-    !>   P1, P2          0, or 1e-60 to 1e60
-    !>   M1, M2          0, or 1e-60 to 1e60 in magnitude; 0 where P is 0
-    !>   Q1, Q2          |Q| <= f P; 0, or 1e-60 to 1e60 in magnitude
-    !>   sigma1, sigma2  0, or 1e-60 to 1e60 in magnitude
+    !>   P1, P2          finite, >= 0, as for rwedge_contact_apply()
+    !>   M1, M2          finite; 0 where P is 0
+    !>   Q1, Q2          |Q| <= f P
+    !>   sigma1, sigma2  finite
     !>   left, right     its edges, length
     !> RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
     !> directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,

@@ -7,7 +7,7 @@
 #include "stress/potential.h"
 
 /* The bits of rw_potential_at(), at count <= RW_BATCH points: several times faster. */
-enum { RW_BATCH = 64 };
+enum { RW_BATCH = 32 };
 typedef struct {
     double G_re[RW_BATCH], G_im[RW_BATCH], H_re[RW_BATCH], H_im[RW_BATCH];
 } rw_fields;

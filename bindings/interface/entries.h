@@ -631,7 +631,7 @@ static const entry_argument series_fit_arguments[] = {
     {"p", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
     {"terms", "whole, >= 1", 1.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
-    {"samples", NULL, ">= terms, samples * terms <= 2^27"}};
+    {"samples", NULL, ">= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33"}};
 
 ENTRY(series_terms, r[0][0] = (double)rwedge_series_terms((const rwedge_series *)object); return
       RWEDGE_OK)

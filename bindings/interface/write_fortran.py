@@ -103,7 +103,7 @@ def passed(f: Function, sizes: dict[str, str], at: str = "") -> str:
         k = f.outputs.index(p) + 1 if p in f.outputs else 0
         if p.role in ("handle", "changed"):
             owner = "from" if f.of("created") else "this"
-            words.append(f"own({owner})" if p.kind == "contact" else f"{owner}%handle")
+            words.append(f"own({owner})")
         elif p.role == "created":
             words.append("created")
         elif p.role == "size":

@@ -103,6 +103,38 @@ def test_out_and_where():
     assert (out[~where] == 7).all() and (out[where] == rwedge.pressure(0.25, x[where])).all()
 
 
+def test_keywords_of_ufuncs():
+    """They are NumPy's, with its errors."""
+    x = np.linspace(-0.9, 0.9, 6)
+    expected = rwedge.pressure(0.25, x)
+    for keyword in ({"dtype": float}, {"casting": "safe"}, {"order": "F"}, {"subok": False}, {"signature": "dd->d"}):
+        np.testing.assert_array_equal(rwedge.pressure(0.25, x=x, **keyword), expected)
+    assert rwedge.pressure(0.25, x.reshape(2, 3), order="F").flags.f_contiguous
+    np.testing.assert_array_equal(rwedge.pressure.outer([0.25, 0.5], x)[0], expected)
+    np.testing.assert_array_equal(np.vectorize(rwedge.pressure)(0.25, x), expected)
+    limit, place, depth = np.empty((3, 2))
+    assert rwedge.yield_point([0.25, 0.5], 0.1, 0.3, out=(limit, place, None))[0] is limit
+    np.testing.assert_array_equal(place, rwedge.yield_point([0.25, 0.5], 0.1, 0.3)[1])
+    for keyword, error, words in (({"dtype": np.float32}, TypeError, "No loop"), ({"axis": 0}, TypeError, "axis"),
+                                  ({"out": np.empty(6, int)}, TypeError, "same_kind"), ({"out": np.empty(5)}, ValueError, "shape"),
+                                  ({"casting": "unsure"}, ValueError, "casting"), ({"dtype": complex}, TypeError, "No loop")):
+        with pytest.raises(error, match=words):
+            rwedge.pressure(0.25, x=x, **keyword)
+    with pytest.raises(TypeError, match="tuple"):
+        rwedge.yield_point([0.25, 0.5], 0.1, 0.3, out=limit)
+
+
+def test_outputs_may_overlap_what_is_given():
+    """As NumPy promises: what is written is never read again as an argument."""
+    numbers = np.linspace(0.1, 0.9, 9)
+    expected = rwedge.load(numbers[:-1])
+    np.testing.assert_array_equal(rwedge.load(numbers[:-1], out=numbers[1:]), expected)
+    x, y = np.array([[0.0, 0.1], [2.0, 3.0]])
+    expected, three = rwedge.stress(0.25, 0.3, 0, x, y), np.array([x, y, x])
+    rwedge.stress(0.25, 0.3, 0, three[0], three[1], out=(three[1], three[0], three[2]))
+    np.testing.assert_array_equal(three[[1, 0, 2]], expected)
+
+
 def test_in_place_still_tells_a_nan_given_from_one_made():
     x = np.array([0.3, np.nan])
     expected = rwedge.pressure(0.25, x)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import copyreg
 import ctypes
 import math
 import os
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from ._cycle import Cycle
 from ._general import call
 from ._labels import aligned
-from ._library import EABSENT, EPATH, OK, Error, Handle, check, function, real
+from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, Error, Handle, check, function, real
 from ._loads import Columns, History, Loads, columns
 from ._made import ContactMethods
 from ._types import Numbers
@@ -145,9 +146,16 @@ class Contact(ContactMethods, Handle):
         twin, handle = type(self).__new__(type(self)), ctypes.c_void_p()
         with self._lock:
             twin.__dict__.update(self.__dict__)
+            for name, value in self._slots().items():
+                setattr(twin, name, value)
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
         twin._begin(handle)
         return twin
+
+    def _slots(self) -> dict[str, Any]:
+        """What a subclass keeps in __slots__."""
+        names: list[str] = getattr(copyreg, "_slotnames")(type(self))  # which copy and pickle ask, too
+        return {name: getattr(self, name) for name in names if hasattr(self, name)}
 
     def __copy__(self: Self) -> Self:
         return self.copy()
@@ -158,6 +166,8 @@ class Contact(ContactMethods, Handle):
         for name, value in twin.__dict__.items():
             if name not in ("_cell", "_lock"):
                 twin.__dict__[name] = copy.deepcopy(value, memo)
+        for name, value in twin._slots().items():
+            setattr(twin, name, copy.deepcopy(value, memo))
         return twin
 
     def __repr__(self) -> str:
@@ -255,11 +265,14 @@ class Contact(ContactMethods, Handle):
         status = _stress_history(self._address, len(history[0]), *(column.ctypes.data for column in history),
                                  x.size, x.ctypes.data, y.ctypes.data, *(component.ctypes.data for component in stress))
         if status != OK:
-            trial = self.copy()
-            for i, loads in enumerate(zip(*history)):
-                self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
-                _stresses(trial._address, x, y)
+            self._find_fault(history, x, y)
         check("contact_stress_history", status)
+
+    def _find_fault(self, history: Columns, x: Any, y: Any) -> None:
+        trial = self.copy()
+        for i, loads in enumerate(zip(*history)):
+            self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
+            _stresses(trial._address, x, y)
 
     def cycle(self, loads: History, x: Numbers, y: Numbers) -> Cycle:
         """Stresses at points (x, y) of the half-plane while the contact goes through loads, in one call to the library: as
@@ -333,16 +346,19 @@ class Contact(ContactMethods, Handle):
 
         Source: new.
         """
-        numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
+        numbers = np.ascontiguousarray(np.asarray(state).astype(float, casting="safe")).ravel()
         contact, handle = cls.__new__(cls), ctypes.c_void_p()
-        check("contact_restore", _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle)))
+        status = _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle))
+        if status == EDOMAIN:
+            raise Error(f"state, of {numbers.size} numbers: they are not those that Contact.state() gives", status)
+        check("contact_restore", status)
         contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
         contact._begin(handle)
         return contact
 
     def __reduce__(self) -> tuple[Any, ...]:
         own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters")}
-        return type(self).restore, (self.state(),), own
+        return type(self).restore, (self.state(),), (own, self._slots())
 
     @property
     def loads(self) -> Loads:
@@ -358,7 +374,12 @@ class Contact(ContactMethods, Handle):
 
     def _call(self, name: str, *given: Any) -> Any:
         with self._lock:
-            return call(name, self._address, *given)
+            try:
+                return call(name, self._address, *given)
+            except Error as error:
+                if name == "contact_stress_history" and error.status != ERANGE:  # arrays of one size
+                    self._find_fault(tuple(map(np.asarray, given[:4])), given[4], given[5])
+                raise
 
     @property
     def theta(self) -> float:

@@ -36,6 +36,11 @@ class Cycle:
     Source: new.
     """
 
+    loads: Loads
+    x: NDArray[Any]
+    y: NDArray[Any]
+    stress: NDArray[np.float64]
+
     def __init__(self, loads: Loads, x: NDArray[Any], y: NDArray[Any], stress: NDArray[np.float64], labels: Any = None) -> None:
         self.loads, self.x, self.y, self.stress, self._labels = loads, x, y, stress, labels
 

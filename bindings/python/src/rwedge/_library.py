@@ -62,7 +62,8 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
         raise MemoryError(reason)
     given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
-    raise (SlidingError if status == ESLIDING else Error)(f"{given}: {reason} ({allowed})", status)
+    message = ": ".join(filter(None, (given, reason))) + (f" ({allowed})" if allowed else "")
+    raise (SlidingError if status == ESLIDING else Error)(message, status)
 
 
 def real(name: str, value: SupportsFloat) -> float:

@@ -206,9 +206,11 @@ static bool apply_row(header *names, csv_input *in, bool malformed, char decimal
                       rwedge_contact *contact)
 {
     load to;
-    char complaint[COMPLAINT_SIZE] = "misplaced quotes";
-    if (!malformed && read_row(names, in, decimal_sign, &to, complaint) &&
-        apply_next(to, f, contact, complaint))
+    char complaint[COMPLAINT_SIZE];
+    if (malformed)
+        snprintf(complaint, COMPLAINT_SIZE, "%s", csv_input_fault(in));
+    else if (read_row(names, in, decimal_sign, &to, complaint) &&
+             apply_next(to, f, contact, complaint))
         return true;
     failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
     return false;

@@ -27,6 +27,18 @@ for format in $formats; do
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
 cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
+# A file is read as it is solved. What went to standard output before stays, and its last row tells; a file is not written.
+awk 'BEGIN { print "a,P,f"; for (i = 0; i < 10000; i++) print "1,100,0.1"; print "1,100,0.1,\374" }' >late.csv
+for format in $formats; do
+    cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format $format -o solved.$format
+    same "no file" "" "$(ls solved.$format 2>/dev/null)"
+done
+run solve -i late.csv $fixed --format json
+status_is 1
+message_is "rwedge solve: late.csv: line 10002, column 11: $refused"
+same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
+    "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
+same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
 printf 'P,Q,\374\n' >history.csv
 for command in profile field; do
     cannot "rwedge $command: history.csv: line 1, column 5: $refused" $command $fixed --a 1 --f 0.3 --history history.csv

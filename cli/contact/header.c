@@ -234,14 +234,14 @@ void header_free(header *names)
     *names = (header){0};
 }
 
-void header_name_unused(const header *names, const csv_input *in)
+void header_name_unused(const header *names, const char *file)
 {
     char unused[1000] = "";
     for (size_t i = 0; i < names->count; i++)
         if (names->has_numbers[i] && !header_is_input(names, i))
             list_add(unused, sizeof unused, ", ", "'%.60s'", names->name[i]);
     if (unused[0] != '\0')
-        notice("%s: columns with numbers that are not used: %s", csv_input_name(in), unused);
+        notice("%s: columns with numbers that are not used: %s", file, unused);
 }
 
 bool header_has(const header *names, const char *name)

@@ -1,11 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! Copies that a compiler makes byte by byte, as OpenMP's private and firstprivate do, are noticed: they are used by error or by
-! assignment, never freed twice. Grids of points. What a message names.
+! Copies that a compiler makes byte by byte, as OpenMP's private and firstprivate and SOURCE= do, are noticed: they are used by
+! error or by assignment, never freed twice. Grids of points. What a message names.
 program copies
     use rwedge
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
     implicit none
     type(rwedge_contact) :: base, c
+    type(rwedge_contact), allocatable :: sourced
+    type(rwedge_series) :: pressure, s
+    type(rwedge_series), allocatable :: sourced_series
     character(200) :: text
     integer :: i, stat, refused, failures
     real(c_double) :: b(8), x(2, 3), p(2, 3), q(2, 3), list_p(6), list_q(6)
@@ -36,6 +39,39 @@ program copies
     end do
     call claim('firstprivate is no contact, until it is assigned one', refused > 8)
     call claim('the base is as it was', abs(base%half_width() - c%half_width()) <= 0)
+
+    allocate (sourced, source=base)
+    call sourced%load(3000d0, 0d0, stat)
+    text = sourced%obstacle(1d0, 0d0, 0d0, 0d0)
+    call claim('a contact by SOURCE= is none', stat == rwedge_enull .and. text == '')
+    deallocate (sourced)
+
+    ! series share what they are made of, counted across threads
+    call pressure%create(0.25d0, 60)
+    !$omp parallel do private(s) num_threads(4)
+    do i = 1, 8
+        s = pressure
+        b(i) = s%pressure(0.1d0 * i)
+    end do
+    do i = 1, 8
+        call claim('a private series', abs(b(i) - pressure%pressure(0.1d0 * i)) <= 0)
+    end do
+    refused = 0
+    s = pressure
+    !$omp parallel do firstprivate(s) reduction(+:refused) num_threads(4)
+    do i = 1, 400
+        if (s%terms() == 0 .and. s%residual() /= s%residual()) refused = refused + 1
+        s = pressure
+        if (s%terms() == 60) refused = refused + 1
+    end do
+    call claim('a firstprivate series is none, until it is assigned one', refused > 400)
+    allocate (sourced_series, source=pressure)
+    call claim('a series by SOURCE= is none', sourced_series%terms() == 0)
+    deallocate (sourced_series)
+    s = pressure
+    s = s
+    call pressure%destroy()
+    call claim('what was shared is there until its last', s%terms() == 60 .and. pressure%terms() == 0)
 
     x = reshape([-0.4d0, -0.2d0, 0d0, 0.1d0, 0.2d0, 0.3d0], [2, 3])
     p = 0

@@ -87,6 +87,8 @@ contains
             r = [rwedge_critical_friction(v(1)%x(1), v(2)%x(1))]
         case ('validity')
             r = [real(rwedge_validity(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), v(5)%x(1), v(6)%x(1)), c_double)]
+        case ('validity_text')
+            r = [real(len(rwedge_validity_text(int(v(1)%x(1), c_int32_t))), c_double)]
         case ('radius')
             r = [rwedge_radius(v(1)%x(1), v(2)%x(1))]
         case ('rounding')
@@ -110,6 +112,8 @@ contains
         case ('contact_apply')
             call contact%apply(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), stat)
             r = [real(c_double) ::]
+        case ('contact_obstacle')
+            r = [real(len(contact%obstacle(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))), c_double)]
         case ('contact_largest_tension_step')
             r = [contact%largest_tension_step(v(1)%x(1))]
         case ('contact_loads')

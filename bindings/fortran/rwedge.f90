@@ -37,11 +37,16 @@ module rwedge
         rwedge_von_mises, rwedge_out_of_plane_stress, rwedge_largest_shear, rwedge_principal_stresses, &
         rwedge_smith_watson_topper, rwedge_smith_watson_topper_field, rwedge_fatemi_socie, rwedge_fatemi_socie_field
 
-    ! One contact and what it remembers of its loads.
-    type, public :: rwedge_contact
+    ! An object of the library, and where its handle is when it is this one's own.
+    type :: owner
         private
         type(c_ptr) :: handle = c_null_ptr
-        type(c_ptr) :: place = c_null_ptr ! where the handle is when it is this contact's own
+        type(c_ptr) :: place = c_null_ptr
+    end type
+
+    ! One contact and what it remembers of its loads.
+    type, extends(owner), public :: rwedge_contact
+        private
     contains
         procedure :: create => contact_create
         procedure :: copy => contact_copy
@@ -79,9 +84,8 @@ module rwedge
     end type
 
     ! The paper's series. It never changes once made, so that copies share it.
-    type, public :: rwedge_series
+    type, extends(owner), public :: rwedge_series
         private
-        type(c_ptr) :: handle = c_null_ptr
         integer, pointer :: users => null()
     contains
         procedure :: create => series_create
@@ -630,14 +634,6 @@ contains
         text = text_of(c_strerror(status))
     end function
 
-    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
-    function contact_obstacle(this, P, M, Q, sigma) result(text)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: P, M, Q, sigma
-        character(:), allocatable :: text
-        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
-    end function
-
     function text_of(c_text) result(text)
         type(c_ptr), intent(in) :: c_text
         character(:), allocatable :: text
@@ -722,13 +718,32 @@ contains
 
     ! ---- The life of objects -------------------------------------------------------------------------------------------
 
-    ! The handle, if this contact is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, has no
-    ! contact; nor has memory that was never set, as for private.
+    ! The handle, if this object is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, owns
+    ! nothing; nor does memory that was never set, as for private.
     pure function own(this) result(handle)
-        class(rwedge_contact), intent(in) :: this
+        class(owner), intent(in) :: this
         type(c_ptr) :: handle
         handle = c_null_ptr
         if (c_associated(this%place, address_of(this%handle, this%handle, 0_c_size_t))) handle = this%handle
+    end function
+
+    subroutine set(this, handle)
+        class(owner), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        this%handle = handle
+        this%place = address_of(this%handle, this%handle, 0_c_size_t)
+    end subroutine
+
+    ! The handle of what stands at the right of an assignment. Compilers may hand over a copy of that, byte by byte: the object
+    ! is where it was made.
+    function assigned(from) result(handle)
+        class(owner), intent(in) :: from
+        type(c_ptr) :: handle
+        type(c_ptr), pointer :: held
+        handle = c_null_ptr
+        if (.not. c_associated(from%place)) return
+        call c_f_pointer(from%place, held)
+        if (c_associated(held, from%handle)) handle = held
     end function
 
     ! What the contact held before is freed last: it may have been copied from itself.
@@ -736,23 +751,17 @@ contains
         class(rwedge_contact), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call c_contact_destroy(own(this))
-        this%handle = handle
-        this%place = address_of(this%handle, this%handle, 0_c_size_t)
+        call set(this, handle)
     end subroutine
 
     !> this = from, by copy(); both may be without a contact.
     impure elemental subroutine assign_contact(this, from)
         class(rwedge_contact), intent(inout) :: this
         type(rwedge_contact), intent(in) :: from
-        type(c_ptr) :: created
-        type(c_ptr), pointer :: held
+        type(c_ptr) :: held, created
+        held = assigned(from)
         created = c_null_ptr
-        if (c_associated(from%place)) then
-            ! compilers may hand over a copy of what stands at the right, byte by byte: the contact is where it was made
-            call c_f_pointer(from%place, held)
-            if (c_associated(held, from%handle)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', &
-                [real(c_double) ::], '')
-        end if
+        if (c_associated(held)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', [real(c_double) ::], '')
         call own_contact(this, created)
     end subroutine
 
@@ -771,7 +780,7 @@ contains
         class(rwedge_series), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call this%destroy()
-        this%handle = handle
+        call set(this, handle)
         allocate (this%users)
         this%users = 1
     end subroutine
@@ -782,25 +791,34 @@ contains
         type(rwedge_series), intent(in) :: from
         type(c_ptr) :: handle
         integer, pointer :: users
-        handle = from%handle
-        users => from%users
-        if (associated(users)) users = users + 1
+        handle = assigned(from)
+        nullify (users)
+        if (c_associated(handle)) then
+            users => from%users
+            !$omp atomic
+            users = users + 1
+        end if
         call this%destroy() ! which may be from
-        this%handle = handle
+        call set(this, handle)
         this%users => users
     end subroutine
 
     !> Frees; NULL is allowed.
     subroutine series_destroy(this)
         class(rwedge_series), intent(inout) :: this
-        if (.not. associated(this%users)) return
-        this%users = this%users - 1
-        if (this%users == 0) then
-            call c_series_destroy(this%handle)
-            deallocate (this%users)
+        integer :: left
+        if (c_associated(own(this))) then
+            !$omp atomic capture
+            this%users = this%users - 1
+            left = this%users
+            !$omp end atomic
+            if (left == 0) then
+                call c_series_destroy(this%handle)
+                deallocate (this%users)
+            end if
         end if
-        this%handle = c_null_ptr
         nullify (this%users)
+        call set(this, c_null_ptr)
     end subroutine
 
     impure elemental subroutine finalize_series(this)
@@ -1219,7 +1237,7 @@ contains
     !> of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
     !> closed form, nor those that end with the front of slip between two patches of the memory at one
     !> edge and between two others at the other, or with a part beyond the front that sticks:
-    !> lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+    !> lib/README.md, "Moment and bulk tension". Where |Q| = f P, and without friction, all are exact.
     !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
     !> surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
@@ -1234,6 +1252,17 @@ contains
             'magnitude; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 to 1e60 in ' // &
             'magnitude', stat, errmsg)
     end subroutine
+
+    !> Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
+    !> English; empty where it would not.   new
+    !>   arguments as for rwedge_contact_apply(); the contact stays as it is
+    !> Static text, never NULL.
+    function contact_obstacle(this, P, M, Q, sigma) result(text)
+        class(rwedge_contact), intent(in) :: this
+        real(c_double), intent(in) :: P, M, Q, sigma
+        character(:), allocatable :: text
+        text = text_of(c_contact_obstacle(own(this), P, M, Q, sigma))
+    end function
 
     !> The largest |d sigma| with which the present Q may change to another under constant P and M,
     !> stress: 4 |dQ|/(pi s). HUGE_VAL without friction.   new
@@ -1316,7 +1345,7 @@ contains
     !> The zone that never slips while loads go to and fro between two points in a straight line, once
     !> the first cycles are over, whatever was before.   new
     !>   P1, P2          finite, >= 0, as for rwedge_contact_apply()
-    !>   M1, M2          finite
+    !>   M1, M2          finite; 0 where P is 0
     !>   Q1, Q2          |Q| <= f P
     !>   sigma1, sigma2  finite
     !>   left, right     its edges, length
@@ -1360,9 +1389,9 @@ contains
     end function
 
     !> How many points of its history the contact remembers: those that its tractions depend on, and
-    !> those that its slip is measured from. At most two per load; 0 when separated, and for NULL. The
-    !> memory it takes grows in proportion; so does the time of its functions, at most, for each point
-    !> of the half-plane.
+    !> those that its slip is measured from. At most two per load, and some tens after any number of
+    !> loads that dither around one point; 0 when separated, and for NULL. The memory it takes grows in
+    !> proportion; so does the time of its functions, at most, for each point of the half-plane.
     pure function contact_memory(this) result(value)
         class(rwedge_contact), intent(in) :: this
         integer(c_size_t) :: value
@@ -1910,7 +1939,8 @@ contains
 
     !> Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
     !>    Sec. 4 of the paper
-    !>   samples  number of samples, >= terms, samples * terms <= 2^27
+    !>   samples  number of samples, >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33; a
+    !>            fit takes up to 1 GiB and half a minute
     !>   x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
     !>            equally spaced) fit best
     !>   terms    >= 1
@@ -1934,26 +1964,26 @@ contains
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
                 '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
-                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '1; samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33', stat, errmsg, i)
             return
         end if
         i = first_outside(p, -1e+60_c_double, 1e+60_c_double, 1e-60_c_double, .false., .false., .false.)
         if (status == rwedge_edomain .and. i > 0) then
             call conclude(status, 'rwedge_series%fit(x, p)', [x(i), p(i)], &
                 '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= ' // &
-                '1; samples >= terms, samples * terms <= 2^27', stat, errmsg, i)
+                '1; samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33', stat, errmsg, i)
             return
         end if
         call conclude(status, 'rwedge_series%fit(size(x), terms)', [real(size(x), c_double), real(terms, c_double)], &
             '|x| < 1, 0 or at least 1e-60 in magnitude; p 0, or 1e-60 to 1e60 in magnitude; terms >= 1; ' // &
-            'samples >= terms, samples * terms <= 2^27; arrays of one size', stat, errmsg)
+            'samples >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33; arrays of one size', stat, errmsg)
     end subroutine
 
     !> How many coefficients it holds; 0 for NULL.
     pure function series_terms(this) result(value)
         class(rwedge_series), intent(in) :: this
         integer(c_int32_t) :: value
-        value = c_series_terms(this%handle)
+        value = c_series_terms(own(this))
     end function
 
     !> a_k; 0 for k >= terms; NaN outside the domain or NULL.
@@ -1962,7 +1992,7 @@ contains
         class(rwedge_series), intent(in) :: this
         integer(c_int32_t), intent(in) :: k
         real(c_double) :: value
-        value = c_series_coefficient(this%handle, k)
+        value = c_series_coefficient(own(this), k)
     end function
 
     !> Error of the series as a pressure. From rwedge_series_fit(): the root mean square of fit minus
@@ -1972,7 +2002,7 @@ contains
     pure function series_residual(this) result(value)
         class(rwedge_series), intent(in) :: this
         real(c_double) :: value
-        value = c_series_residual(this%handle)
+        value = c_series_residual(own(this))
     end function
 
     !> The pressure at x; 0 for |x| >= 1; NaN outside the domain or NULL.   Eq. (29)
@@ -1980,7 +2010,7 @@ contains
         class(rwedge_series), intent(in) :: this
         real(c_double), intent(in) :: x
         real(c_double) :: value
-        value = c_series_pressure(this%handle, x)
+        value = c_series_pressure(own(this), x)
     end function
 
     !> Muskhelishvili's potential Phi for q = f p: Phi = -((i+f)/2) sum a_k R^(k+1), R = z -
@@ -1992,7 +2022,7 @@ contains
         real(c_double), intent(inout) :: re, im
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_series_potential(this%handle, f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
+        call conclude(c_series_potential(own(this), f, x, y, re, im), 'rwedge_series%potential(f, x, y)', [f, x, y], &
             '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
             '1e60', stat, errmsg)
     end subroutine
@@ -2006,7 +2036,7 @@ contains
         real(c_double), intent(inout) :: sxx, syy, txy
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call conclude(c_series_stress(this%handle, f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
+        call conclude(c_series_stress(own(this), f, x, y, sxx, syy, txy), 'rwedge_series%stress(f, x, y)', [f, x, y], &
             '0 <= f <= 1e6, 0 or at least 1e-60; x 0, or 1e-60 to 1e60 in magnitude; y 0, or 1e-60 to ' // &
             '1e60', stat, errmsg)
     end subroutine

@@ -28,11 +28,16 @@ module rwedge
     public :: rwedge_version, rwedge_error_text
 {public}
 
-    ! One contact and what it remembers of its loads.
-    type, public :: rwedge_contact
+    ! An object of the library, and where its handle is when it is this one's own.
+    type :: owner
         private
         type(c_ptr) :: handle = c_null_ptr
-        type(c_ptr) :: place = c_null_ptr ! where the handle is when it is this contact's own
+        type(c_ptr) :: place = c_null_ptr
+    end type
+
+    ! One contact and what it remembers of its loads.
+    type, extends(owner), public :: rwedge_contact
+        private
     contains
 {contact procedures}
         procedure, private :: assign_contact
@@ -41,9 +46,8 @@ module rwedge
     end type
 
     ! The paper's series. It never changes once made, so that copies share it.
-    type, public :: rwedge_series
+    type, extends(owner), public :: rwedge_series
         private
-        type(c_ptr) :: handle = c_null_ptr
         integer, pointer :: users => null()
     contains
 {series procedures}
@@ -86,14 +90,6 @@ contains
         integer(c_int32_t), intent(in) :: status
         character(:), allocatable :: text
         text = text_of(c_strerror(status))
-    end function
-
-    !> Why apply would give RWEDGE_EPATH for these loads, and what to do instead, in English; empty where it would not.
-    function contact_obstacle(this, P, M, Q, sigma) result(text)
-        class(rwedge_contact), intent(in) :: this
-        real(c_double), intent(in) :: P, M, Q, sigma
-        character(:), allocatable :: text
-        text = text_of(c_contact_obstacle(this%handle, P, M, Q, sigma))
     end function
 
     function text_of(c_text) result(text)
@@ -180,13 +176,32 @@ contains
 
     ! ---- The life of objects -------------------------------------------------------------------------------------------
 
-    ! The handle, if this contact is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, has no
-    ! contact; nor has memory that was never set, as for private.
+    ! The handle, if this object is where it was made. A copy that a compiler makes byte by byte, as for firstprivate, owns
+    ! nothing; nor does memory that was never set, as for private.
     pure function own(this) result(handle)
-        class(rwedge_contact), intent(in) :: this
+        class(owner), intent(in) :: this
         type(c_ptr) :: handle
         handle = c_null_ptr
         if (c_associated(this%place, address_of(this%handle, this%handle, 0_c_size_t))) handle = this%handle
+    end function
+
+    subroutine set(this, handle)
+        class(owner), intent(inout) :: this
+        type(c_ptr), intent(in) :: handle
+        this%handle = handle
+        this%place = address_of(this%handle, this%handle, 0_c_size_t)
+    end subroutine
+
+    ! The handle of what stands at the right of an assignment. Compilers may hand over a copy of that, byte by byte: the object
+    ! is where it was made.
+    function assigned(from) result(handle)
+        class(owner), intent(in) :: from
+        type(c_ptr) :: handle
+        type(c_ptr), pointer :: held
+        handle = c_null_ptr
+        if (.not. c_associated(from%place)) return
+        call c_f_pointer(from%place, held)
+        if (c_associated(held, from%handle)) handle = held
     end function
 
     ! What the contact held before is freed last: it may have been copied from itself.
@@ -194,23 +209,17 @@ contains
         class(rwedge_contact), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call c_contact_destroy(own(this))
-        this%handle = handle
-        this%place = address_of(this%handle, this%handle, 0_c_size_t)
+        call set(this, handle)
     end subroutine
 
     !> this = from, by copy(); both may be without a contact.
     impure elemental subroutine assign_contact(this, from)
         class(rwedge_contact), intent(inout) :: this
         type(rwedge_contact), intent(in) :: from
-        type(c_ptr) :: created
-        type(c_ptr), pointer :: held
+        type(c_ptr) :: held, created
+        held = assigned(from)
         created = c_null_ptr
-        if (c_associated(from%place)) then
-            ! compilers may hand over a copy of what stands at the right, byte by byte: the contact is where it was made
-            call c_f_pointer(from%place, held)
-            if (c_associated(held, from%handle)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', &
-                [real(c_double) ::], '')
-        end if
+        if (c_associated(held)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', [real(c_double) ::], '')
         call own_contact(this, created)
     end subroutine
 
@@ -229,7 +238,7 @@ contains
         class(rwedge_series), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call this%destroy()
-        this%handle = handle
+        call set(this, handle)
         allocate (this%users)
         this%users = 1
     end subroutine
@@ -240,25 +249,34 @@ contains
         type(rwedge_series), intent(in) :: from
         type(c_ptr) :: handle
         integer, pointer :: users
-        handle = from%handle
-        users => from%users
-        if (associated(users)) users = users + 1
+        handle = assigned(from)
+        nullify (users)
+        if (c_associated(handle)) then
+            users => from%users
+            !$omp atomic
+            users = users + 1
+        end if
         call this%destroy() ! which may be from
-        this%handle = handle
+        call set(this, handle)
         this%users => users
     end subroutine
 
     !> Frees; NULL is allowed.
     subroutine series_destroy(this)
         class(rwedge_series), intent(inout) :: this
-        if (.not. associated(this%users)) return
-        this%users = this%users - 1
-        if (this%users == 0) then
-            call c_series_destroy(this%handle)
-            deallocate (this%users)
+        integer :: left
+        if (c_associated(own(this))) then
+            !$omp atomic capture
+            this%users = this%users - 1
+            left = this%users
+            !$omp end atomic
+            if (left == 0) then
+                call c_series_destroy(this%handle)
+                deallocate (this%users)
+            end if
         end if
-        this%handle = c_null_ptr
         nullify (this%users)
+        call set(this, c_null_ptr)
     end subroutine
 
     impure elemental subroutine finalize_series(this)

@@ -2,8 +2,7 @@
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form; and those that give a text for a number. Not here are
- * rwedge_version() and those that free. */
+ * object, as a call of one form. Not here are rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -12,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum {
     ENTRY_ARGUMENTS = 12, /* the most that a function has */
@@ -20,9 +20,11 @@ enum {
 };
 
 /* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
- * integer is a double that is whole and fits. A function with a value has the status RWEDGE_OK. */
+ * integer is a double that is whole and fits. A function with a value has the status RWEDGE_OK. The
+ * value of a function with a text is the text's length. */
 typedef int32_t entry_call(void *object, const size_t n[], const double *const v[],
                            double *const r[], void **made);
+typedef const char *entry_text(const void *object, const double *const v[]);
 
 typedef struct {
     const char *name;
@@ -53,6 +55,7 @@ typedef struct {
     const char *name;
     const char *family; /* "contact", "series", or "" */
     entry_call *call;
+    entry_text *text; /* or NULL where there is none */
     char takes_object, changes_object, makes_object, has_status;
     char pointwise;       /* all its arrays are of one size, point by point */
     char refuses_more;    /* arguments too of which each by itself is inside */
@@ -87,6 +90,21 @@ static inline int entry_allows(const entry_argument *a, double v)
         (void)object, (void)n, (void)v, (void)r, (void)made;                                       \
         statements;                                                                                \
     }
+
+#define TEXT_ENTRY(name, value)                                                                    \
+    static const char *text_##name(const void *object, const double *const v[])                    \
+    {                                                                                              \
+        (void)object, (void)v;                                                                     \
+        return value;                                                                              \
+    }                                                                                              \
+    ENTRY(name, const char *const text = text_##name(object, v);                                   \
+          r[0][0] = text ? (double)strlen(text) : NAN; return RWEDGE_OK)
+
+TEXT_ENTRY(strerror, rwedge_strerror((int32_t)v[0][0]))
+static const entry_argument strerror_arguments[] = {
+    {"status", "whole, any integer", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 1, 1, {-1, -1}}};
+static const entry_result strerror_results[] = {
+    {"value", {-1, -1}, 0}};
 
 ENTRY(compliance, r[0][0] = rwedge_compliance(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument compliance_arguments[] = {
@@ -266,6 +284,12 @@ static const entry_argument validity_arguments[] = {
 static const entry_result validity_results[] = {
     {"value", {-1, -1}, 0}};
 
+TEXT_ENTRY(validity_text, rwedge_validity_text((int32_t)v[0][0]))
+static const entry_argument validity_text_arguments[] = {
+    {"doubt", "whole, any integer", -INFINITY, INFINITY, 0.0, 0, 0, 0, 1, 1, 1, {-1, -1}}};
+static const entry_result validity_text_results[] = {
+    {"value", {-1, -1}, 0}};
+
 ENTRY(radius, r[0][0] = rwedge_radius(v[0][0], v[1][0]); return RWEDGE_OK)
 static const entry_argument radius_arguments[] = {
     {"theta", "0 < theta < pi/2, at least 1e-60", 0.0, 1.5707963267948966, 1e-60, 1, 1, 0, 1, 0, 0, {-1, -1}},
@@ -334,6 +358,16 @@ static const entry_argument contact_apply_arguments[] = {
     {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+
+TEXT_ENTRY(contact_obstacle, rwedge_contact_obstacle((const rwedge_contact *)object, v[0][0],
+      v[1][0], v[2][0], v[3][0]))
+static const entry_argument contact_obstacle_arguments[] = {
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}}};
+static const entry_result contact_obstacle_results[] = {
+    {"value", {-1, -1}, 0}};
 
 ENTRY(contact_largest_tension_step, r[0][0] = rwedge_contact_largest_tension_step((const
       rwedge_contact *)object, v[0][0]); return RWEDGE_OK)
@@ -597,7 +631,7 @@ static const entry_argument series_fit_arguments[] = {
     {"p", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
     {"terms", "whole, >= 1", 1.0, INFINITY, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}}};
 static const entry_size series_fit_sizes[] = {
-    {"samples", NULL, ">= terms, samples * terms <= 2^27"}};
+    {"samples", NULL, ">= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33"}};
 
 ENTRY(series_terms, r[0][0] = (double)rwedge_series_terms((const rwedge_series *)object); return
       RWEDGE_OK)
@@ -645,147 +679,144 @@ static const entry_result series_stress_results[] = {
     {"txy", {-1, -1}, 0}};
 
 static const entry entries[] = {
-    {"compliance", "", entry_compliance, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"strerror", "", entry_strerror, text_strerror, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 1, 1, 0, strerror_arguments, strerror_results, NULL},
+    {"compliance", "", entry_compliance, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 4, 1, 0, compliance_arguments, compliance_results, NULL},
-    {"dundurs_beta", "", entry_dundurs_beta, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"dundurs_beta", "", entry_dundurs_beta, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 4, 1, 0, dundurs_beta_arguments, dundurs_beta_results, NULL},
-    {"load", "", entry_load, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"load", "", entry_load, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 1, 1, 0, load_arguments, load_results, NULL},
-    {"a_over_b", "", entry_a_over_b, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"a_over_b", "", entry_a_over_b, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 1, 1, 0, a_over_b_arguments, a_over_b_results, NULL},
-    {"pressure", "", entry_pressure, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"pressure", "", entry_pressure, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 2, 1, 0, pressure_arguments, pressure_results, NULL},
-    {"peak_pressure", "", entry_peak_pressure, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"peak_pressure", "", entry_peak_pressure, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 1, 1, 0, peak_pressure_arguments, peak_pressure_results, NULL},
-    {"transition_pressure", "", entry_transition_pressure, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"transition_pressure", "", entry_transition_pressure, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 1, 1, 0, transition_pressure_arguments, transition_pressure_results, NULL},
-    {"coefficient", "", entry_coefficient, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"coefficient", "", entry_coefficient, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, coefficient_arguments, coefficient_results, NULL},
-    {"stick_width", "", entry_stick_width, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"stick_width", "", entry_stick_width, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, stick_width_arguments, stick_width_results, NULL},
-    {"shear_ratio", "", entry_shear_ratio, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"shear_ratio", "", entry_shear_ratio, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, shear_ratio_arguments, shear_ratio_results, NULL},
-    {"shear", "", entry_shear, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"shear", "", entry_shear, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 3, 1, 0, shear_arguments, shear_results, NULL},
-    {"stress", "", entry_stress, 0, 0, 0, 1, 0, 1, 0, 0x6,
+    {"stress", "", entry_stress, NULL, 0, 0, 0, 1, 0, 1, 0, 0x6,
      NULL, 5, 3, 0, stress_arguments, stress_results, NULL},
-    {"stresses", "", entry_stresses, 0, 0, 0, 1, 1, 1, 0, 0x6,
+    {"stresses", "", entry_stresses, NULL, 0, 0, 0, 1, 1, 1, 0, 0x6,
      "stress", 5, 3, 1, stresses_arguments, stresses_results, stresses_sizes},
-    {"max_tension", "", entry_max_tension, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"max_tension", "", entry_max_tension, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 1, 1, 0, max_tension_arguments, max_tension_results, NULL},
-    {"elastic_limit", "", entry_elastic_limit, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"elastic_limit", "", entry_elastic_limit, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 3, 1, 0, elastic_limit_arguments, elastic_limit_results, NULL},
-    {"elastic_limits", "", entry_elastic_limits, 0, 0, 0, 1, 1, 0, 0, 0x0,
+    {"elastic_limits", "", entry_elastic_limits, NULL, 0, 0, 0, 1, 1, 0, 0, 0x0,
      "elastic_limit", 3, 1, 1, elastic_limits_arguments, elastic_limits_results, elastic_limits_sizes},
-    {"yield_point", "", entry_yield_point, 0, 0, 0, 1, 0, 0, 0, 0x6,
+    {"yield_point", "", entry_yield_point, NULL, 0, 0, 0, 1, 0, 0, 0, 0x6,
      NULL, 3, 3, 0, yield_point_arguments, yield_point_results, NULL},
-    {"subsurface_yield", "", entry_subsurface_yield, 0, 0, 0, 1, 0, 0, 0, 0x106,
+    {"subsurface_yield", "", entry_subsurface_yield, NULL, 0, 0, 0, 1, 0, 0, 0, 0x106,
      NULL, 3, 3, 0, subsurface_yield_arguments, subsurface_yield_results, NULL},
-    {"surface_yield", "", entry_surface_yield, 0, 0, 0, 1, 0, 0, 0, 0x106,
+    {"surface_yield", "", entry_surface_yield, NULL, 0, 0, 0, 1, 0, 0, 0, 0x106,
      NULL, 3, 2, 0, surface_yield_arguments, surface_yield_results, NULL},
-    {"critical_friction", "", entry_critical_friction, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"critical_friction", "", entry_critical_friction, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 2, 1, 0, critical_friction_arguments, critical_friction_results, NULL},
-    {"validity", "", entry_validity, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"validity", "", entry_validity, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 6, 1, 0, validity_arguments, validity_results, NULL},
-    {"radius", "", entry_radius, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"validity_text", "", entry_validity_text, text_validity_text, 0, 0, 0, 0, 0, 0, 0, 0x0,
+     NULL, 1, 1, 0, validity_text_arguments, validity_text_results, NULL},
+    {"radius", "", entry_radius, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 2, 1, 0, radius_arguments, radius_results, NULL},
-    {"rounding", "", entry_rounding, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"rounding", "", entry_rounding, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 2, 1, 0, rounding_arguments, rounding_results, NULL},
-    {"half_width", "", entry_half_width, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"half_width", "", entry_half_width, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 4, 1, 0, half_width_arguments, half_width_results, NULL},
-    {"normal_load", "", entry_normal_load, 0, 0, 0, 0, 0, 1, 0, 0x0,
+    {"normal_load", "", entry_normal_load, NULL, 0, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 4, 1, 0, normal_load_arguments, normal_load_results, NULL},
-    {"yield_load", "", entry_yield_load, 0, 0, 0, 0, 0, 1, 1, 0x0,
+    {"yield_load", "", entry_yield_load, NULL, 0, 0, 0, 0, 0, 1, 1, 0x0,
      NULL, 6, 1, 0, yield_load_arguments, yield_load_results, NULL},
-    {"contact_create", "contact", entry_contact_create, 0, 0, 1, 1, 0, 1, 0, 0x26,
+    {"contact_create", "contact", entry_contact_create, NULL, 0, 0, 1, 1, 0, 1, 0, 0x26,
      NULL, 4, 0, 0, contact_create_arguments, NULL, NULL},
-    {"contact_copy", "contact", entry_contact_copy, 1, 0, 1, 1, 0, 0, 0, 0x24,
+    {"contact_copy", "contact", entry_contact_copy, NULL, 1, 0, 1, 1, 0, 0, 0, 0x24,
      NULL, 0, 0, 0, NULL, NULL, NULL},
-    {"contact_load", "contact", entry_contact_load, 1, 1, 0, 1, 0, 1, 0, 0x26e,
+    {"contact_load", "contact", entry_contact_load, NULL, 1, 1, 0, 1, 0, 1, 0, 0x26e,
      NULL, 2, 0, 0, contact_load_arguments, NULL, NULL},
-    {"contact_apply", "contact", entry_contact_apply, 1, 1, 0, 1, 0, 1, 0, 0x26e,
+    {"contact_apply", "contact", entry_contact_apply, NULL, 1, 1, 0, 1, 0, 1, 0, 0x26e,
      NULL, 4, 0, 0, contact_apply_arguments, NULL, NULL},
-    {"contact_largest_tension_step", "contact", entry_contact_largest_tension_step, 1, 0, 0, 0, 0, 0, 1, 0x0,
+    {"contact_obstacle", "contact", entry_contact_obstacle, text_contact_obstacle, 1, 0, 0, 0, 0, 1, 0, 0x200,
+     NULL, 4, 1, 0, contact_obstacle_arguments, contact_obstacle_results, NULL},
+    {"contact_largest_tension_step", "contact", entry_contact_largest_tension_step, NULL, 1, 0, 0, 0, 0, 0, 1, 0x0,
      NULL, 1, 1, 0, contact_largest_tension_step_arguments, contact_largest_tension_step_results, NULL},
-    {"contact_loads", "contact", entry_contact_loads, 1, 0, 0, 1, 0, 0, 0, 0x4,
+    {"contact_loads", "contact", entry_contact_loads, NULL, 1, 0, 0, 1, 0, 0, 0, 0x4,
      NULL, 0, 4, 0, NULL, contact_loads_results, NULL},
-    {"contact_edges", "contact", entry_contact_edges, 1, 0, 0, 1, 0, 0, 0, 0x104,
+    {"contact_edges", "contact", entry_contact_edges, NULL, 1, 0, 0, 1, 0, 0, 0, 0x104,
      NULL, 0, 2, 0, NULL, contact_edges_results, NULL},
-    {"contact_stick_zone", "contact", entry_contact_stick_zone, 1, 0, 0, 1, 0, 0, 0, 0x104,
+    {"contact_stick_zone", "contact", entry_contact_stick_zone, NULL, 1, 0, 0, 1, 0, 0, 0, 0x104,
      NULL, 0, 2, 0, NULL, contact_stick_zone_results, NULL},
-    {"contact_tilt", "contact", entry_contact_tilt, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_tilt", "contact", entry_contact_tilt, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_tilt_results, NULL},
-    {"contact_edge_asymptotes", "contact", entry_contact_edge_asymptotes, 1, 0, 0, 1, 0, 0, 0, 0x104,
+    {"contact_edge_asymptotes", "contact", entry_contact_edge_asymptotes, NULL, 1, 0, 0, 1, 0, 0, 0, 0x104,
      NULL, 0, 4, 0, NULL, contact_edge_asymptotes_results, NULL},
-    {"permanent_stick", "", entry_permanent_stick, 0, 0, 0, 1, 0, 1, 0, 0x36e,
+    {"permanent_stick", "", entry_permanent_stick, NULL, 0, 0, 0, 1, 0, 1, 0, 0x36e,
      NULL, 12, 2, 0, permanent_stick_arguments, permanent_stick_results, NULL},
-    {"contact_half_width", "contact", entry_contact_half_width, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_half_width", "contact", entry_contact_half_width, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_half_width_results, NULL},
-    {"contact_stick_half_width", "contact", entry_contact_stick_half_width, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_stick_half_width", "contact", entry_contact_stick_half_width, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_stick_half_width_results, NULL},
-    {"contact_memory", "contact", entry_contact_memory, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_memory", "contact", entry_contact_memory, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_memory_results, NULL},
-    {"contact_tractions", "contact", entry_contact_tractions, 1, 0, 0, 1, 1, 1, 0, 0x6,
+    {"contact_tractions", "contact", entry_contact_tractions, NULL, 1, 0, 0, 1, 1, 1, 0, 0x6,
      NULL, 1, 2, 1, contact_tractions_arguments, contact_tractions_results, contact_tractions_sizes},
-    {"contact_stresses", "contact", entry_contact_stresses, 1, 0, 0, 1, 1, 1, 0, 0x6,
+    {"contact_stresses", "contact", entry_contact_stresses, NULL, 1, 0, 0, 1, 1, 1, 0, 0x6,
      NULL, 2, 3, 1, contact_stresses_arguments, contact_stresses_results, contact_stresses_sizes},
-    {"contact_stress_history", "contact", entry_contact_stress_history, 1, 1, 0, 1, 0, 1, 0, 0x26e,
+    {"contact_stress_history", "contact", entry_contact_stress_history, NULL, 1, 1, 0, 1, 0, 1, 0, 0x26e,
      NULL, 6, 3, 2, contact_stress_history_arguments, contact_stress_history_results, contact_stress_history_sizes},
-    {"contact_state_size", "contact", entry_contact_state_size, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"contact_state_size", "contact", entry_contact_state_size, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_state_size_results, NULL},
-    {"contact_state", "contact", entry_contact_state, 1, 0, 0, 1, 0, 0, 0, 0xc,
+    {"contact_state", "contact", entry_contact_state, NULL, 1, 0, 0, 1, 0, 0, 0, 0xc,
      NULL, 0, 1, 1, NULL, contact_state_results, contact_state_sizes},
-    {"contact_restore", "contact", entry_contact_restore, 0, 0, 1, 1, 0, 1, 0, 0x26,
+    {"contact_restore", "contact", entry_contact_restore, NULL, 0, 0, 1, 1, 0, 1, 0, 0x26,
      NULL, 1, 0, 1, contact_restore_arguments, NULL, contact_restore_sizes},
-    {"contact_slip", "contact", entry_contact_slip, 1, 0, 0, 1, 1, 1, 0, 0x206,
+    {"contact_slip", "contact", entry_contact_slip, NULL, 1, 0, 0, 1, 1, 1, 0, 0x206,
      NULL, 1, 1, 1, contact_slip_arguments, contact_slip_results, contact_slip_sizes},
-    {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, 1, 0, 0, 0, 0, 1, 0, 0x0,
+    {"contact_dissipated_energy", "contact", entry_contact_dissipated_energy, NULL, 1, 0, 0, 0, 0, 1, 0, 0x0,
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
-    {"contact_yield_factor", "contact", entry_contact_yield_factor, 1, 0, 0, 1, 0, 0, 0, 0x10e,
+    {"contact_yield_factor", "contact", entry_contact_yield_factor, NULL, 1, 0, 0, 1, 0, 0, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},
-    {"von_mises", "", entry_von_mises, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"von_mises", "", entry_von_mises, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 4, 1, 0, von_mises_arguments, von_mises_results, NULL},
-    {"out_of_plane_stress", "", entry_out_of_plane_stress, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"out_of_plane_stress", "", entry_out_of_plane_stress, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 3, 1, 0, out_of_plane_stress_arguments, out_of_plane_stress_results, NULL},
-    {"largest_shear", "", entry_largest_shear, 0, 0, 0, 0, 0, 0, 0, 0x0,
+    {"largest_shear", "", entry_largest_shear, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 4, 1, 0, largest_shear_arguments, largest_shear_results, NULL},
-    {"principal_stresses", "", entry_principal_stresses, 0, 0, 0, 1, 0, 0, 0, 0x6,
+    {"principal_stresses", "", entry_principal_stresses, NULL, 0, 0, 0, 1, 0, 0, 0, 0x6,
      NULL, 3, 3, 0, principal_stresses_arguments, principal_stresses_results, NULL},
-    {"smith_watson_topper", "", entry_smith_watson_topper, 0, 0, 0, 1, 0, 0, 0, 0xe,
+    {"smith_watson_topper", "", entry_smith_watson_topper, NULL, 0, 0, 0, 1, 0, 0, 0, 0xe,
      NULL, 5, 2, 1, smith_watson_topper_arguments, smith_watson_topper_results, smith_watson_topper_sizes},
-    {"smith_watson_topper_field", "", entry_smith_watson_topper_field, 0, 0, 0, 1, 0, 0, 0, 0xe,
+    {"smith_watson_topper_field", "", entry_smith_watson_topper_field, NULL, 0, 0, 0, 1, 0, 0, 0, 0xe,
      NULL, 5, 2, 2, smith_watson_topper_field_arguments, smith_watson_topper_field_results, smith_watson_topper_field_sizes},
-    {"fatemi_socie", "", entry_fatemi_socie, 0, 0, 0, 1, 0, 0, 0, 0xe,
+    {"fatemi_socie", "", entry_fatemi_socie, NULL, 0, 0, 0, 1, 0, 0, 0, 0xe,
      NULL, 6, 2, 1, fatemi_socie_arguments, fatemi_socie_results, fatemi_socie_sizes},
-    {"fatemi_socie_field", "", entry_fatemi_socie_field, 0, 0, 0, 1, 0, 0, 0, 0xe,
+    {"fatemi_socie_field", "", entry_fatemi_socie_field, NULL, 0, 0, 0, 1, 0, 0, 0, 0xe,
      NULL, 6, 2, 2, fatemi_socie_field_arguments, fatemi_socie_field_results, fatemi_socie_field_sizes},
-    {"series_create", "series", entry_series_create, 0, 0, 1, 1, 0, 0, 0, 0x2e,
+    {"series_create", "series", entry_series_create, NULL, 0, 0, 1, 1, 0, 0, 0, 0x2e,
      NULL, 2, 0, 0, series_create_arguments, NULL, NULL},
-    {"series_fit", "series", entry_series_fit, 0, 0, 1, 1, 0, 1, 0, 0xbe,
+    {"series_fit", "series", entry_series_fit, NULL, 0, 0, 1, 1, 0, 1, 0, 0xbe,
      NULL, 3, 0, 1, series_fit_arguments, NULL, series_fit_sizes},
-    {"series_terms", "series", entry_series_terms, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"series_terms", "series", entry_series_terms, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 0, 1, 0, NULL, series_terms_results, NULL},
-    {"series_coefficient", "series", entry_series_coefficient, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"series_coefficient", "series", entry_series_coefficient, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 1, 1, 0, series_coefficient_arguments, series_coefficient_results, NULL},
-    {"series_residual", "series", entry_series_residual, 1, 0, 0, 0, 0, 0, 1, 0x0,
+    {"series_residual", "series", entry_series_residual, NULL, 1, 0, 0, 0, 0, 0, 1, 0x0,
      NULL, 0, 1, 0, NULL, series_residual_results, NULL},
-    {"series_pressure", "series", entry_series_pressure, 1, 0, 0, 0, 0, 0, 0, 0x0,
+    {"series_pressure", "series", entry_series_pressure, NULL, 1, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 1, 1, 0, series_pressure_arguments, series_pressure_results, NULL},
-    {"series_potential", "series", entry_series_potential, 1, 0, 0, 1, 0, 0, 0, 0x6,
+    {"series_potential", "series", entry_series_potential, NULL, 1, 0, 0, 1, 0, 0, 0, 0x6,
      NULL, 3, 2, 0, series_potential_arguments, series_potential_results, NULL},
-    {"series_stress", "series", entry_series_stress, 1, 0, 0, 1, 0, 0, 0, 0x6,
+    {"series_stress", "series", entry_series_stress, NULL, 1, 0, 0, 1, 0, 0, 0, 0x6,
      NULL, 3, 3, 0, series_stress_arguments, series_stress_results, NULL},
 };
 enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };
-
-static const struct {
-    const char *name;
-    const char *(*text)(int32_t number);
-} text_entries[] = {
-    {"strerror", rwedge_strerror},
-    {"validity_text", rwedge_validity_text},
-};
-enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };
 
 /* By its number: the reason in an identifier of an error, rwedge:domain. */
 static const char *const entry_reasons[] = {"ok", "domain", "null", "range", "noconv", "memory", "sliding", "rank", "absent", "path"};

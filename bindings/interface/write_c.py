@@ -13,8 +13,7 @@ TOP = """\
 /* Written by bindings/interface/generate.py from include/rwedge.h: change that, not this.
  *
  * Every function of the header that has a number among its arguments or results, or makes an
- * object, as a call of one form; and those that give a text for a number. Not here are
- * rwedge_version() and those that free. */
+ * object, as a call of one form. Not here are rwedge_version() and those that free. */
 /* clang-format off */
 #ifndef RWEDGE_ENTRIES_H
 #define RWEDGE_ENTRIES_H
@@ -23,6 +22,7 @@ TOP = """\
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum {{
     ENTRY_ARGUMENTS = {arguments}, /* the most that a function has */
@@ -31,9 +31,11 @@ enum {{
 }};
 
 /* v: the numbers, each a pointer to one or to an array; n: the sizes; r: the results likewise. An
- * integer is a double that is whole and fits. A function with a value has the status RWEDGE_OK. */
+ * integer is a double that is whole and fits. A function with a value has the status RWEDGE_OK. The
+ * value of a function with a text is the text's length. */
 typedef int32_t entry_call(void *object, const size_t n[], const double *const v[],
                            double *const r[], void **made);
+typedef const char *entry_text(const void *object, const double *const v[]);
 
 typedef struct {{
     const char *name;
@@ -64,6 +66,7 @@ typedef struct {{
     const char *name;
     const char *family; /* "contact", "series", or "" */
     entry_call *call;
+    entry_text *text; /* or NULL where there is none */
     char takes_object, changes_object, makes_object, has_status;
     char pointwise;       /* all its arrays are of one size, point by point */
     char refuses_more;    /* arguments too of which each by itself is inside */
@@ -98,6 +101,15 @@ static inline int entry_allows(const entry_argument *a, double v)
         (void)object, (void)n, (void)v, (void)r, (void)made;                                       \\
         statements;                                                                                \\
     }}
+
+#define TEXT_ENTRY(name, value)                                                                    \\
+    static const char *text_##name(const void *object, const double *const v[])                    \\
+    {{                                                                                              \\
+        (void)object, (void)v;                                                                     \\
+        return value;                                                                              \\
+    }}                                                                                              \\
+    ENTRY(name, const char *const text = text_##name(object, v);                                   \\
+          r[0][0] = text ? (double)strlen(text) : NAN; return RWEDGE_OK)
 """
 
 
@@ -112,7 +124,7 @@ def argument(f: Function, p: Parameter) -> str:
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
     of = [*(sizes.index(n) for n in p.size), -1, -1][:2]
-    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole, d.any]
+    flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole, d.any or f.result == "text"]  # a text refuses nothing
     bounds, marks = map(number, (d.low, d.high, d.smallest)), (str(int(x)) for x in flags)
     return f'{{"{p.name}", "{allowed}", {", ".join([*bounds, *marks])}, {{{of[0]}, {of[1]}}}}}'
 
@@ -142,6 +154,8 @@ def call(f: Function) -> str:
             "out": f"r[{k}]", "out array": f"r[{k}]", "handle": f"(const rwedge_{p.kind} *)object",
             "changed": f"(rwedge_{p.kind} *)object", "created": f"(rwedge_{p.kind} **)made"}[p.role])
     text = f"rwedge_{f.name}({', '.join(passed)})"
+    if f.result == "text":
+        return text
     if f.result == "status":
         return f"return {text}"
     conversion = "" if f.returns == "double" else "(double)"
@@ -149,33 +163,31 @@ def call(f: Function) -> str:
 
 
 def adapter(f: Function) -> str:
-    return textwrap.fill(f"ENTRY({f.name}, {call(f)})", 100, subsequent_indent="      ", break_long_words=False) + "\n"
+    return textwrap.fill(f"{'TEXT_' if f.result == 'text' else ''}ENTRY({f.name}, {call(f)})", 100, subsequent_indent="      ", break_long_words=False) + "\n"
+
+
+def has_value(f: Function) -> bool:
+    return f.result in ("value", "text")
 
 
 def row(f: Function, statuses: dict[str, int]) -> str:
     arguments, sizes = f.inputs, f.of("size")
     flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise,
              f.refuses_more, f.may_be_infinite]
-    results = f.outputs or ([None] if f.result == "value" else [])
+    results = f.outputs or ([None] if has_value(f) else [])
+    text = f"text_{f.name}" if f.result == "text" else "NULL"
     errors = sum(1 << statuses[e] for e in f.errors)
     lists = [f"{f.name}_{what}" if count else "NULL"
              for what, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
-    return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
+    return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
             f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)}}},")
 
 
 def tables(f: Function) -> str:
-    results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or ([result(f, "value", ())] if f.result == "value" else [])
+    results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or ([result(f, "value", ())] if has_value(f) else [])
     return "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
                    for kind, items in (("argument", [argument(f, p) for p in f.inputs]), ("result", results),
                                        ("size", [size(p) for p in f.of("size")])) if items)
-
-
-def text_entries(interface: Interface) -> list[str]:
-    texts = [f for f in interface.functions if f.result == "text" and [p.declared.split()[0] for p in f.parameters] == ["int32_t"]]
-    return ["static const struct {", "    const char *name;", "    const char *(*text)(int32_t number);", "} text_entries[] = {",
-            *(f'    {{"{f.name}", rwedge_{f.name}}},' for f in texts), "};",
-            "enum { TEXT_ENTRY_COUNT = sizeof text_entries / sizeof text_entries[0] };"]
 
 
 def reason(status: str) -> str:
@@ -184,7 +196,7 @@ def reason(status: str) -> str:
 
 
 def entries(interface: Interface) -> list[Function]:
-    return [f for f in interface.functions if f.result in ("value", "status")]
+    return [f for f in interface.functions if f.result in ("value", "status") or f.result == "text" and f.parameters]
 
 
 def entries_h(interface: Interface) -> str:
@@ -193,7 +205,7 @@ def entries_h(interface: Interface) -> str:
             "sizes": max(len(f.of("size")) for f in listed)}
     return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
                       "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", *text_entries(interface), "",
+                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "",
                       "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
                       f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
                       "", "#endif", ""])

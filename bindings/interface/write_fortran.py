@@ -10,8 +10,8 @@ import textwrap
 from header import EQUATION, Function, Interface, Parameter
 
 WIDTH = 128
-# Written in the template: texts, which are Fortran's characters, and what frees.
-BY_HAND = {"version", "strerror", "contact_obstacle", "contact_destroy", "series_destroy"}
+# Written in the template: what has another name here or no handle, and what frees.
+BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
 NAMES = {"A": "compliance"}  # Fortran takes a and A for one name
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
 OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}
@@ -103,7 +103,7 @@ def passed(f: Function, sizes: dict[str, str], at: str = "") -> str:
         k = f.outputs.index(p) + 1 if p in f.outputs else 0
         if p.role in ("handle", "changed"):
             owner = "from" if f.of("created") else "this"
-            words.append(f"own({owner})" if p.kind == "contact" else f"{owner}%handle")
+            words.append(f"own({owner})")
         elif p.role == "created":
             words.append("created")
         elif p.role == "size":
@@ -363,8 +363,9 @@ def door_case(f: Function) -> str:
     given = [in_door(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
     name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
     lines = [f"case ('{f.name}')"]
-    if f.result == "value":
+    if f.result in ("value", "text"):
         value = f"{name}({', '.join(given)})"
+        value = f"len({value})" if f.result == "text" else value
         return "\n".join([folded(lines[0], 8), folded(f"r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]", 12)])
     shape = {}
     for k, p in enumerate(f.inputs, 1):
@@ -385,5 +386,5 @@ def door_case(f: Function) -> str:
 
 
 def door(interface: Interface, template: str) -> str:
-    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND and f.result != "text"]
+    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND]
     return template.replace("{cases}", "\n".join(cases))

@@ -13,19 +13,22 @@ import sys
 import textwrap
 from pathlib import Path
 
-from header import SENTENCE, Domain, Function, Interface, read
+from header import SENTENCE, Domain, Function, Interface, Parameter, read
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
-    (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."), (r"RWEDGE_E\w+", "NaN"),
+    (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."),
+    ("RWEDGE_EDOMAIN; RWEDGE_ERANGE", "NaN outside the domain, and"), (r"RWEDGE_E\w+", "NaN"),
     (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
 IN_GENERAL = ((r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.", ""), (r"RWEDGE_E\w+(?:[,;] RWEDGE_E\w+)*[.;]? ?", ""),
               (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
-BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_half_width", "contact_stick_half_width",
+BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_apply", "contact_half_width", "contact_stick_half_width",
            "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
            "contact_yield_factor", "contact_loads", "contact_state_size", "contact_state", "contact_restore", "series_create",
            "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure",
-           "series_potential", "series_stress", "stresses", "elastic_limits", "version", "strerror"}
+           "series_potential", "series_stress", "stresses", "elastic_limits", "version", "strerror",
+           # generalized ufuncs take any number of points
+           "smith_watson_topper_field", "fatemi_socie_field"}
 
 
 def one_line(text: str) -> str:
@@ -43,9 +46,22 @@ def is_ufunc(f: Function) -> bool:
     return (f.result == "status" or f.returns == "double") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
 
 
+def is_gufunc(f: Function) -> bool:
+    """Is it of a cycle: arrays of one size, then numbers, which give numbers?"""
+    found = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
+    arrays = len(f.of("in array"))
+    if found and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
+        sys.exit(f"write_python.py: rwedge_{f.name}() takes a number before an array: src/loops.c has no loop for that")
+    return found
+
+
+def is_formula(f: Function) -> bool:
+    return is_ufunc(f) or is_gufunc(f)
+
+
 def is_general(f: Function) -> bool:
     """Is it made from its description alone?"""
-    made = not is_ufunc(f) and f.name not in BY_HAND
+    made = not is_formula(f) and f.name not in BY_HAND
     if made and (f.of("created") or f.result == "nothing"):
         sys.exit(f"write_python.py: rwedge_{f.name}() makes or frees an object: write its method in src/rwedge/_{f.family}.py, and "
                  "name it in BY_HAND")
@@ -59,32 +75,37 @@ def units(f: Function) -> str:
 
 def source(f: Function, before: str) -> str:
     """A formula that has no source has that of the one before: "at the surface"."""
-    return one_line(f.equation) or (before if is_ufunc(f) else "")
+    return one_line(f.equation) or (before if is_formula(f) else "")
 
 
-def listed(names: list[str], kind: str, f: Function) -> list[str]:
+def listed(inputs: list[Parameter], kind: str, f: Function) -> list[str]:
     lines = []
-    for name in names:
-        domain = next(p.domain for p in f.parameters if p.name == name)
-        lines += [f"{name} : {kind}", *textwrap.wrap(replaced(domain.text, IN_PYTHON), 96, initial_indent="    ",
-                                                      subsequent_indent="    ")]
+    for p in inputs:
+        of_cycle = ", (..., n)" if is_gufunc(f) and p.role == "in array" else ""
+        lines += [f"{p.name} : {kind}{of_cycle}", *textwrap.wrap(replaced(p.domain.text, IN_PYTHON), 96, initial_indent="    ",
+                                                                 subsequent_indent="    ")]
     return lines
+
+
+CYCLES = ("A generalized ufunc: the loads are along the last axis, or along that of ``axis=``, such as 0 for what "
+          "``Contact.cycle`` gives; the other axes broadcast.")
 
 
 def docstring(f: Function, equation: str) -> str:
     """The help on a function, as NumPy's users are used to it."""
-    ufunc = is_ufunc(f)
+    ufunc = is_formula(f)
     text = replaced(f.text, IN_PYTHON if ufunc else IN_GENERAL)
     *general, own = text.split("\n\n")
     first, *rest = SENTENCE.split(one_line(own), maxsplit=1)
     domain = [] if "NaN outside the domain" in text or not ufunc else ["NaN outside the domain."]
-    inputs, outputs = [p.name for p in f.inputs], [p.name for p in f.outputs]
-    lines = [f"{f.method}({', '.join(inputs)})", "", *textwrap.wrap(first, 100), ""]
+    inputs, outputs = f.inputs, [p.name for p in f.outputs]
+    lines = [f"{f.method}({', '.join(p.name for p in inputs)})", "", *textwrap.wrap(first, 100), ""]
     if inputs:
         lines += ["Parameters", "----------", *listed(inputs, "array_like" if ufunc else "float or array_like", f), ""]
     shape = ", in the broadcast shape of the arguments" if ufunc else ""
+    shape += ", without the axis of the loads" if is_gufunc(f) else ""
     lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : float64{shape}"]
-    notes = one_line(" ".join([*rest, *general, *domain, units(f)]))
+    notes = one_line(" ".join([*rest, *general, *domain, *[CYCLES] * is_gufunc(f), units(f)]))
     return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
 
 
@@ -100,7 +121,7 @@ def header_py(interface: Interface) -> str:
     equation = ""
     for f in interface.functions:
         equation = source(f, equation)
-        kind = "ufunc" if is_ufunc(f) else "general" if is_general(f) else "by hand"
+        kind = "ufunc" if is_ufunc(f) else "gufunc" if is_gufunc(f) else "general" if is_general(f) else "by hand"
         about = {
             "result": f.returns,
             "parameters": tuple((re.sub(r" ?\w+(\[\])?$", " *" if "[" in p.declared else "", p.declared), p.name)
@@ -166,12 +187,24 @@ def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     return rows
 
 
+def cycles_rows(interface: Interface) -> list[str]:
+    """The rows of the functions of a cycle."""
+    rows = []
+    for f in filter(is_gufunc, interface.functions):
+        arrays, numbers = f.of("in array"), f.of("in")
+        passed = ["n", *(f"in[{k}]" for k in range(len(arrays))), *(f"s[{k}]" for k in range(len(numbers))),
+                  *(f"out[{k}]" for k in range(len(f.outputs)))]
+        rows.append(f"CYCLES({f.name}, {len(arrays)}, {len(numbers)}, {len(f.outputs)},\n       rwedge_{f.name}({', '.join(passed)}))")
+    return rows
+
+
 def loops_h(interface: Interface) -> str:
     rows = points_rows(interface)
     shared, inputs, outputs = (max(column) for column in list(zip(*rows))[:3])
     sizes = f"enum {{ MAX_SHARED = {shared}, MAX_INPUTS = {inputs}, MAX_OUTPUTS = {outputs} }};"
     return "\n".join(["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* Made by bindings/interface from rwedge.h. */", sizes,
-                      macro("FORMULA_LOOPS", formula_loops(interface)), macro("POINTS_ROWS", [r[3] for r in rows]), ""])
+                      macro("FORMULA_LOOPS", formula_loops(interface)), macro("POINTS_ROWS", [r[3] for r in rows]),
+                      macro("CYCLES_ROWS", cycles_rows(interface)), ""])
 
 
 def macro(name: str, lines: list[str]) -> str:
@@ -239,10 +272,11 @@ from numpy import float64, ufunc
 from numpy.typing import NDArray
 
 from ._contact import Contact as Contact
-from ._contact import Loads as Loads
 from ._contact import YieldFactor as YieldFactor
+from ._cycle import Cycle as Cycle
 from ._library import Error as Error
 from ._library import SlidingError as SlidingError
+from ._loads import Loads as Loads
 from ._series import Series as Series
 from ._types import Numbers, Scalar
 from ._validity import ValidityWarning as ValidityWarning
@@ -273,21 +307,33 @@ class _{name}(Protocol):
     def __getattr__(self, name: str) -> Any: ...
 
 {name}: _{name}'''
+OF_CYCLE = '''@type_check_only
+class _{name}(Protocol):
+    ufunc: ufunc
+    def __call__(
+        self, {numbers}, *, axis: int = ..., axes: Any = ..., out: Any = ..., casting: str = ..., order: str = ..., dtype: Any = ...,
+        subok: bool = ..., signature: Any = ...
+    ) -> {result}: ...
+    def __getattr__(self, name: str) -> Any: ...
+
+{name}: _{name}'''
 
 
 def formula_type(f: Function) -> str:
     result = f"tuple[{', '.join(['float64'] * len(f.outputs))}]" if f.outputs else "float64"
     scalars = ", ".join(f"{p.name}: {'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
     numbers = ", ".join(f"{p.name}: Numbers" for p in f.inputs)
+    if is_gufunc(f):
+        return OF_CYCLE.format(name=f.name, numbers=numbers, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
     return FORMULA.format(name=f.name, scalars=scalars, numbers=numbers, result=result)
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
-    functions = [f for f in interface.functions if is_ufunc(f) or is_general(f) and not f.family]
+    public = ["Contact", "Cycle", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")
-    formulas = [formula_type(f) if is_ufunc(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
+    formulas = [formula_type(f) if is_formula(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
     return PYI.format(names="\n".join(names), formulas="\n".join(formulas))
 
 

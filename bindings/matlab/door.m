@@ -10,6 +10,15 @@ function text = bits(value)
     end
 end
 
+% The numbers of a result; of a text its length.
+function numbers = column(result)
+    if ischar(result)
+        numbers = numel(result);
+    else
+        numbers = result(:);
+    end
+end
+
 function numbers = argument(text, before)
     if strcmp(text, '@')
         numbers = before;
@@ -53,7 +62,7 @@ while ischar(line)
     given = cellfun(@(text) argument(text, before), parts(2:end), 'UniformOutput', false);
     try
         [results, objects] = answer(head{1}, str2double(head{2}), given, objects);
-        results = cellfun(@(r) r(:), results, 'UniformOutput', false);
+        results = cellfun(@column, results, 'UniformOutput', false);
         before = vertcat(results{:});
         texts = arrayfun(@bits, before', 'UniformOutput', false);
         text = ['' texts{:}];

@@ -531,15 +531,19 @@ static void need(const char *name, int arguments, int given)
              arguments == 1 ? "" : "s", given);
 }
 
-/* The text for a number; of what is no whole number that for -1, which is none. */
-static mxArray *call_text(int of, int arguments, const mxArray *const given[])
+/* The text for numbers. Where one must be whole and is not, that for -1, which is none. */
+static mxArray *call_text(const entry *of, const void *object, const mxArray *const given[])
 {
-    const double *number;
-    need(text_entries[of].name, 1, arguments);
-    take(text_entries[of].name, 1, given, &number);
-    if (!is_scalar(given[0]))
-        fail("size", "rwedge_%s takes a scalar", text_entries[of].name);
-    return mxCreateString(text_entries[of].text(is_int32(*number) ? (int32_t)*number : -1));
+    static const double none = -1;
+    const double *v[ENTRY_ARGUMENTS];
+    for (int j = 0; j < of->arguments; j++) {
+        v[j] = numbers_of(of->name, j + 1, given[j]);
+        if (!is_scalar(given[j]))
+            fail("size", "rwedge_%s: %s is a scalar", of->name, of->argument[j].name);
+        if (of->argument[j].whole && !is_int32(*v[j]))
+            v[j] = &none;
+    }
+    return mxCreateString(of->text(object, v));
 }
 
 /* A function that makes an object gives its number, and nothing else. */
@@ -564,7 +568,9 @@ static void call_entry(const entry *of, int nlhs, mxArray *plhs[], int nrhs,
     if (nlhs > count)
         fail("arguments", "rwedge_%s gives %d result%s, not %d", of->name, count,
              count == 1 ? "" : "s", nlhs);
-    if (is_of_whole_arrays(of))
+    if (of->text)
+        results[0] = call_text(of, object, prhs);
+    else if (is_of_whole_arrays(of))
         whole(of, object, prhs, results, &made);
     else
         map(of, object, prhs, results);
@@ -588,11 +594,6 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
         call_entry(of, nlhs, plhs, nrhs - 1, prhs + 1);
         return;
     }
-    for (int i = 0; i < TEXT_ENTRY_COUNT; i++)
-        if (strcmp(name, text_entries[i].name) == 0) {
-            plhs[0] = call_text(i, nrhs - 1, prhs + 1);
-            return;
-        }
     for (size_t i = 0; i < COUNT(commands); i++)
         if (strcmp(name, commands[i].name) == 0) {
             need(name, commands[i].arguments, nrhs - 1);

@@ -23,9 +23,12 @@ struct csv_input {
     size_t begin, end; /* what of the block has not been parsed */
     bool at_start, at_end, skipping, row_ended, too_many, after_return;
     int64_t line, first_line; /* of the byte that comes next; of the row */
+    const char *fault;        /* of a malformed row */
     char *row;                /* as it stands in the file */
     size_t pushed, row_room;
-    char *text; /* the cells of the row, each with its 0 */
+    size_t line_bytes, line_cells; /* of the row's first line, where it goes on; else 0 */
+    size_t again, kept;            /* what of `row`, behind the row, is read once more */
+    char *text;                    /* the cells of the row, each with its 0 */
     size_t used, room;
     size_t cell[CSV_ROW_CELLS]; /* where each starts */
     size_t count;
@@ -113,13 +116,18 @@ static void stop(const csv_input *in, const char *why)
     failure("%s: line %" PRId64 ": %s", csv_input_name(in), in->line, why);
 }
 
-/* As far as the next end of a line, that included; a return and a line feed are two. */
-static size_t line_length(const csv_input *in)
+static bool ends_line(char c)
 {
-    size_t i = in->begin;
-    while (i < in->end && in->block[i] != '\n' && in->block[i] != '\r')
+    return c == '\n' || c == '\r';
+}
+
+/* As far as the next end of a line, that included; a return and a line feed are two. */
+static size_t line_length(const char *bytes, size_t count)
+{
+    size_t i = 0;
+    while (i < count && !ends_line(bytes[i]))
         i++;
-    return i - in->begin + (i < in->end ? 1 : 0);
+    return i + (i < count ? 1 : 0);
 }
 
 /* Whether there are tabs between the cells of the first row, but not the separator. */
@@ -139,8 +147,8 @@ static bool has_tabs_only(const char *bytes, size_t count, char separator)
 static void find_separator(csv_input *in)
 {
     static const char says[] = "sep=";
-    const size_t length = line_length(in), before = sizeof says - 1;
     const char *line = in->block;
+    const size_t length = line_length(line, in->end), before = sizeof says - 1;
     in->at_start = false;
     if (length > before + 1 && strncasecmp(line, says, before) == 0 &&
         strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
@@ -172,20 +180,28 @@ static void count_line(csv_input *in, const char *bytes, size_t length)
     in->after_return = last == '\r';
 }
 
-/* Keeps the line as a part of the row. */
+/* What comes next, whether it is new or read once more. */
+static const char *unread(const csv_input *in, size_t *count)
+{
+    const bool is_new = in->again == in->kept;
+    *count = is_new ? in->end - in->begin : in->kept - in->again;
+    return is_new ? in->block + in->begin : in->row + in->again;
+}
+
+/* Keeps what comes next as a part of the row. What is read once more stands further behind. */
 static bool keep(csv_input *in, const char *bytes, size_t length)
 {
-    const bool too_long = in->pushed + length > CSV_ROW_BYTES;
-    if (too_long)
-        stop(in, "a row of more than 1 MiB; allowed: CSV whose quotes are closed");
-    else if (!make_room(&in->row, &in->row_room, in->pushed, length + 1))
+    if (!make_room(&in->row, &in->row_room, in->pushed, length + 1)) {
         stop(in, "out of memory");
-    else {
-        memcpy(in->row + in->pushed, bytes, length);
-        in->pushed += length;
-        return true;
+        return false;
     }
-    return false;
+    memmove(in->row + in->pushed, bytes, length);
+    in->pushed += length;
+    if (in->again == in->kept)
+        in->begin += length;
+    else
+        in->again += length;
+    return true;
 }
 
 /* After misplaced quotes, what the parser still holds is thrown away. */
@@ -194,6 +210,30 @@ static void restart(csv_input *in)
     const char separator = (char)csv_get_delim(&in->parser);
     csv_free(&in->parser);
     start_parser(in, separator);
+}
+
+static csv_event malformed(csv_input *in, const char *fault)
+{
+    in->fault = fault;
+    restart(in);
+    return CSV_MALFORMED;
+}
+
+/* Of a row over several lines with a fault, the first one is it. The others are read once more: an
+ * open quote would cost all rows behind it. No line is read a third time: one that goes on with a
+ * quote does not open one. */
+static csv_event take_first_line(csv_input *in, const char *fault)
+{
+    const size_t more = in->pushed - in->line_bytes;
+    if (in->again == in->kept)
+        in->again = in->kept = in->pushed;
+    in->again -= more;
+    memmove(in->row + in->again, in->row + in->line_bytes, more);
+    in->pushed = in->line_bytes;
+    in->count = in->line_cells;
+    in->line = in->first_line + 1;
+    in->after_return = in->row[in->pushed - 1] == '\r';
+    return malformed(in, fault);
 }
 
 /* The parser's own memory: no fault of the row. */
@@ -205,31 +245,55 @@ static bool is_out_of_memory(csv_input *in)
     return out;
 }
 
-/* Pushes one line, or as much of it as the block has. */
-static csv_event push(csv_input *in)
+static const char misplaced[] = "misplaced quotes", not_closed[] = "a quote that is not closed";
+
+/* A row goes on with the next line where a quote is open. */
+static void end_line(csv_input *in)
 {
-    const char *bytes = in->block + in->begin;
-    const size_t length = line_length(in);
-    if (!keep(in, bytes, length))
-        return CSV_FAILED;
-    in->begin += length;
-    const bool ends = bytes[length - 1] == '\n' || bytes[length - 1] == '\r';
-    const bool malformed =
-        !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
-    if (malformed && is_out_of_memory(in))
-        return CSV_FAILED;
-    count_line(in, bytes, length);
-    if (malformed || in->skipping) {
-        in->skipping = !ends;
-        if (ends)
-            restart(in);
-        return ends ? CSV_MALFORMED : CSV_ROW;
-    }
-    if (ends && !in->row_ended && in->count == 0 && in->parser.entry_pos == 0 &&
-        in->parser.quoted == 0) {
+    if (in->row_ended)
+        return;
+    if (in->count == 0 && in->parser.entry_pos == 0 && in->parser.quoted == 0) {
         in->first_line = in->line; /* a blank line */
         in->pushed = 0;
+    } else if (in->line_bytes == 0) {
+        in->line_bytes = in->pushed;
+        in->line_cells = in->count;
     }
+}
+
+static csv_event refuse_length(csv_input *in)
+{
+    if (in->line_bytes > 0)
+        return take_first_line(in, not_closed);
+    stop(in, "a line of more than 1 MiB; allowed: CSV");
+    return CSV_FAILED;
+}
+
+/* Pushes one line, or as much of it as there is. */
+static csv_event push(csv_input *in)
+{
+    size_t count;
+    const char *bytes = unread(in, &count);
+    const size_t length = line_length(bytes, count);
+    if (in->pushed + length > CSV_ROW_BYTES)
+        return refuse_length(in);
+    if (!keep(in, bytes, length))
+        return CSV_FAILED;
+    bytes = in->row + in->pushed - length;
+    const bool ends = ends_line(bytes[length - 1]);
+    const bool refused =
+        !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
+    if (refused && is_out_of_memory(in))
+        return CSV_FAILED;
+    if (refused && in->line_bytes > 0)
+        return take_first_line(in, misplaced);
+    count_line(in, bytes, length);
+    if (refused || in->skipping) {
+        in->skipping = !ends;
+        return ends ? malformed(in, misplaced) : CSV_ROW;
+    }
+    if (ends)
+        end_line(in);
     return CSV_ROW;
 }
 
@@ -238,27 +302,28 @@ static csv_event finish(csv_input *in)
 {
     if (in->skipping) {
         in->skipping = false;
-        return CSV_MALFORMED;
+        return malformed(in, misplaced);
     }
-    if (csv_fini(&in->parser, take_cell, end_row, in) != 0) {
-        if (is_out_of_memory(in))
-            return CSV_FAILED;
-        restart(in);
-        return CSV_MALFORMED;
-    }
-    return in->row_ended ? CSV_ROW : CSV_END;
+    if (csv_fini(&in->parser, take_cell, end_row, in) == 0)
+        return in->row_ended ? CSV_ROW : CSV_END;
+    if (is_out_of_memory(in))
+        return CSV_FAILED;
+    return in->line_bytes > 0 ? take_first_line(in, not_closed) : malformed(in, not_closed);
 }
 
 static csv_event next_row(csv_input *in)
 {
-    in->count = in->used = in->pushed = 0;
+    in->count = in->used = in->pushed = in->line_bytes = in->line_cells = 0;
     in->row_ended = in->too_many = false;
     in->first_line = in->line;
     csv_event event = CSV_ROW;
     while (!in->row_ended && event == CSV_ROW && !in->too_many) {
-        if (in->begin == in->end && !in->at_end && !fill(in))
+        size_t count;
+        unread(in, &count);
+        if (count == 0 && !in->at_end && !fill(in))
             return CSV_FAILED;
-        event = in->begin < in->end ? push(in) : finish(in);
+        unread(in, &count);
+        event = count > 0 ? push(in) : finish(in);
     }
     if (in->too_many) {
         stop(in, "more than 1000 cells in a row, or out of memory");
@@ -282,6 +347,19 @@ csv_event csv_input_next(csv_input *in)
         event = next_row(in);
     while (event == CSV_ROW && is_blank(in));
     return event;
+}
+
+bool csv_input_take_line(csv_input *in)
+{
+    if (in->line_bytes == 0)
+        return false;
+    take_first_line(in, "a quote over several lines, and too few or too many cells,");
+    return true;
+}
+
+const char *csv_input_fault(const csv_input *in)
+{
+    return in->fault;
 }
 
 size_t csv_input_count(const csv_input *in)

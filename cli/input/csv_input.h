@@ -14,7 +14,7 @@ typedef struct csv_input csv_input;
 
 typedef enum {
     CSV_ROW,
-    /* quotes are out of place: a row of the cells before that; the next line starts afresh */
+    /* quotes are out of place: the cells before that, of one line; the next starts afresh */
     CSV_MALFORMED,
     CSV_END,
     CSV_FAILED /* it cannot be read on, and the reason has been said */
@@ -28,6 +28,13 @@ csv_input *csv_input_open(const char *path, char separator, const char *encoding
 
 /* Reads the next row. Blank lines, and rows of empty cells, are no rows. */
 csv_event csv_input_next(csv_input *in);
+
+/* Makes of a row over several lines a malformed one, of its first line: the others are read again.
+ * False where it has one line only. */
+bool csv_input_take_line(csv_input *in);
+
+/* What is wrong with a malformed row. */
+const char *csv_input_fault(const csv_input *in);
 
 /* The row that was read: its cells live until the next is. */
 size_t csv_input_count(const csv_input *in);

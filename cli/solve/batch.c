@@ -138,8 +138,8 @@ static void write_header(run *r)
 static bool solve_row(const run *r, bool malformed, results *found, char complaint[COMPLAINT_SIZE])
 {
     if (malformed) {
-        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64,
-                 csv_input_line(r->in));
+        snprintf(complaint, COMPLAINT_SIZE, "%s in the row of line %" PRId64,
+                 csv_input_fault(r->in), csv_input_line(r->in));
         return false;
     }
     if (!header_fits(&r->names, r->in, complaint))
@@ -213,6 +213,28 @@ static void write_row(run *r, bool malformed)
     progress_step();
 }
 
+/* Behind rows that have gone to standard output: who reads them may not see the exit status. */
+static void write_broken_end(run *r)
+{
+    for (size_t i = 0; i < r->names.count; i++)
+        r->rows->format->value(r->rows, r->names.name[i], cell_empty());
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (r->shown[i])
+            r->rows->format->value(r->rows, result_kinds[i].column, cell_empty());
+    r->rows->format->value(r->rows, error_column,
+                           cell_text("the file could not be read beyond this row"));
+    r->rows->format->end_row(r->rows);
+}
+
+/* A quote that is open may close in a later row. What is then no row of the table is taken line by
+ * line: the rows between would be lost. */
+static csv_event next_row(const run *r)
+{
+    const csv_event event = csv_input_next(r->in);
+    const bool misfit = event == CSV_ROW && csv_input_count(r->in) != r->names.count;
+    return misfit && csv_input_take_line(r->in) ? CSV_MALFORMED : event;
+}
+
 /* False, with the reason said, where the file or the format cannot go on. */
 static bool write_rows(void *of_run, records *rows, bool show_progress)
 {
@@ -221,9 +243,10 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     r->rows = rows;
     progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && (event = csv_input_next(r->in)) != CSV_END &&
-           event != CSV_FAILED)
+    while (records_go_on(r->rows) && (event = next_row(r)) != CSV_END && event != CSV_FAILED)
         write_row(r, event == CSV_MALFORMED);
+    if (event == CSV_FAILED)
+        write_broken_end(r);
     r->rows->format->end(r->rows);
     progress_erase();
     return event != CSV_FAILED && records_are_sound(r->rows);
@@ -240,7 +263,7 @@ static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
     if (status == STATUS_DONE)
-        header_name_unused(&r->names, r->in);
+        header_name_unused(&r->names, csv_input_name(r->in));
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);

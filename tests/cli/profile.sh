@@ -116,7 +116,7 @@ history_fails "line 3: Q must not exceed f P = 90: there is no equilibrium" 'P,Q
 history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\n300,x\n'
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 2: misplaced quotes" 'P,Q\n"3"00,1\n'
-history_fails "line 2: misplaced quotes" 'P,Q\n"300,1\n'
+history_fails "line 2: a quote that is not closed" 'P,Q\n"300,1\n400,1\n'
 history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
 history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
 history_fails "column 'Q [N/mm]': allowed: Q" 'P,Q [N/mm]\n300,0\n'

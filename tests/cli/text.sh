@@ -27,6 +27,18 @@ for format in $formats; do
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
 cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
+# A file is read as it is solved. What went to standard output before stays, and its last row tells; a file is not written.
+awk 'BEGIN { print "a,P,f"; for (i = 0; i < 10000; i++) print "1,100,0.1"; print "1,100,0.1,\374" }' >late.csv
+for format in $formats; do
+    cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format $format -o solved.$format
+    same "no file" "" "$(ls solved.$format 2>/dev/null)"
+done
+run solve -i late.csv $fixed --format json
+status_is 1
+message_is "rwedge solve: late.csv: line 10002, column 11: $refused"
+same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
+    "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
+same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
 printf 'P,Q,\374\n' >history.csv
 for command in profile field; do
     cannot "rwedge $command: history.csv: line 1, column 5: $refused" $command $fixed --a 1 --f 0.3 --history history.csv
@@ -48,15 +60,16 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
         done
     done
     # A character may be cut where the file is read in pieces.
-    awk 'BEGIN { print "note,a,P,f"; for (i = 0; i < 30000; i++) print "é€𝄞,1,100,0.1" }' >long.csv
+    note=$(printf 'é€𝄞%.0s' $(seq 50))
+    awk -v note="$note" 'BEGIN { print "note,a,P,f"; for (i = 0; i < 1500; i++) print note ",1,100,0.1" }' >long.csv
     for encoding in UTF-16 WINDOWS-1252//TRANSLIT; do
         iconv -f UTF-8 -t "${encoding}" long.csv 2>/dev/null >long16.csv || continue
         run solve -i long16.csv $fixed --encoding "${encoding%//*}"
         status_is 0
-        same "rows" 30001 "$(wc -l <out | tr -d ' ')"
+        same "rows" 1501 "$(wc -l <out | tr -d ' ')"
     done
     run solve -i long.csv $fixed
-    same "rows" 30000 "$(grep -c '^é€𝄞,1,100,0.1,' out)"
+    same "rows" 1500 "$(grep -c "^$note,1,100,0.1," out)"
 fi
 refuses "rwedge solve: --encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
     solve -i utf8.csv $fixed --encoding klingon

@@ -3,7 +3,7 @@
 """Prints the calls that every door answers: calls.py [--own] > CALLS
 
 A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
-in all, and its arguments. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
+in all, and its arguments. The number of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
 array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
@@ -22,7 +22,7 @@ from header import read  # noqa: E402
 
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
-LOADS = 2  # the loads of an array of two sizes
+LOADS = 2  # the first size of a function of two: the loads
 EVERY = 7  # rows of a reference table
 
 # Values of an argument, by its name; those outside the domain of a function are left out. Arguments of other names have values
@@ -52,7 +52,7 @@ QUANTITIES = {
     "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
     "E": [200e3, 72e3, 110e3],
     "k_over_sy": [0.0025, 0.001, 0.0042],
-    "state": "@",
+    "state": "@", "doubt": [1, 2, 4, 8, 3],
     "M": [60], "sigma": [1],
     "P1": [1000], "M1": [40], "Q1": [2, 5], "sigma1": [0.01],
     "P2": [1010], "M2": [30, 50], "Q2": [45, 40], "sigma2": [0.05, -0.03],
@@ -72,6 +72,7 @@ OWN = {
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
 }
+NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9}
 # The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro; with
 # moment and tension.
@@ -135,7 +136,7 @@ def call(function, given):
     for p in function.outputs:
         known = [counts.get(size, 0) for size in p.size]
         numbers += math.prod(known)
-    results = len(function.outputs) or int(function.result == "value")
+    results = len(function.outputs) or int(function.result in ("value", "text"))
     print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, given)]))
 
 
@@ -155,7 +156,8 @@ def sampled(function, variant):
         elif len(p.size) == 2:
             given.append([[of[(step * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.size:
-            given.append([of[(step * variant + i) % len(of)] for i in range(SAMPLES.get(function.name, POINTS))])
+            size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
+            given.append([of[(step * variant + i) % len(of)] for i in range(size)])
         else:
             given.append(of[step * variant % len(of)])
     return given
@@ -168,14 +170,14 @@ def sample(function, count):
 
 def formulas():
     for f in interface.functions:
-        if not f.family and f.result in ("value", "status"):
+        if not f.family and f.result != "nothing" and f.name not in NOT_EVERYWHERE:
             sample(f, VARIANTS)
 
 
 def objects():
     """Every way to make one, then its history, and after each load what it tells."""
     for family, history in OBJECTS.items():
-        own = [f for f in interface.functions if f.family == family and f.result in ("value", "status")]
+        own = [f for f in interface.functions if f.family == family and f.result != "nothing"]
         readers = [f for f in own if f.of("handle") and not f.of("created")]
         others = [f for f in own if f.of("changed") and f.name not in {name for name, _ in history}]
         for maker in (f for f in own if f.of("created")):

@@ -346,6 +346,15 @@ static void no_pressure_is_fitted_by_none(void **state)
     rwedge_series_destroy(series);
     assert_int_equal(rwedge_series_fit(SAMPLES, x, p, (1 << 24) + 1, &series), RWEDGE_ERANGE);
     assert_int_equal(rwedge_series_fit((1 << 26) + 1, x, p, 2, &series), RWEDGE_ERANGE);
+    /* both sides of what a minute suffices for: inside, the first sample is looked at */
+    x[0] = NAN;
+    assert_int_equal(rwedge_series_fit(1 << 26, x, p, 2, &series), RWEDGE_EDOMAIN);
+    for (int half = 6; half <= 11; half++) {
+        const size_t most = (size_t)1 << (33 - 2 * half);
+        assert_int_equal(rwedge_series_fit(most, x, p, 1 << half, &series), RWEDGE_EDOMAIN);
+        assert_int_equal(rwedge_series_fit(most + 1, x, p, 1 << half, &series), RWEDGE_ERANGE);
+    }
+    assert_int_equal(rwedge_series_fit(1 << 14, x, p, 1 << 13, &series), RWEDGE_ERANGE);
 }
 
 static void samples_outside_the_domain_are_refused(void **state)

@@ -250,8 +250,6 @@ void every_function(const shared_handles *shared, int n, receiver *receive, void
                 .context = context,
                 .also_long = n % RARELY == 0};
     receive(context, "version", false, rwedge_version()[0]);
-    for (int i = 0; i < TEXT_ENTRY_COUNT; i++)
-        receive(context, text_entries[i].name, false, text_entries[i].text(n)[0]);
     read_all(&s, "", NULL);
     read_all(&s, "contact", shared->contact);
     read_all(&s, "series", shared->series);

@@ -251,6 +251,8 @@ static void answer(const char *line)
     printf("%s", line);
     if (f->result == VT_R8)
         print_bits(V_R8(&result));
+    else if (f->result == VT_I8) /* the address of a text */
+        print_bits((double)strlen((const char *)V_I8(&result)));
     else if (f->result == VT_I4 && !is_status(line, f, is_given))
         print_bits((double)V_I4(&result));
     else if (f->result == VT_I4 && V_I4(&result) != 0)

@@ -101,7 +101,8 @@ classdef rwedge_series < handle
         %FIT  series = rwedge_series.fit(x, p, terms)
         %   Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
         %      Sec. 4 of the paper
-        %     samples  number of samples, >= terms, samples * terms <= 2^27
+        %     samples  number of samples, >= terms, samples * terms <= 2^27, samples * terms^2 <= 2^33; a
+        %              fit takes up to 1 GiB and half a minute
         %     x, p     place and pressure, |x| < 1, finite; samples near Chebyshev's points (x = cos t, t
         %              equally spaced) fit best
         %     terms    >= 1

@@ -13,6 +13,7 @@
 #include <fenv.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The argument k at the point i of a loop. */
@@ -155,3 +156,81 @@ static int32_t status_of(double value)
 }
 
 POINTS_ROWS
+
+/* ---- Functions of a cycle: arrays along an axis of their own --------------------------------- */
+
+/* n loads at one point: the arrays, the numbers and the results of the ufunc. */
+typedef int32_t cycle_function(size_t n, double *const in[], const double numbers[],
+                               double *const out[]);
+
+struct cycles {
+    cycle_function *function;
+    int arrays, numbers, outputs;
+};
+
+enum { MAX_CYCLE = 8 };
+
+/* The loads of the point i, next to each other. Is one of them not a number? */
+static bool gather(const struct cycles *cycles, char **args, const intptr_t *steps, intptr_t i,
+                   intptr_t loads, double *const in[])
+{
+    const intptr_t *core = steps + cycles->arrays + cycles->numbers + cycles->outputs;
+    bool nan = false;
+    for (int k = 0; k < cycles->arrays; k++)
+        for (intptr_t load = 0; load < loads; load++) {
+            in[k][load] = *(const double *)(const void *)(args[k] + i * steps[k] + load * core[k]);
+            nan |= isnan(in[k][load]);
+        }
+    return nan;
+}
+
+/* Evaluates the point i. Was it outside the domain? */
+static bool cycle(const struct cycles *cycles, char **args, const intptr_t *steps, intptr_t i,
+                  intptr_t loads, double *const in[])
+{
+    const int inputs = cycles->arrays + cycles->numbers;
+    double numbers[MAX_CYCLE], results[MAX_CYCLE], *out[MAX_CYCLE];
+    const bool nan = gather(cycles, args, steps, i, loads, in) ||
+                     some_nan(args, steps, i, cycles->arrays, inputs);
+    for (int k = 0; k < cycles->numbers; k++)
+        numbers[k] = AT(const double, cycles->arrays + k);
+    for (int k = 0; k < cycles->outputs; k++)
+        out[k] = &results[k];
+    const int32_t status = nan ? RWEDGE_EDOMAIN : cycles->function((size_t)loads, in, numbers, out);
+    for (int k = 0; k < cycles->outputs; k++)
+        AT(double, inputs + k) = status == RWEDGE_OK ? results[k] : NAN;
+    return status != RWEDGE_OK && !nan;
+}
+
+/* Without memory the results are NaN, and the operation is invalid. */
+void rwedge_loop_cycles(char **args, const intptr_t *dimensions, const intptr_t *steps, void *data)
+{
+    const struct cycles *cycles = data;
+    const intptr_t loads = dimensions[1];
+    double *in[MAX_CYCLE];
+    fexcept_t before;
+    fegetexceptflag(&before, FE_ALL_EXCEPT);
+    double *memory = malloc((size_t)(loads * cycles->arrays + 1) * sizeof *memory);
+    bool invalid = !memory;
+    for (int k = 0; k < cycles->arrays; k++)
+        in[k] = memory ? memory + k * loads : NULL;
+    for (intptr_t i = 0; i < *dimensions; i++)
+        if (memory)
+            invalid |= cycle(cycles, args, steps, i, loads, in);
+        else
+            for (int k = 0; k < cycles->outputs; k++)
+                AT(double, cycles->arrays + cycles->numbers + k) = NAN;
+    free(memory);
+    leave_exceptions(&before, invalid);
+}
+
+/* CYCLES(name, arrays, numbers, outputs, call): the function and its row, rwedge_cycles_name. */
+#define CYCLES(name, arrays, numbers, outputs, call)                                               \
+    static int32_t cycle_##name(size_t n, double *const in[], const double s[],                    \
+                                double *const out[])                                               \
+    {                                                                                              \
+        return call;                                                                               \
+    }                                                                                              \
+    const struct cycles rwedge_cycles_##name = {cycle_##name, arrays, numbers, outputs};
+
+CYCLES_ROWS

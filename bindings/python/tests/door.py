@@ -12,7 +12,9 @@ from rwedge._header import FUNCTIONS
 objects = {}  # one of a family at a time: what makes one begins the next
 MAKERS = {"contact_create": rwedge.Contact, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
 # What has another name here.
-FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k]}
+FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k],
+         "smith_watson_topper_field": lambda *given: rwedge.smith_watson_topper(*given, axis=0),
+         "fatemi_socie_field": lambda *given: rwedge.fatemi_socie(*given, axis=0)}
 
 
 def made(name, family, arguments):
@@ -39,6 +41,8 @@ def call(name, arguments):
         result = getattr(rwedge, name)(*arguments)
     if result is None:
         return ()
+    if isinstance(result, str):
+        return (len(result),)
     if np.iscomplexobj(result):
         return result.real, result.imag
     return result if isinstance(result, tuple) else (result,)

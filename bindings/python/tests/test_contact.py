@@ -119,7 +119,7 @@ def test_errors_leave_the_contact_as_it_was(contact):
         contact.stresses([1, 2], [1, 2, 3])
     with pytest.raises(rwedge.Error, match="nu = 0.7.*0 <= nu <= 0.5"):
         contact.yield_factor(0.7, 300)
-    for wrong in ("2000", None, [1, 2]):
+    for wrong in ("2000", None, 1j):
         with pytest.raises(TypeError, match="P: "):
             contact.load(wrong)
     with pytest.raises(TypeError):
@@ -188,3 +188,24 @@ def test_a_path_without_closed_form_is_refused_and_explained():
         contact.apply(0.5, 0.1, 0, 1)
     assert "opposite directions" in contact.obstacle(0.5, 0.1, 0, 1)
     assert contact.obstacle(0.5, 0.1, 0.1, 0) == ""
+
+
+def test_what_a_history_of_stresses_refuses_is_named(contact):
+    good = {"P": [2000, 2000], "M": [0, 0], "Q": [-600, 300], "sigma": [0, 0], "x": [0.1], "y": [0.2]}
+    before = contact.state()
+    for change, words in (({"Q": [-600, 3000]}, r"P\[1\] = 2000.0, .*Q\[1\] = 3000.0.*friction"),
+                          ({"P": [2000, np.nan]}, r"P\[1\] = nan"), ({"sigma": [0, 1e5]}, r"sigma\[1\] = 100000.0.*: no closed form: "),
+                          ({"y": [-0.2]}, r"x\[0\] = 0.1, y\[0\] = -0.2"), ({"x": [np.nan]}, r"x\[0\] = nan: it must be a number"),
+                          ({"M": [0]}, r"M has the shape \(1,\), where others have 2")):
+        with pytest.raises(rwedge.Error, match=words):
+            contact.stress_history(**{**good, **change})
+        assert (contact.state() == before).all()
+
+
+def test_a_state_that_is_none_is_refused(contact):
+    for numbers in (contact.state()[:-1], [], contact.state() + 1, contact.state().astype(np.float32), [np.nan] * 80):
+        with pytest.raises(rwedge.Error, match=f"state, of {len(numbers)} numbers: they are not those that"):
+            rwedge.Contact.restore(numbers)
+    for numbers in (["1", "2"], "abc", contact.state() + 0j):
+        with pytest.raises(TypeError):
+            rwedge.Contact.restore(numbers)

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples run; the sweep by two processes stores the bits of the serial result; the README's session is as printed."""
+"""The examples run, and their pictures are those that they draw; the sweep by two processes stores the bits of the serial
+result; the README's session is as printed."""
 import doctest
+import re
+import runpy
 import struct
 import subprocess
 import sys
@@ -11,7 +14,52 @@ import pytest
 import rwedge
 from conftest import PACKAGE
 
+EXAMPLES = PACKAGE / "examples"
+PICTURES = EXAMPLES / "pictures"
+DRAWN = {  # what each must print
+    "fretting": r"sxx/p0 +1\.8193 +published +1\.8193[^$]*p0 +3585\.36 +published +3585\.36[^$]*MPa at x = -1\.0000 b, plane 90\.0 ",
+    "dovetail": r"the pad tests the dovetail's edge to 1\.\d %",
+    "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
+}
 
+
+@pytest.fixture
+def drawn(tmp_path, monkeypatch, capsys):
+    """drawn(name): what the example prints, and where its picture is."""
+    monkeypatch.syspath_prepend(str(EXAMPLES))
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+
+    def draw(name):
+        monkeypatch.setattr(sys, "argv", [name, str(tmp_path / f"{name}.svg")])
+        runpy.run_path(str(EXAMPLES / f"{name}.py"), run_name="__main__")
+        return capsys.readouterr().out, tmp_path / f"{name}.svg"
+
+    return draw
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_an_example_draws_the_picture_that_is_shipped(drawn, name):
+    printed, picture = drawn(name)
+    assert re.search(DRAWN[name], printed), printed
+    renew = f"renew it: python bindings/python/examples/{name}.py bindings/python/examples/pictures/{name}.svg"
+    new, shipped = (np.genfromtxt(folder / f"{name}.csv", delimiter=",", names=True) for folder in (picture.parent, PICTURES))
+    assert new.dtype.names == shipped.dtype.names and new.shape == shipped.shape, renew
+    for column in new.dtype.names:
+        np.testing.assert_allclose(new[column], shipped[column], rtol=1e-7, atol=1e-8 * np.nanmax(abs(shipped[column])),
+                                   err_msg=f"{column}: {renew}")
+    import shown
+
+    made_of = shown.fingerprint(EXAMPLES / f"{name}.py", PICTURES / f"{name}.csv")
+    assert made_of in (PICTURES / f"{name}.svg").read_text(), f"drawn by another script or style, or of other numbers; {renew}"
+
+
+def test_published_cases_are_met(drawn):
+    """To the digits that are published: four at the least."""
+    differences = [float(number) for number in re.findall(r"difference +(\S+)", drawn("fretting")[0])]
+    assert len(differences) == 11 and max(map(abs, differences)) < 1e-4
+
+
+@pytest.mark.long
 def test_the_sweep_stores_the_bits_of_the_serial_result(tmp_path, run):
     printed = run(PACKAGE / "examples/sweep.py", tmp_path / "limit.zarr", "--rows", 200, "--columns", 100, "--check")
     assert printed.startswith("20000 points in ")
@@ -46,7 +94,8 @@ def test_the_figure_is_drawn(tmp_path, run):
     assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (770, 550)
 
 
-@pytest.mark.parametrize("example", ["figure4.py", "sweep.py"])
+@pytest.mark.long
+@pytest.mark.parametrize("example", ["figure4.py", "sweep.py", "fretting.py"])
 def test_without_its_argument_an_example_says_how_it_is_called(example):
     done = subprocess.run([sys.executable, PACKAGE / "examples" / example], capture_output=True, text=True)
     assert done.returncode == 2

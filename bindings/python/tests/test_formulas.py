@@ -13,8 +13,9 @@ import rwedge
 from rwedge._header import FUNCTIONS
 from rwedge._library import function
 
-UFUNCS = {name: value for name, value in vars(rwedge).items() if isinstance(getattr(value, "ufunc", None), np.ufunc)
-          and not name.startswith("_")}
+FORMULAS = {name: value for name, value in vars(rwedge).items() if isinstance(getattr(value, "ufunc", None), np.ufunc)
+            and not name.startswith("_")}
+UFUNCS = {name: value for name, value in FORMULAS.items() if value.signature is None}  # others are of a cycle: test_cycle.py
 INSIDE = {  # an argument list inside each domain
     "compliance": (200e3, 0.3, 70e3, 0.33), "dundurs_beta": (200e3, 0.3, 70e3, 0.33), "load": (0.25,), "a_over_b": (4.5,),
     "pressure": (0.25, 0.4), "peak_pressure": (0.25,), "transition_pressure": (0.25,), "coefficient": (0.25, 3),
@@ -102,6 +103,38 @@ def test_out_and_where():
     assert (out[~where] == 7).all() and (out[where] == rwedge.pressure(0.25, x[where])).all()
 
 
+def test_keywords_of_ufuncs():
+    """They are NumPy's, with its errors."""
+    x = np.linspace(-0.9, 0.9, 6)
+    expected = rwedge.pressure(0.25, x)
+    for keyword in ({"dtype": float}, {"casting": "safe"}, {"order": "F"}, {"subok": False}, {"signature": "dd->d"}):
+        np.testing.assert_array_equal(rwedge.pressure(0.25, x=x, **keyword), expected)
+    assert rwedge.pressure(0.25, x.reshape(2, 3), order="F").flags.f_contiguous
+    np.testing.assert_array_equal(rwedge.pressure.outer([0.25, 0.5], x)[0], expected)
+    np.testing.assert_array_equal(np.vectorize(rwedge.pressure)(0.25, x), expected)
+    limit, place, depth = np.empty((3, 2))
+    assert rwedge.yield_point([0.25, 0.5], 0.1, 0.3, out=(limit, place, None))[0] is limit
+    np.testing.assert_array_equal(place, rwedge.yield_point([0.25, 0.5], 0.1, 0.3)[1])
+    for keyword, error, words in (({"dtype": np.float32}, TypeError, "No loop"), ({"axis": 0}, TypeError, "axis"),
+                                  ({"out": np.empty(6, int)}, TypeError, "same_kind"), ({"out": np.empty(5)}, ValueError, "shape"),
+                                  ({"casting": "unsure"}, ValueError, "casting"), ({"dtype": complex}, TypeError, "No loop")):
+        with pytest.raises(error, match=words):
+            rwedge.pressure(0.25, x=x, **keyword)
+    with pytest.raises(TypeError, match="tuple"):
+        rwedge.yield_point([0.25, 0.5], 0.1, 0.3, out=limit)
+
+
+def test_outputs_may_overlap_what_is_given():
+    """As NumPy promises: what is written is never read again as an argument."""
+    numbers = np.linspace(0.1, 0.9, 9)
+    expected = rwedge.load(numbers[:-1])
+    np.testing.assert_array_equal(rwedge.load(numbers[:-1], out=numbers[1:]), expected)
+    x, y = np.array([[0.0, 0.1], [2.0, 3.0]])
+    expected, three = rwedge.stress(0.25, 0.3, 0, x, y), np.array([x, y, x])
+    rwedge.stress(0.25, 0.3, 0, three[0], three[1], out=(three[1], three[0], three[2]))
+    np.testing.assert_array_equal(three[[1, 0, 2]], expected)
+
+
 def test_in_place_still_tells_a_nan_given_from_one_made():
     x = np.array([0.3, np.nan])
     expected = rwedge.pressure(0.25, x)
@@ -170,10 +203,10 @@ def test_wrong_types_and_shapes():
         assert np.isnan(rwedge.coefficient(0.25, [-1, 2**31])).all()
 
 
-@pytest.mark.parametrize("name", UFUNCS)
+@pytest.mark.parametrize("name", FORMULAS)
 def test_pickles_by_name(name):
-    assert pickle.loads(pickle.dumps(UFUNCS[name])) is UFUNCS[name]
-    assert pickle.loads(pickle.dumps(UFUNCS[name].ufunc)) is UFUNCS[name].ufunc
+    assert pickle.loads(pickle.dumps(FORMULAS[name])) is FORMULAS[name]
+    assert pickle.loads(pickle.dumps(FORMULAS[name].ufunc)) is FORMULAS[name].ufunc
 
 
 @pytest.mark.parametrize("name", UFUNCS)
@@ -223,14 +256,15 @@ def test_the_gil_is_released():
     assert len(beats) > 20  # some 300 ms of C code; with the GIL held it would be one or two
 
 
-@pytest.mark.parametrize("name", UFUNCS)
+@pytest.mark.parametrize("name", FORMULAS)
 def test_docstring_says_what_the_header_says(name):
-    doc, about = UFUNCS[name].__doc__, FUNCTIONS[name]
-    inputs = [argument for kind, argument in about["parameters"] if kind != "double *"]
+    doc, about = FORMULAS[name].__doc__, FUNCTIONS[name]
+    inputs = [argument for kind, argument in about["parameters"] if kind not in ("double *", "size_t")]
     assert f"{name}({', '.join(inputs)})" in doc
     assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
     for argument in inputs:
-        assert f"\n{argument} : array_like\n    {about['domains'][argument].split()[0].rstrip(';')}" in doc
+        of_cycle = ", (..., n)" if argument in about["sizes"] else ""
+        assert f"\n{argument} : array_like{of_cycle}\n    {about['domains'][argument].split()[0].rstrip(';,')}" in doc
     assert f"Source: {about['source']}." in doc and about["source"]
     assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
     assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))

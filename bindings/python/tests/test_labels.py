@@ -40,6 +40,14 @@ def test_samples_of_a_fit_meet_by_their_index():
     assert (rwedge.Series.fit(samples[0], samples[1][::-1], 3).coefficients == rwedge.Series.fit(x, p, 3).coefficients).all()
 
 
+def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
+    """What pairs them by place says so, and what to give it."""
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    for labelled in (pandas.Series([2000.0]), xarray.DataArray([2000.0], dims="load"), pandas.DataFrame({"P": [2000.0]})):
+        with pytest.raises(TypeError, match=r"P has labels, which would be lost: give .* P.to_numpy\(\)"):
+            contact.stress_history(labelled, [0], [0], [0], [0.1], [0.2])
+
+
 def test_what_has_no_labels_is_paired_by_place(contact):
     plain = contact.stresses(X, Y)[0]
     for kind in (list, tuple, np.ma.array):

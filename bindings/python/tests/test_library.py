@@ -89,17 +89,24 @@ p, q = contact.tractions([0.1, 0.2])
 factor: float = contact.yield_factor(0.3, 300).factor
 limit = rwedge.elastic_limit([0.1, 0.2], 0.3, 0.3)
 one: float = rwedge.load(0.25)
+cycle = contact.cycle({"P": 1000, "Q": [100, -100]}, [0.1, 0.2], 0)
+sxx, syy, txy = cycle
+worst, angle = rwedge.smith_watson_topper(sxx, syy, txy, 200e3, nu=0.3, axis=0)
+contact.load([1000, 1100], 10)
+contact.load("a")  # type: ignore[arg-type]
 named = rwedge.elastic_limit(0.25, f=[0.1, 0.2], nu=0.3, out=None)
 contact.load()  # type: ignore[call-arg]
 rwedge.yield_point("a", 3, 4)  # type: ignore[arg-type]
 rwedge.load(0.25, 3)  # type: ignore[call-overload]
 rwedge.load(1j)  # type: ignore[call-overload]
 rwedge.load(0.25, friction=3)  # type: ignore[call-overload]
+contact.cycle({"P": 1000}, "a", 3)  # type: ignore[arg-type]
 contact.stresses("a", 3)  # type: ignore[arg-type]
 rwedge.absent(1)  # type: ignore[attr-defined]
 """
 
 
+@pytest.mark.long
 def test_types_of_the_stub_are_those_of_the_package(run):
     """The stub lists what is there; mypy knows right from wrong (where nothing is wrong it minds the "ignore")."""
     for check in (["mypy.stubtest", "rwedge"], ["mypy", "--strict", "--no-warn-return-any", "-p", "rwedge"],

@@ -2,6 +2,7 @@
 """When an object lives and when it is gone; interrupts, forks, subclasses."""
 import copy
 import os
+import pickle
 import signal
 import threading
 import time
@@ -123,6 +124,27 @@ def test_a_copy_has_the_attributes_of_a_subclass(twin_of):
     assert (twin.notes is pad.notes) == (twin_of is not copy.deepcopy)
     twin.load(3000)
     assert pad.P == 2000 and pad.half_width < twin.half_width
+
+
+class Slotted(Pad):
+    """The same, without a dictionary for some of it."""
+
+    __slots__ = ("place",)
+
+
+@pytest.mark.parametrize("twin_of", [lambda pad: pickle.loads(pickle.dumps(pad)), copy.copy, copy.deepcopy])
+@pytest.mark.parametrize("kind", [Pad, Slotted])
+def test_a_pickled_or_copied_subclass_has_its_attributes(kind, twin_of):
+    pad = kind("left", ["new"])
+    pad.place = pad.notes
+    pad.load(2000)
+    pad.load(2000, 300)
+    twin = twin_of(pad)
+    assert type(twin) is kind and (twin.name, twin.notes, twin.loads) == ("left", ["new"], pad.loads)
+    assert twin.place is twin.notes
+    for contact in (pad, twin):
+        contact.load(1500, -100)
+    assert twin.slip(0.9 * twin.half_width) == pad.slip(0.9 * pad.half_width)
 
 
 def test_a_contact_in_its_own_attributes_is_copied_once():

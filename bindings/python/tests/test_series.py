@@ -70,6 +70,9 @@ def test_nan_gives_nan_and_misuse_raises():
         rwedge.Series.fit([0.1, 0.2, 1.5], [1, 1, 1], 2)
     with pytest.raises(rwedge.Error, match=r"p\[1\] = nan"):
         rwedge.Series.fit([0.1, 0.2, 0.3], [1, np.nan, 1], 2)
+    many = np.linspace(-0.9, 0.9, 2**14)
+    with pytest.raises(rwedge.Error, match=r"samples = 16384, terms = 8192: a size is out of range.*terms\^2 <= 2\^33"):
+        rwedge.Series.fit(many, many, 2**13)  # it took hours
     for wrong in (["0.1", "0.2"], [0.1j, 0.2], np.array([0.1, 0.2], object)):
         with pytest.raises(TypeError):
             rwedge.Series.fit(wrong, [1, 1], 1)

@@ -24,7 +24,6 @@ static const struct {
     {'n', {"Poisson's ratio", "", 0, 0.5, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
     {'s', {"factor", "", -INFINITY, INFINITY, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
     {'i', {"number", "", 0, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
-    {'z', {"status", "", INT32_MIN, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
 };
 
 const entry_argument *argument_of_letter(char letter)
@@ -40,24 +39,10 @@ bool may_be_anything(const entry_argument *a)
     return a == &ratio || a == &which_object;
 }
 
-/* ---- Texts ---- */
-
 static int32_t version(const double v[], double out[])
 {
     (void)v;
     out[0] = strcmp(rwedge_version(), RWEDGE_VERSION) == 0 ? 0 : NAN;
-    return RWEDGE_OK;
-}
-
-/* All functions that give a text for a number. */
-static int32_t texts(const double v[], double out[])
-{
-    out[0] = 0;
-    for (int i = 0; i < TEXT_ENTRY_COUNT; i++) {
-        const char *text = text_entries[i].text((int32_t)v[0]);
-        if (text == NULL || strlen(text) > 100)
-            out[0] = NAN;
-    }
     return RWEDGE_OK;
 }
 
@@ -227,7 +212,6 @@ static int32_t fitted_series(const double v[], double out[])
 
 const sequence sequences[] = {
     {"version", "", 1, 0, version},
-    {"texts", "z", 1, 0, texts},
     BY_STATUS(contact, "hw+fwrwrxw", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
     BY_STATUS(off_centre, "hw+fwrrr", 5,

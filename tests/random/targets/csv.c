@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader of CSV files. It comes to an end with any bytes, and its cells are texts. It reads
- * back what the writer has written. */
+/* The reader of CSV files. It comes to an end with any bytes, loses no letter, and its cells are
+ * texts. It reads back what the writer has written. */
 #include "input/csv_input.h"
 #include "file.h"
 #include "input.h"
 #include "rows/delimited.h"
+
+#include <ctype.h>
+#include <strings.h>
 
 enum { COLUMNS_MAX = 6, ROWS_MAX = 8, TEXT_MAX = 12 };
 
@@ -18,19 +21,42 @@ static void check_row(const csv_input *in, int64_t *line)
         CLAIM(strlen(csv_input_cell(in, i)) <= CSV_ROW_BYTES, "%zu", i);
 }
 
+static size_t count_letters(const uint8_t *bytes, size_t size)
+{
+    size_t letters = 0;
+    for (size_t i = 0; i < size; i++)
+        letters += bytes[i] < 0x80 && isalnum(bytes[i]) ? 1 : 0;
+    return letters;
+}
+
+/* A first line that is no row, or a mark of Unicode. */
+static bool has_other_start(const uint8_t *data, size_t size)
+{
+    return size > 0 &&
+           (data[0] >= 0x80 || (size > 4 && strncasecmp((const char *)data, "sep=", 4) == 0));
+}
+
 static void read_anything(const uint8_t *data, size_t size, char separator)
 {
     csv_input *in = csv_input_open(file_of(data, size), separator, NULL);
     CLAIM(in != NULL, "open");
     csv_event event;
-    size_t rows = 0;
+    size_t rows = 0, letters = 0;
     int64_t line = 1;
     while ((event = csv_input_next(in)) == CSV_ROW || event == CSV_MALFORMED) {
         check_row(in, &line);
         CLAIM(++rows <= size, "%zu rows of %zu bytes", rows, size);
+        if (event == CSV_ROW && csv_input_count(in) % 2 == 0 && csv_input_take_line(in))
+            event = CSV_MALFORMED;
+        const char *row = csv_input_row(in);
+        letters += count_letters((const uint8_t *)row, strlen(row));
+        CLAIM(event == CSV_ROW || strpbrk(row, "\r\n") == NULL, "more than a line");
     }
+    const size_t all = count_letters(data, size);
     if (event == CSV_END)
         CLAIM(csv_input_next(in) == CSV_END, "a row after the end");
+    if (event == CSV_END && !has_other_start(data, size))
+        CLAIM(letters == all, "%zu of %zu letters", letters, all);
     csv_input_close(in);
 }
 

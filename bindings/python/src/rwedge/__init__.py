@@ -5,7 +5,7 @@ Formulas are NumPy ufuncs that take arguments by name too: they broadcast, know 
 NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does (``numpy.errstate(invalid="raise")`` makes an
 exception of it); NaN among the arguments gives NaN without one.
 
-``Contact`` is a contact with a history of loads, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
+``Contact`` is a contact with a history of loads, ``Cycle`` the stresses through such a history, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
 raises. These warn of doubtful results (``ValidityWarning``), and raise ValueError outside the domain. NaN among points gives NaN; as a parameter, a load or a sample it is refused.
 
 Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
@@ -14,22 +14,24 @@ apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed i
 what the paper does not have.
 """
 from . import _formulas, _made
-from ._contact import Contact, Loads, YieldFactor
+from ._contact import Contact, YieldFactor
+from ._cycle import Cycle
 from ._library import Error, SlidingError
 from ._library import function as _function
+from ._loads import Loads
 from ._made import *  # noqa: F403
 from ._series import Series
 from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-for _public in (Contact, Error, Loads, Series, SlidingError, ValidityWarning, YieldFactor):
+for _public in (Contact, Cycle, Error, Loads, Series, SlidingError, ValidityWarning, YieldFactor):
     _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _formulas.UFUNCS.items()})
-__all__ = ["Contact", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
+__all__ = ["Contact", "Cycle", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
            *_formulas.UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import copyreg
 import ctypes
 import math
 import os
@@ -13,14 +14,19 @@ from typing import Any, NamedTuple, SupportsFloat, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ._cycle import Cycle
 from ._general import call
-from ._library import EABSENT, Error, Handle, check, function, real
+from ._labels import aligned
+from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, Error, Handle, check, function, real
+from ._loads import Columns, History, Loads, columns
 from ._made import ContactMethods
 from ._types import Numbers
 from ._ufuncs import Points
 from ._validity import warn
 
-_create, _copy, _destroy, _load = (function("contact_" + name) for name in ("create", "copy", "destroy", "load"))
+_create, _copy, _destroy = (function("contact_" + name) for name in ("create", "copy", "destroy"))
+_load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
+_stress_history = function("contact_stress_history")
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
 _loads = function("contact_loads")
 _state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
@@ -69,15 +75,6 @@ class _Forks:
 
 
 _forks = _Forks()
-
-
-class Loads(NamedTuple):
-    """Normal load and tangential load, force/length; moment about x = 0, force; bulk tension, stress."""
-
-    P: float
-    M: float
-    Q: float
-    sigma: float
 
 
 class Contact(ContactMethods, Handle):
@@ -149,9 +146,16 @@ class Contact(ContactMethods, Handle):
         twin, handle = type(self).__new__(type(self)), ctypes.c_void_p()
         with self._lock:
             twin.__dict__.update(self.__dict__)
+            for name, value in self._slots().items():
+                setattr(twin, name, value)
             check("contact_copy", _copy(self._address, ctypes.byref(handle)))
         twin._begin(handle)
         return twin
+
+    def _slots(self) -> dict[str, Any]:
+        """What a subclass keeps in __slots__."""
+        names: list[str] = getattr(copyreg, "_slotnames")(type(self))  # which copy and pickle ask, too
+        return {name: getattr(self, name) for name in names if hasattr(self, name)}
 
     def __copy__(self: Self) -> Self:
         return self.copy()
@@ -162,22 +166,24 @@ class Contact(ContactMethods, Handle):
         for name, value in twin.__dict__.items():
             if name not in ("_cell", "_lock"):
                 twin.__dict__[name] = copy.deepcopy(value, memo)
+        for name, value in twin._slots().items():
+            setattr(twin, name, copy.deepcopy(value, memo))
         return twin
 
     def __repr__(self) -> str:
         parameters = ", ".join(f"{name}={value}" for name, value in self._parameters.items())
         return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
 
-    def load(self, P: SupportsFloat, Q: SupportsFloat = 0.0) -> None:
+    def load(self, P: Numbers, Q: Numbers = 0.0) -> None:
         """The next point of the history, reached in a straight line of the (P, Q) plane from the last one; M and sigma stay
-        as they are (``apply``).
+        as they are (``apply``). Of arrays, one load after the other: all of them, or none where one is refused.
 
         Parameters
         ----------
-        P : float
+        P : float or array_like
             force/length, finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy
             is forgotten
-        Q : float
+        Q : float or array_like
             force/length, \\|Q| <= f P; equality is full sliding
 
         Raises
@@ -189,11 +195,132 @@ class Contact(ContactMethods, Handle):
 
         The contact is then as before. Source: Sec. 3.2; new.
         """
-        P, Q = real("P", P), real("Q", Q)
-        b = _formula_half_width(self.theta, self.a, self.A, P)
-        warn(alpha=self.a / b if b > 0 else math.nan)
+        if np.ndim(P) or np.ndim(Q):  # type: ignore[arg-type]
+            return self._load_all({"P": P, "Q": Q})
+        P, Q = real("P", P), real("Q", Q)  # type: ignore[arg-type]
+        warn(alpha=self._alpha(P))
         with self._lock:
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
+
+    def apply(self, P: Numbers, M: Numbers, Q: Numbers, sigma: Numbers) -> None:
+        """The next point of the history with a moment and a bulk tension, reached in a straight line of all four. Of arrays,
+        one load after the other: all of them, or none where one is refused.
+
+        Parameters
+        ----------
+        P : float or array_like
+            force/length, 0, or at least 1e-8 of the last P
+        M : float or array_like
+            moment about x = 0, a force, finite; positive presses the right side; 0 where P is 0
+        Q : float or array_like
+            force/length, \\|Q| <= f P
+        sigma : float or array_like
+            bulk tension of the half-plane, stress, finite: added to its sxx. Where P is 0 it only adds: apply it before P to
+            have it without slip
+
+        Raises
+        ------
+        SlidingError
+            (a ValueError) where \\|Q| > f P: no equilibrium
+        ValueError
+            outside the domain; where no closed form is shown, and the message says why (``obstacle``)
+
+        The contact is then as before. Exact without moment and under one sigma, and in the cases of the library's
+        lib/README.md, "Moment and bulk tension". Source: new.
+        """
+        if any(map(np.ndim, (P, M, Q, sigma))):  # type: ignore[arg-type]
+            return self._load_all({"P": P, "M": M, "Q": Q, "sigma": sigma})
+        loads = Loads(*map(real, Loads._fields, (P, M, Q, sigma)))  # type: ignore[arg-type]
+        warn(alpha=self._alpha(loads.P))
+        with self._lock:
+            self._check_loads(self, loads)
+
+    def _alpha(self, P: float) -> float:
+        b = _formula_half_width(self.theta, self.a, self.A, P)
+        return self.a / b if b > 0 else math.nan
+
+    def _check_loads(self, contact: Contact, loads: Loads, place: str = "") -> None:
+        """Loads the contact, this one or a copy; or says which load is refused, and why."""
+        status = _apply(contact._address, *loads)
+        if status == EPATH:
+            given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
+            raise Error(f"{given}: no closed form: {_obstacle(contact._address, *loads).decode()}", status)
+        check("contact_apply", status, loads._asdict(), place)
+
+    def _load_all(self, loads: dict[str, Any]) -> None:
+        with self._lock:
+            history = columns(loads, self.loads)
+            self._warn_of(history)
+            nowhere = np.empty(0)
+            self._through(history, nowhere, nowhere, np.empty((3, len(history[0]), 0)))
+
+    def _warn_of(self, history: Columns) -> None:
+        """Of the smallest and the largest contact, to who called the method that calls this one."""
+        loaded = history[0][history[0] > 0]
+        for P in {float(loaded.min()), float(loaded.max())} if loaded.size else ():
+            warn(alpha=self._alpha(P), level=4)
+
+    def _through(self, history: Columns, x: NDArray[Any], y: NDArray[Any], stress: NDArray[Any]) -> None:
+        """Through all loads in one call; or says at which load and point it ends, and why."""
+        status = _stress_history(self._address, len(history[0]), *(column.ctypes.data for column in history),
+                                 x.size, x.ctypes.data, y.ctypes.data, *(component.ctypes.data for component in stress))
+        if status != OK:
+            self._find_fault(history, x, y)
+        check("contact_stress_history", status)
+
+    def _find_fault(self, history: Columns, x: Any, y: Any) -> None:
+        trial = self.copy()
+        for i, loads in enumerate(zip(*history)):
+            self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
+            _stresses(trial._address, x, y)
+
+    def cycle(self, loads: History, x: Numbers, y: Numbers) -> Cycle:
+        """Stresses at points (x, y) of the half-plane while the contact goes through loads, in one call to the library: as
+        ``apply`` and ``stresses`` after each, to the same bits, and faster. The contact then has the last of the loads.
+
+        Parameters
+        ----------
+        loads : mapping, frame, or array_like
+            P, M, Q, sigma by name, each a number or all of its values: a dict, or a frame of pandas, in which other columns
+            are left alone. What has no name stays as it is. Or rows of P, Q, or of P, M, Q, sigma. Domains as in ``apply``
+        x, y : array_like
+            length, finite, y >= 0; they broadcast, and keep their labels; NaN gives NaN
+
+        Returns
+        -------
+        cycle : Cycle
+            with the array ``stress`` (load, point, component); ``sxx, syy, txy = cycle``
+
+        Raises
+        ------
+        ValueError
+            where ``apply`` or ``stresses`` does. The message names the load, and the contact is as before
+
+        Error as that of ``stresses``. Source: Eq. (28), (32), (33); new.
+
+        Examples
+        --------
+        >>> import rwedge
+        >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+        >>> pad.load(2000)
+        >>> sxx, syy, txy = pad.cycle({"P": 2000, "Q": [300, -300, 300]}, x=[-2, -1], y=0)
+        >>> sxx.shape
+        (3, 2)
+        """
+        points, labelled = aligned((x, y))
+        x, y = np.broadcast_arrays(*(np.asarray(place).astype(float, casting="safe") for place in points))
+        labels = None if labelled is None else labelled(np.zeros(x.shape))
+        known = ~(np.isnan(x) | np.isnan(y))
+        with self._lock:
+            history = columns(loads, self.loads)
+            self._warn_of(history)
+            stress = np.empty((3, len(history[0]), np.count_nonzero(known)))
+            self._through(history, x[known], y[known], stress)
+        if not known.all():
+            some, stress = stress, np.full((3, len(history[0]), x.size), math.nan)
+            stress[:, :, known.ravel()] = some
+        shape = 3, len(history[0]), *x.shape
+        return Cycle(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
 
     @property
     def state_size(self) -> int:
@@ -219,16 +346,19 @@ class Contact(ContactMethods, Handle):
 
         Source: new.
         """
-        numbers = np.ascontiguousarray(state, dtype=np.float64).ravel()
+        numbers = np.ascontiguousarray(np.asarray(state).astype(float, casting="safe")).ravel()
         contact, handle = cls.__new__(cls), ctypes.c_void_p()
-        check("contact_restore", _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle)))
+        status = _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle))
+        if status == EDOMAIN:
+            raise Error(f"state, of {numbers.size} numbers: they are not those that Contact.state() gives", status)
+        check("contact_restore", status)
         contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
         contact._begin(handle)
         return contact
 
     def __reduce__(self) -> tuple[Any, ...]:
         own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters")}
-        return type(self).restore, (self.state(),), own
+        return type(self).restore, (self.state(),), (own, self._slots())
 
     @property
     def loads(self) -> Loads:
@@ -244,7 +374,12 @@ class Contact(ContactMethods, Handle):
 
     def _call(self, name: str, *given: Any) -> Any:
         with self._lock:
-            return call(name, self._address, *given)
+            try:
+                return call(name, self._address, *given)
+            except Error as error:
+                if name == "contact_stress_history" and error.status != ERANGE:  # arrays of one size
+                    self._find_fault(tuple(map(np.asarray, given[:4])), given[4], given[5])
+                raise
 
     @property
     def theta(self) -> float:

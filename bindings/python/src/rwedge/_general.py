@@ -3,7 +3,6 @@
 module defines. Scalars are floats, arrays of one size have one dimension, results of two sizes have two."""
 from __future__ import annotations
 
-import ctypes
 from typing import Any
 
 import numpy as np
@@ -11,16 +10,18 @@ from numpy.typing import NDArray
 
 from ._header import FUNCTIONS
 from ._labels import refuse_labels
-from ._library import ERANGE, Error, check, function, integer, real
+from ._library import EDOMAIN, ERANGE, Error, check, function, integer, real
 
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 
 def _numbers(name: str, given: Any, dimensions: int) -> NDArray[Any]:
     refuse_labels(name, given)
-    array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe"))
+    array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe", copy=False))
     if array.ndim != dimensions:
         raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)
+    for place in np.argwhere(np.isnan(array)):
+        raise Error(f"{name}{place.tolist()} = nan: it must be a number", EDOMAIN)
     return array
 
 
@@ -39,7 +40,7 @@ class _Call:
     def _measure(self, name: str, array: NDArray[Any]) -> None:
         for size, count in zip(self.about["sizes"][name], array.shape):
             if self.sizes.setdefault(size, count) != count:
-                raise Error(f"{name} has the shape {array.shape}, where {self.sizes[size]} are needed for {count}", ERANGE)
+                raise Error(f"{name} has the shape {array.shape}, where others have {self.sizes[size]} in place of {count}", ERANGE)
 
     def arguments(self) -> list[Any]:
         values = []

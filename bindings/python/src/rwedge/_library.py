@@ -15,7 +15,7 @@ from ._header import FUNCTIONS
 
 TYPES = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "size_t": ctypes.c_size_t, "const char *": ctypes.c_char_p,
          "void": None}  # all others are pointers
-OK, EDOMAIN, ENULL, ERANGE, ENOMEM, ESLIDING, EABSENT = 0, 1, 2, 3, 5, 6, 8
+OK, EDOMAIN, ENULL, ERANGE, ENOMEM, ESLIDING, EABSENT, EPATH = 0, 1, 2, 3, 5, 6, 8, 9
 INT32_MAX = 2**31 - 1
 
 
@@ -62,7 +62,8 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
         raise MemoryError(reason)
     given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
-    raise (SlidingError if status == ESLIDING else Error)(f"{given}: {reason} ({allowed})", status)
+    message = ": ".join(filter(None, (given, reason))) + (f" ({allowed})" if allowed else "")
+    raise (SlidingError if status == ESLIDING else Error)(message, status)
 
 
 def real(name: str, value: SupportsFloat) -> float:

@@ -66,8 +66,8 @@ class Series(SeriesMethods, Handle):
         Parameters
         ----------
         x, p : array_like, of one dimension and the same length
-            where and what, \\|x| < 1, finite, at least terms of them, samples times terms <= 2^27; samples near Chebyshev's
-            points (x = cos t, t equally spaced) fit best
+            where and what, \\|x| < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
+            2^33 (half a minute); samples near Chebyshev's points (x = cos t, t equally spaced) fit best
         terms : int
             >= 1
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """NumPy ufuncs of the library's functions: of the loops in src/loops.c, with the signatures and docstrings of the header.
 
-PyUFunc_FromFuncAndData() comes from the table of functions that NumPy gives every compiled extension, in a capsule: so the
-shared library needs no header of Python or NumPy, and one build serves all their versions. Its place in the table is part of
-NumPy's binary interface, which only a new major version may change.
+PyUFunc_FromFuncAndDataAndSignature() comes from the table of functions that NumPy gives every compiled extension, in a capsule:
+so the shared library needs no header of Python or NumPy, and one build serves all their versions. Its place in the table is part
+of NumPy's binary interface, which only a new major version may change.
 """
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if np.lib.NumpyVersion(np.__version__) >= "3.0.0":
 _core = "numpy._core" if np.lib.NumpyVersion(np.__version__) >= "2.0.0" else "numpy.core"
 _ufunc_api = importlib.import_module(_core + "._multiarray_umath")._UFUNC_API
 
-FROM_FUNC_AND_DATA = 1  # its place in the table
+FROM_FUNC_AND_DATA_AND_SIGNATURE = 31  # its place in the table
 NO_IDENTITY = -1
 DOUBLE, INTEGER, ADDRESS = (np.dtype(kind).num for kind in (np.float64, np.int64, np.intp))
 OBJECTS = {"const rwedge_contact *", "const rwedge_series *"}
@@ -35,7 +35,7 @@ _capsule_pointer.restype, _capsule_pointer.argtypes = ctypes.c_void_p, (ctypes.p
 _table = ctypes.cast(_capsule_pointer(_ufunc_api, None), ctypes.POINTER(ctypes.c_void_p))
 _from_func_and_data = ctypes.PYFUNCTYPE(
     ctypes.py_object, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_int, ctypes.c_int,
-    ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int)(_table[FROM_FUNC_AND_DATA])
+    ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p)(_table[FROM_FUNC_AND_DATA_AND_SIGNATURE])
 _kept: list[object] = []  # what the ufuncs point to, for as long as the process lives
 
 
@@ -45,12 +45,17 @@ def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
 
 
 def ufunc(name: str) -> np.ufunc:
-    """The ufunc of rwedge_name(): of a formula; of a function with several results; or of the points of an object, whose
-    address is then the first argument."""
+    """The ufunc of rwedge_name(): of a formula; of a function with several results; of the points of an object, whose
+    address is then the first argument; or the generalized one of a function of a cycle."""
     parameters = [kind for kind, _ in FUNCTIONS[name]["parameters"]]
     arguments = [kind for kind in parameters if kind in ARGUMENTS]
-    outputs = parameters.count("double *") or 1
-    if "double *" in parameters or arguments[0] in OBJECTS:
+    outputs, signature = parameters.count("double *") or 1, None
+    if FUNCTIONS[name]["made"] == "gufunc":
+        loop, data = "cycles", "cycles_" + name
+        inputs = [DOUBLE] * len(arguments)
+        axes = ",".join("(n)" if kind == "const double *" else "()" for kind in arguments)
+        signature = f"{axes}->{','.join(['()'] * outputs)}".encode()
+    elif "double *" in parameters or arguments[0] in OBJECTS:
         loop, data = "points", "points_" + name
         inputs = [ADDRESS if kind in OBJECTS else DOUBLE for kind in arguments]
     else:
@@ -58,9 +63,9 @@ def ufunc(name: str) -> np.ufunc:
         inputs = [ARGUMENTS[kind] for kind in arguments]
     pointers = _address("loop_" + loop), _address(data)
     texts = bytes([*inputs, *[DOUBLE] * outputs]), name.encode(), FUNCTIONS[name]["doc"].encode()
-    _kept.append((pointers, texts))
+    _kept.append((pointers, texts, signature))
     (loops, datas), (types, title, doc) = pointers, texts
-    return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0)
+    return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0, signature)
 
 
 class Formula:

@@ -16,10 +16,11 @@ class ValidityWarning(UserWarning):
 
 
 def warn(theta: float = math.nan, alpha: float = math.nan, beta: float = math.nan, f: float = math.nan,
-         safety: float = math.nan) -> None:
-    """Says what is doubtful about a contact, to who called the function that calls this one. NaN is not known."""
+         safety: float = math.nan, level: int = 3) -> None:
+    """Says what is doubtful about a contact, to who called the function that calls this one, or that of the level. NaN is not
+    known."""
     doubts, bit = _validity(theta, alpha, beta, f, math.nan, safety), 1
     while doubts >= bit:
         if doubts & bit:
-            warnings.warn(_text(bit).decode(), ValidityWarning, stacklevel=3)
+            warnings.warn(_text(bit).decode(), ValidityWarning, stacklevel=level)
         bit *= 2

@@ -18,7 +18,7 @@ mkdir -p gsl-objects lapack-objects include/gsl
 cp "$sources"/gsl/gsl_*.h "$sources"/gsl/*/gsl_*.h include/gsl
 sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' "$sources/gsl/config.h.in" >include/config.h
 for file in "$sources"/gsl/roots/*.c "$sources"/gsl/sys/*.c; do
-    case $file in */test*) continue ;; esac
+    case ${file##*/} in test*) continue ;; esac
     $tool-gcc -O2 -ffp-contract=off -Iinclude -I"$sources/gsl" \
         -c "$file" -o "gsl-objects/$(basename "$(dirname "$file")")-$(basename "$file" .c).o"
 done

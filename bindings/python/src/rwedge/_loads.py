@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The loads of a contact, one or many."""
+from __future__ import annotations
+
+from typing import Any, Mapping, NamedTuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._library import EDOMAIN, ERANGE, Error
+from ._types import Numbers, SupportsArray
+
+
+class Loads(NamedTuple):
+    """Normal load and tangential load, force/length; moment about x = 0, force; bulk tension, stress."""
+
+    P: float
+    M: float
+    Q: float
+    sigma: float
+
+
+Columns = tuple[NDArray[np.float64], ...]
+History = Union[Mapping[str, Any], SupportsArray, Numbers]
+
+
+def _numbers(name: str, given: Any) -> NDArray[np.float64]:
+    array = np.asarray(given).astype(float, casting="safe")
+    if array.ndim > 1:
+        raise Error(f"{name} has the shape {array.shape}: a history has one dimension", ERANGE)
+    if np.isnan(array).any():
+        raise Error(f"{name}[{int(np.argmax(np.isnan(array)))}] is not a number", EDOMAIN)
+    return array
+
+
+def _named(loads: Any) -> dict[str, Any]:
+    """The columns that are named as loads are. Others, such as a time, are left alone; but not "q"."""
+    names = [name for name in loads.keys() if isinstance(name, str)]
+    found = {name: loads[name] for name in names if name in Loads._fields}
+    wrong = [name for name in names if name not in found and name.lower() in ("p", "m", "q", "sigma")]
+    if wrong or not found:
+        raise Error(f"loads has the columns {', '.join(map(str, loads.keys()))}: the names of loads are P, M, Q and sigma", EDOMAIN)
+    return found
+
+
+def _by_place(loads: Any) -> dict[str, Any]:
+    array = np.asarray(loads).astype(float, casting="safe")
+    if array.ndim != 2 or array.shape[1] not in (2, 4):
+        raise Error(f"loads has the shape {array.shape}: a row for each load, of P, Q or of P, M, Q, sigma", ERANGE)
+    return dict(zip(("P", "Q") if array.shape[1] == 2 else Loads._fields, array.T))
+
+
+def columns(loads: History, present: Loads) -> Columns:
+    """P, M, Q, sigma, each of all loads: of a mapping or frame with these names, or of rows. What is not given stays as it is;
+    but where P is 0 the moment goes, and stays away."""
+    given: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
+    arrays = {name: _numbers(name, values) for name, values in given.items()}
+    try:
+        P, M, Q, sigma = np.broadcast_arrays(*(arrays.get(name, getattr(present, name)) for name in Loads._fields))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise Error(f"the loads differ in number: {shapes}", ERANGE) from None
+    if "M" not in arrays:
+        M = np.where(np.logical_or.accumulate(np.atleast_1d(P == 0)), 0.0, M)
+    return tuple(np.atleast_1d(np.ascontiguousarray(array, dtype=float)) for array in (P, M, Q, sigma))

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stresses through many loads in one call, the forms that other packages take, and the parameters of a cycle."""
+import pickle
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import rwedge
+
+X, Y = np.linspace(-3, 3, 7)[:, None], np.array([0.0, 0.4])
+Q = np.array([300, -300, -1000, 700.0])
+NU, E = 0.3, 200e3
+
+
+@pytest.fixture
+def pad():
+    loaded = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+    loaded.load(2000)
+    return loaded
+
+
+def test_a_cycle_has_the_bits_of_loads_one_by_one(pad):
+    single = pad.copy()
+    cycle = pad.cycle({"P": 2000, "Q": Q}, X, Y)
+    assert cycle.stress.shape == (4, 7, 2, 3)
+    for tensor, q in zip(cycle.stress, Q):
+        single.load(2000, q)
+        assert (tensor == np.stack(single.stresses(X, Y), axis=-1)).all()
+    assert (pad.state() == single.state()).all()
+    assert (np.asarray(cycle) == cycle.stress).all() and (np.stack(list(cycle), -1) == cycle.stress).all()
+
+
+def test_loads_are_named_or_by_place(pad):
+    pandas = pytest.importorskip("pandas")
+    expected = pad.copy().cycle({"P": 2000, "Q": Q}, X, Y).stress
+    frame = pandas.DataFrame({"time": [1, 2, 3, 4], "P": 2000, "Q": Q})
+    rows = np.column_stack([np.full(4, 2000), Q])
+    four = [rwedge.Loads(2000, 0, q, 0) for q in Q]
+    for loads in ({"Q": Q}, frame, rows, rows.tolist(), four):
+        assert (pad.copy().cycle(loads, X, Y).stress == expected).all()
+    moment = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+    moment.apply(2000, 300, 0, 0)
+    assert (moment.cycle({"P": [2000, 0, 2000]}, X, 0.1).loads.M == [300, 0, 0]).all()
+
+
+def test_vectors_of_loads_are_loads_one_after_the_other(pad):
+    one, many = pad.copy(), pad.copy()
+    for q in Q:
+        one.load(2000, q)
+        one.apply(2000, 0, 0.9 * q, 0)
+    many.load(2000, np.column_stack([Q, 0.9 * Q]).ravel())
+    assert (one.state() == many.state()).all() and one.dissipated_energy == many.dissipated_energy
+    before = pad.state()
+    with pytest.raises(rwedge.SlidingError, match=r"P\[1\] = 2000.0, .* Q\[1\] = 1300.0"):
+        pad.load(2000, [1, 1300])
+    assert (pad.state() == before).all()
+    pad.apply(2000, 0, [500, 600], [10, 20])
+    assert pad.loads == (2000, 0, 600, 20)
+
+
+@pytest.mark.parametrize("loads, x, y, message", [
+    ({"Q": [100, 1300]}, 0, 1, r"Q\[1\] = 1300.0, sigma\[1\] = 0.0: the tangential force exceeds"),
+    ({"Q": [100, 200]}, [0, 1], [1, -1], r"x\[1\] = 1.0, y\[1\] = -1.0: an argument is outside"),
+    ({"Q": [100, 100], "sigma": [0, 500]}, 0, 1, r"P\[1\] = 2000.0.*sigma\[1\] = 500.0: no closed form: the two edges would"),
+    ({"q": [100]}, 0, 1, "has the columns q: the names of loads are P, M, Q and sigma"),
+    ({"P": [1, 2], "Q": [1, 2, 3]}, 0, 1, r"differ in number: P \(2,\), Q \(3,\)"),
+    ({"Q": [1, np.nan]}, 0, 1, r"Q\[1\] is not a number"),
+    ([[1, 2, 3]], 0, 1, r"loads has the shape \(1, 3\): a row for each load"),
+])
+def test_bad_input_says_where(pad, loads, x, y, message):
+    before = pad.state()
+    with pytest.raises(rwedge.Error, match=message):
+        pad.cycle(loads, x, y)
+    assert (pad.state() == before).all()
+
+
+def test_what_has_no_closed_form_says_why(pad):
+    loads = rwedge.Loads(2000.0, 0.0, 100.0, 500.0)
+    why = pad.obstacle(*loads)
+    assert why
+    with pytest.raises(rwedge.Error, match=re.escape(why)):
+        pad.apply(*loads)
+
+
+def test_nan_among_the_points_gives_nan(pad):
+    x = np.array([0.1, np.nan, 0.3])
+    found = pad.copy().cycle({"Q": Q}, x, 0.5).stress
+    assert np.isnan(found[:, 1]).all()
+    assert (found[:, [0, 2]] == pad.cycle({"Q": Q}, x[[0, 2]], 0.5).stress).all()
+
+
+def test_forms_of_other_packages(pad):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    cycle = pad.copy().cycle({"Q": Q}, X, Y)
+    szz = NU * (cycle.sxx + cycle.syy)
+    zero = np.zeros_like(szz)
+    np.testing.assert_allclose(cycle.voigt(NU), np.stack([cycle.sxx, cycle.syy, szz, zero, zero, cycle.txy], -1), rtol=1e-15)
+    frame = cycle.to_pandas(NU)
+    assert list(frame) == ["S11", "S22", "S33", "S12", "S13", "S23"] and frame.index.names == ["load", "point"]
+    assert (frame.loc[(2, 5), ["S11", "S22", "S12"]] == cycle.stress[2, 2, 1]).all()
+    assert frame["S33"].iloc[0] == cycle.szz(NU)[0, 0, 0]
+    data = cycle.to_xarray(NU, length="m", stress="Pa")
+    assert data.sxx.dims == ("load", "point_0", "point_1") and (data.szz.values == cycle.szz(NU)).all()
+    assert data.txy.units == "Pa" and data.P.units == "Pa m" and data.x.units == "m" and data.M.units == "Pa m m"
+    assert (data.Q == Q).all() and data.syy.long_name == "stress normal to the surface"
+    x, y = xarray.DataArray(X[:, 0], dims="x", coords={"x": X[:, 0]}), xarray.DataArray(Y, dims="y", coords={"y": Y})
+    named = pad.copy().cycle({"Q": Q}, x, y).to_xarray()
+    assert named.sxx.dims == ("load", "x", "y") and named.sxx.sel(x=-1, y=0.4, load=1) == cycle.sxx[1, 2, 1]
+    assert named.x.units == "mm" and "szz" not in named
+    series = pandas.Series([0.1, 0.2], index=["a", "b"])
+    assert list(pad.cycle({"Q": Q}, series, 0.5).to_pandas(NU).index[:3]) == [(0, "a"), (0, "b"), (1, "a")]
+
+
+@pytest.mark.parametrize("package, call", [("pandas", "to_pandas(0.3)"), ("xarray", "to_xarray()")])
+def test_a_missing_package_is_named_with_its_command(package, call):
+    script = f"""
+import sys
+sys.modules[{package!r}] = None
+import rwedge
+contact = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+contact.cycle({{"P": [2000]}}, 0, 1).{call}"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert f"needs {package}, which is not installed: pip install {package}" in done.stderr
+
+
+def normal_range_times_peak(sxx, syy, txy, angle):
+    """(1+nu)/E times it is twice Smith, Watson and Topper's product, on planes of normal (sin, cos); Hooke's law."""
+    s, c = np.sin(angle), np.cos(angle)
+    normal = s * s * sxx[:, None] + c * c * syy[:, None] + 2 * s * c * txy[:, None]
+    strain = normal - NU * (sxx + syy)[:, None]
+    return np.maximum(normal.max(axis=0), 0) * np.ptp(strain, axis=0)
+
+
+def brute_force(sxx, syy, txy):
+    """The largest over all planes: a scan of 20000, and golden sections beside the five best."""
+    angle = np.linspace(-np.pi / 2, np.pi / 2, 20001)
+    best = angle[np.argsort(normal_range_times_peak(sxx, syy, txy, angle))[-5:]]
+    ratio, low, high = (np.sqrt(5) - 1) / 2, best - 2e-4, best + 2e-4
+    for _ in range(40):
+        inner = np.stack([high - ratio * (high - low), low + ratio * (high - low)])
+        left, right = (normal_range_times_peak(sxx, syy, txy, one) for one in inner)
+        low, high = np.where(left < right, inner[0], low), np.where(left < right, high, inner[1])
+    return normal_range_times_peak(sxx, syy, txy, (low + high) / 2).max() * (1 + NU) / E / 2
+
+
+def test_smith_watson_topper_is_that_of_all_planes(pad):
+    x = pad.half_width * np.array([-1.2, -1, -0.999, -0.9, -0.5, 0.3, 0.95, 1, 1.1])
+    cycle = pad.cycle({"Q": 900 * np.cos(np.linspace(0, 2 * np.pi, 24))}, x[:, None], [0, 0.05])
+    value, angle = rwedge.smith_watson_topper(*cycle, E, NU, axis=0)
+    assert value.shape == angle.shape == (9, 2)
+    for place in np.ndindex(value.shape):
+        components = [component[(slice(None), *place)] for component in cycle]
+        expected = brute_force(*components)
+        assert abs(value[place] - expected) <= 1e-9 * expected
+        at = normal_range_times_peak(*components, np.array([angle[place]]))[0] * (1 + NU) / E / 2
+        assert abs(value[place] - at) <= 1e-12 * value[place]
+
+
+def test_parameters_of_cycles_broadcast(pad):
+    cycle = pad.cycle({"Q": Q}, X, Y)
+    last = [np.moveaxis(component, 0, -1).copy() for component in cycle]
+    moduli = np.array([200e3, 70e3])
+    for formula, numbers in ((rwedge.smith_watson_topper, (NU,)), (rwedge.fatemi_socie, (NU, 1e-3))):
+        value, angle = formula(*last, E, *numbers)
+        assert value.shape == (7, 2)
+        for place in np.ndindex(value.shape):
+            one = formula(*(component[place] for component in last), E, *numbers)
+            assert one == (value[place], angle[place]) and np.ndim(one[0]) == 0
+        first = formula(*cycle, E, *numbers, axis=0)
+        assert (first[0] == value).all() and (first[1] == angle).all()
+        assert (formula(*last, moduli, *numbers)[0][:, 0] == formula(*(c[:, 0] for c in last), E, *numbers)[0]).all()
+        assert pickle.loads(pickle.dumps(formula)) is formula
+        named = dict(zip(("E", "nu", "k_over_sy"), (E, *numbers)))
+        assert (formula(*last, **named)[0] == value).all()
+    von_mises = rwedge.von_mises(*cycle, NU)
+    s1, s2, _ = rwedge.principal_stresses(*cycle)
+    assert von_mises.shape == s1.shape == (4, 7, 2) and (s1 >= s2).all()
+
+
+def test_parameters_outside_their_domain_are_nan():
+    sxx, syy, txy = np.array([[1.0, 2], [3, 4]]), np.zeros(2), np.zeros(2)
+    with pytest.warns(RuntimeWarning, match="invalid value encountered in smith_watson_topper"):
+        assert np.isnan(rwedge.smith_watson_topper(sxx, syy, txy, [-1, E], NU)[0]).tolist() == [True, False]
+    sxx[0, 1] = np.nan
+    assert np.isnan(rwedge.smith_watson_topper(sxx, syy, txy, E, NU)).tolist() == [[True, False]] * 2
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError):
+        rwedge.fatemi_socie([1e61], [0.0], [0.0], E, NU, 0)
+
+
+def test_dask_takes_the_parameters_as_they_are(pad):
+    da = pytest.importorskip("dask.array")
+    cycle = pad.cycle({"Q": Q}, X, Y)
+    lazy = [da.from_array(np.moveaxis(component, 0, -1), chunks=(2, 1, -1)) for component in cycle]
+    value, angle = rwedge.smith_watson_topper(*lazy, E, NU)
+    assert isinstance(value, da.Array)
+    assert (np.stack([value.compute(), angle.compute()]) == rwedge.smith_watson_topper(*cycle, E, NU, axis=0)).all()

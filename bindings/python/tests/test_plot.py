@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures: what is drawn has the numbers of the contact; axes, artists and styles are matplotlib's."""
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import rwedge
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from rwedge import plot  # noqa: E402
+
+THETA, F, A = 0.01, 0.6, 1.8e-5
+
+
+@pytest.fixture
+def ax():
+    figure, axes = plt.subplots()
+    yield axes
+    figure.canvas.draw()
+    plt.close(figure)
+
+
+def masing(alpha, Q_over_fP):
+    """The displacement on first loading in f theta b: (1/pi) of the integral of ln(1/s) dP(s) from c to 1, by quadrature."""
+    c = float(rwedge.stick_width(alpha, Q_over_fP))
+    s = c + (1 - c) * (1 - np.cos(np.linspace(0, np.pi, 20001))) / 2
+    P = s * rwedge.load(alpha / s)
+    log = -np.log((s[1:] + s[:-1]) / 2)
+    return np.sum(log * np.diff(P)) / math.pi
+
+
+def test_displacement_is_that_of_the_contacts_of_all_smaller_loads(contact):
+    contact = rwedge.Contact(THETA, 0.5, A, F)
+    contact.load(2000)
+    b, limit = contact.half_width, F * 2000
+    contact.load(2000, 0.7 * limit)
+    unit = F * THETA * b
+    top = unit * masing(0.5 / b, 0.7)
+    assert plot.displacement(contact) == pytest.approx(top, abs=1e-5 * unit)
+    contact.load(2000, -0.2 * limit)  # Masing: twice the curve of half the change
+    assert plot.displacement(contact) == pytest.approx(top - 2 * unit * masing(0.5 / b, 0.45), abs=1e-5 * unit)
+    contact.apply(0, 0, 0, 1)
+    contact.apply(2000, 0, 0, 1)
+    with pytest.raises(rwedge.Error, match="without moment and bulk tension"):
+        plot.displacement(contact)
+
+
+def test_a_loop_encloses_the_dissipated_energy(ax):
+    contact = rwedge.Contact(THETA, 0.5, A, F)
+    contact.load(2000)
+    line = plot.loop(contact, [800, -800, 800], ax=ax, units=("mm", "MPa"))
+    assert contact.Q == 0 and line in ax.lines and ax.get_xlabel() == "displacement by slip / mm"
+    x, Q = line.get_data()
+    cycle = slice(plot.STEPS, None)
+    area = np.sum((Q[cycle][1:] + Q[cycle][:-1]) / 2 * np.diff(x[cycle]))
+    contact.load(2000, 800)
+    before = contact.dissipated_energy
+    contact.load(2000, [-800, 800])
+    assert area == pytest.approx(contact.dissipated_energy - before, rel=2e-3)  # of 100 trapezia
+    natural = plot.loop(contact, [0], ax=ax, color="red")
+    assert natural.get_color() == "red" and max(natural.get_ydata()) == 800 / (F * 2000)
+
+
+def test_tractions_are_those_of_the_contact(ax, contact):
+    pressure, shear = plot.tractions(contact, ax=ax, units=("mm", "MPa"))
+    x, value = shear.get_data()
+    assert (value == -contact.tractions(x)[1] / F).all() and pressure.get_linewidth() < shear.get_linewidth()
+    assert abs(contact.stick_half_width) in x and {x[0], x[-1]} == {-contact.half_width, contact.half_width}
+    assert ax.get_ylabel() == "$-p$, $-q/f$ / MPa" and not ax.spines["top"].get_visible()
+    second = plot.tractions(contact, ax=ax)[1]
+    assert second.get_color() == plot.BLUE != shear.get_color() and second.get_linestyle() == "--"
+    peak = -contact.tractions(0)[0] * math.pi * A / THETA
+    assert max(plot.tractions(contact, ax=ax)[0].get_ydata()) == pytest.approx(peak, rel=1e-14)
+
+
+def test_a_field_has_the_stress_at_its_lines(ax, contact):
+    lines = plot.field(contact, 0.3, ax=ax, units=("mm", "MPa"))
+    for level, segments in zip(lines.levels, lines.allsegs):
+        for segment in segments:
+            inner = segment[np.hypot(abs(segment[:, 0]) - contact.half_width, segment[:, 1]) > 0.3 * contact.half_width]
+            inner = inner[inner[:, 1] > 0.1 * contact.half_width]
+            found = rwedge.von_mises(*contact.stresses(*inner.T), 0.3) / math.sqrt(3)
+            assert np.all(abs(found - level) < 0.01 * lines.levels[-1])
+    assert 5 < len(lines.levels) <= plot.LEVELS and ax.get_title() == r"$\sqrt{J_2}$ in MPa"
+    factor = contact.yield_factor(0.3, 1e4)
+    (circle,) = [one for one in ax.lines if one.get_marker() == "o"]
+    assert circle.get_xdata()[0] == factor.x and circle.get_ydata()[0] == factor.y
+
+
+def test_the_current_axes_are_used_and_what_cannot_be_drawn_is_refused(ax):
+    sharp = rwedge.Contact(THETA, 0, A, 0)
+    with pytest.raises(rwedge.Error, match="unloaded: there is nothing to draw"):
+        plot.tractions(sharp)
+    sharp.load(2000)
+    plt.sca(ax)
+    (pressure,) = plot.tractions(sharp)
+    assert pressure.axes is ax and np.isfinite(pressure.get_ydata()).all()
+    assert np.isfinite(plot.field(sharp, 0.3).levels).all()
+
+
+def test_a_missing_matplotlib_is_named_with_its_command():
+    script = """
+import sys
+sys.modules["matplotlib"] = None
+import rwedge.plot
+contact = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+contact.load(2000)
+rwedge.plot.tractions(contact)"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert "rwedge.plot needs matplotlib, which is not installed: pip install matplotlib" in done.stderr

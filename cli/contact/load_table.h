@@ -32,8 +32,8 @@ typedef struct {
 } load_source;
 load_source load_source_of(const arguments *given);
 
-/* Refuses an encoding without a file, or one that iconv does not know. STATUS_DONE, or what to leave
- * with; so does the next. */
+/* Refuses an encoding without a file, or one that iconv does not know. STATUS_DONE, or what to
+ * leave with; so does the next. */
 int load_source_check_encoding(const load_source *from);
 
 /* Refuses a file beside a list, and loads that the texts give too. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which places along x a cycle is looked at: the edges of contact and stick zone after each load are
- * always among them, as it is there that stresses and slip have their tops. */
+/* Which places along x a cycle is looked at: the edges of contact and stick zone after each load
+ * are always among them, as it is there that stresses and slip have their tops. */
 #ifndef CLI_SURFACE_H
 #define CLI_SURFACE_H
 

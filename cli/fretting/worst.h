@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The places where each measure of a cycle is largest, between the places that are looked at too. */
+/* The places where each measure of a cycle is largest, also between those that are looked at. */
 #ifndef CLI_WORST_H
 #define CLI_WORST_H
 

@@ -19,9 +19,9 @@ typedef struct {
                        cannot be */
 } course;
 
-/* Reads the options, and a file that stands in place of --history, and tries every load: a load that
- * cannot be applied ends it, unless --until is given. The cycles are as many as by default where
- * --cycles is not given. Returns the exit status; free it in either case. */
+/* Reads the options, and a file that stands in place of --history, and tries every load: a load
+ * that cannot be applied ends it, unless --until is given. The cycles are as many as by default
+ * where --cycles is not given. Returns the exit status; free it in either case. */
 int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles, course *whole);
 void course_free(course *whole);
 

@@ -8,8 +8,8 @@
 
 #include "rows/output_options.h"
 
-/* Writes NAME_0001.vtk and so on beside NAME.vtk.series, which is the output and comes last. Returns
- * the exit status. */
+/* Writes NAME_0001.vtk and so on beside NAME.vtk.series, which is the output and comes last.
+ * Returns the exit status. */
 int series_write(const point_rows *what, const output_options *how);
 
 #endif

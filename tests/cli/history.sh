@@ -12,7 +12,7 @@ specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
 run history loads.csv $specimen
 status_is 0
-message_is "rwedge history: loads.csv: columns with numbers that are not used: 'time'"
+message_is ""
 same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings" \
     "$(head -n 1 out)"
 same "columns that pass through" '0,press,1,|0.5,pull,2,|1,push,3,|1.5,"pull, again",4,' "$(tail -n +2 out | sed 's/135.*//' | paste -s -d '|' -)"

@@ -10,7 +10,7 @@
 #include "text/nearest.h"
 #include "field/profile.h"
 #include "system/signals.h"
-#include "system/streams.h"
+#include "system/start.h"
 #include "solve/solve.h"
 #include "table/table.h"
 #include "workbook/workbook.h"
@@ -136,9 +136,8 @@ static const command help_command = {"help",        "rwedge help", "the help of 
 
 int main(int argc, char **argv)
 {
-    const char *no_arguments[] = {"rwedge", NULL};
-    const char **words = argc > 0 ? (const char **)argv : no_arguments;
-    if (!streams_fill_closed())
+    const char **words = (const char **)argv;
+    if (!start(&argc, &words))
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);
@@ -148,5 +147,5 @@ int main(int argc, char **argv)
     if (argc > 1 && words[1][0] != '-')
         return unknown_command(words[1]);
     words[0] = "rwedge";
-    return without_command(argc > 0 ? argc : 1, words);
+    return without_command(argc, words);
 }

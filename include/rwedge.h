@@ -347,7 +347,7 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
  * closed form, nor those that end with the front of slip between two patches of the memory at one
  * edge and between two others at the other, or with a part beyond the front that sticks:
- * lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+ * lib/README.md, "Moment and bulk tension". Where |Q| = f P, and without friction, all are exact.
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
  * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
@@ -410,7 +410,7 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
 /* The zone that never slips while loads go to and fro between two points in a straight line, once
  * the first cycles are over, whatever was before.                                               new
  *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
- *   M1, M2          finite
+ *   M1, M2          finite; 0 where P is 0
  *   Q1, Q2          |Q| <= f P
  *   sigma1, sigma2  finite
  *   left, right     its edges, length
@@ -434,9 +434,9 @@ RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
 
 /* How many points of its history the contact remembers: those that its tractions depend on, and
- * those that its slip is measured from. At most two per load; 0 when separated, and for NULL. The
- * memory it takes grows in proportion; so does the time of its functions, at most, for each point
- * of the half-plane. */
+ * those that its slip is measured from. At most two per load, and some tens after any number of
+ * loads that dither around one point; 0 when separated, and for NULL. The memory it takes grows in
+ * proportion; so does the time of its functions, at most, for each point of the half-plane. */
 RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q =

@@ -974,7 +974,7 @@ End Function
 ' The zone that never slips while loads go to and fro between two points in a straight line, once
 ' the first cycles are over, whatever was before.                                               new
 '   P1, P2          finite, >= 0, as for rwedge_contact_apply()
-'   M1, M2          finite
+'   M1, M2          finite; 0 where P is 0
 '   Q1, Q2          |Q| <= f P
 '   sigma1, sigma2  finite
 '   left, right     its edges, length

@@ -37,18 +37,17 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
-/* The fields of the pressure and of the shear traction over f at n <= RW_BLOCK points; not the
+/* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
  * apex of the sharp wedge. */
-enum { RW_BLOCK = 32 };
 typedef struct {
-    rw_field normal[RW_BLOCK], tangential[RW_BLOCK];
+    rw_fields normal, tangential;
 } rw_contact_fields;
 
 void rw_contact_fields_clear(rw_contact_fields *fields, int n);
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
 
-/* A patch's own fields at n <= RW_BLOCK points, and their part of the contact's, of which the last
+/* A patch's own fields at n <= RW_BATCH points, and their part of the contact's, of which the last
  * patch is the whole. */
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields);

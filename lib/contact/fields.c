@@ -54,18 +54,12 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 
 /* ---- Stresses ---- */
 
-static void add(rw_field *sum, double weight, rw_field field)
-{
-    sum->G_re += weight * field.G_re;
-    sum->G_im += weight * field.G_im;
-    sum->H_re += weight * field.H_re;
-    sum->H_im += weight * field.H_im;
-}
-
 void rw_contact_fields_clear(rw_contact_fields *fields, int n)
 {
-    for (int i = 0; i < n; i++)
-        fields->normal[i] = fields->tangential[i] = (rw_field){0, 0, 0, 0};
+    for (int i = 0; i < n; i++) {
+        rw_put(&fields->normal, i, (rw_field){0, 0, 0, 0});
+        rw_put(&fields->tangential, i, (rw_field){0, 0, 0, 0});
+    }
 }
 
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
@@ -76,15 +70,22 @@ void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const do
     rw_eccentric_fields(&potential, n, x, y, fields);
 }
 
+static void add(int n, double weight, const double *restrict part, double *restrict sum)
+{
+    for (int i = 0; i < n; i++)
+        sum[i] += weight * part[i];
+}
+
 void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
                   rw_contact_fields *fields)
 {
-    for (int i = 0; i < n; i++) {
-        const rw_field field = rw_field_in(of_patch, i);
-        add(&fields->tangential[i], weight, field);
-        if (whole)
-            fields->normal[i] = field;
-    }
+    rw_fields *sum = &fields->tangential;
+    add(n, weight, of_patch->G_re, sum->G_re);
+    add(n, weight, of_patch->G_im, sum->G_im);
+    add(n, weight, of_patch->H_re, sum->H_re);
+    add(n, weight, of_patch->H_im, sum->H_im);
+    for (int i = 0; whole && i < n; i++)
+        rw_put(&fields->normal, i, rw_field_in(of_patch, i));
 }
 
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
@@ -110,8 +111,8 @@ void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
 {
     const double unit = rw_unit_stress(&contact->geometry);
     for (int i = 0; i < n; i++) {
-        const rw_field shear = rw_field_multiple(contact->f, fields->tangential[i]);
-        const rw_stress_state s = rw_superpose(fields->normal[i], shear);
+        const rw_field shear = rw_field_multiple(contact->f, rw_field_in(&fields->tangential, i));
+        const rw_stress_state s = rw_superpose(rw_field_in(&fields->normal, i), shear);
         sxx[i] = unit * (s.mean - s.difference) + sigma;
         syy[i] = unit * (s.mean + s.difference);
         txy[i] = unit * s.shear;
@@ -128,8 +129,8 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
     for (size_t i = 0; i < n; i++)
         if (!rw_contact_has_stress(contact, x[i], y[i]))
             return RWEDGE_EDOMAIN;
-    for (size_t start = 0; start < n; start += RW_BLOCK) {
-        const size_t block = n - start < RW_BLOCK ? n - start : RW_BLOCK;
+    for (size_t start = 0; start < n; start += RW_BATCH) {
+        const size_t block = n - start < RW_BATCH ? n - start : RW_BATCH;
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
         rw_contact_stresses_from(contact, contact->loads.sigma, &fields, (int)block, sxx + start,

@@ -2,7 +2,7 @@
 /* The next load of a contact: whether it is allowed, and what it does. */
 #include "contact/contact.h"
 #include "history/dissipation.h"
-#include "history/off_centre.h"
+#include "history/edge_work.h"
 
 #include <float.h>
 
@@ -53,12 +53,16 @@ static double energy_of(const rwedge_contact *contact, double P, double shear)
     return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
-static void measure_new_corners(rwedge_contact *contact)
+/* The last corner, if it is new, is the contact. */
+static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
 {
     rw_memory *memory = &contact->memory;
-    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);)
-        memory->corners[i].patch = rw_patch_under_tilt(&contact->geometry, memory->corners[i].load,
-                                                       memory->corners[i].tilt);
+    for (size_t i = memory->count; i-- > 1 && isnan(memory->corners[i].patch.left);) {
+        rw_corner *corner = &memory->corners[i];
+        corner->patch = corner->load == step->to.load
+                            ? step->patch
+                            : rw_patch_under_tilt(&contact->geometry, corner->load, corner->tilt);
+    }
 }
 
 /* Differences of rounding in P and M are none. */
@@ -132,7 +136,7 @@ static double share_off_centre(const rwedge_contact *contact, const rw_memory *b
     if (step->to_P != step->from_P || slides)
         return NAN;
     return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_annuli_work(before, after, g->a);
+           rw_edge_work(before, after, g->a);
 }
 
 static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
@@ -154,7 +158,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].tilt = 0;
         memory->corners[0].stretch = step->to.stretch;
     }
-    measure_new_corners(contact);
+    measure_new_corners(contact, step);
     const bool slides = rw_memory_slides(memory);
     contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
 }
@@ -288,7 +292,8 @@ static const char *text_of(rw_obstacle obstacle)
                "bodies first";
     case RW_GROWS_UNEVENLY:
         return "the contact would grow with a shear that does not keep to its tilt: change P and M "
-               "first, under constant Q and sigma, then Q and sigma";
+               "first, under constant Q and sigma, then Q and sigma; a tension from before the "
+               "contact is a load of its own, with P = M = Q = 0";
     default:
         return "";
     }

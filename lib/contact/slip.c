@@ -52,18 +52,6 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     return displacement(contact, &trail, 0, 1, left->slip, x);
 }
 
-/* The last corner, up to `count`, until which two paths are the same. */
-static size_t last_common(const rw_memory *one, const rw_trail *other, size_t count)
-{
-    size_t i = 0;
-    /* always: the path reaches the load that count ends at */
-    while (i + 1 < count && ALWAYS(i + 1 < one->count) &&
-           one->corners[i + 1].load == rw_trail_corner(other, i + 1)->load &&
-           one->corners[i + 1].ratio == rw_trail_corner(other, i + 1)->ratio)
-        i++;
-    return i;
-}
-
 /* x >= 0 */
 static double slip_at(const rwedge_contact *contact, double x)
 {
@@ -79,8 +67,8 @@ static double slip_at(const rwedge_contact *contact, double x)
     const size_t kept = left.kept;
     const bool is_corner = left.corner.load == rw_trail_corner(&base, kept - 1)->load;
     const double after_kept = is_corner ? left.slip : left.corner.ratio;
-    const size_t common = last_common(now, &base, kept);
-    const size_t first = common > 0 ? common : 1;
+    const rw_trail kept_part = {base.corners, base.branches, base.branch, kept};
+    const size_t common = rw_memory_common(now, &kept_part), first = common > 1 ? common - 1 : 1;
     double w = displacement(contact, &path, first, path.count, 0, x) -
                displacement(contact, &base, first, kept, after_kept, x);
     if (!is_corner && left.slip != 0)

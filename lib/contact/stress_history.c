@@ -116,8 +116,8 @@ static void sum_up(const record *r, size_t load, double a, frame frames[], int n
 static void roll(const rwedge_contact *contact, const record *r, frame frames[], size_t n,
                  const double x[], const double y[], double sxx[], double syy[], double txy[])
 {
-    for (size_t start = 0; start < n; start += RW_BLOCK) {
-        const int block = n - start < RW_BLOCK ? (int)(n - start) : RW_BLOCK;
+    for (size_t start = 0; start < n; start += RW_BATCH) {
+        const int block = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
         for (size_t load = 0; load < r->loads; load++) {
             rw_contact_fields fields;
             const size_t to = load * n + start;

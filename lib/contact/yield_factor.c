@@ -89,7 +89,7 @@ static double J2_of(search *s, rw_field normal, rw_field shear, double x, double
     return J2;
 }
 
-/* At n <= RW_BLOCK points, and at their mirror images if `mirrored` is not NULL. */
+/* At n <= RW_BATCH points, and at their mirror images if `mirrored` is not NULL. */
 static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[],
                      double mirrored[])
 {
@@ -97,10 +97,11 @@ static void evaluate(search *s, size_t n, const double x[], const double y[], do
     rw_contact_fields_at(s->contact, n, x, y, &fields);
     const double f = s->contact->f;
     for (size_t i = 0; i < n; i++) {
-        J2[i] = J2_of(s, fields.normal[i], rw_field_multiple(f, fields.tangential[i]), x[i], y[i]);
+        const rw_field normal = rw_field_in(&fields.normal, (int)i),
+                       shear = rw_field_in(&fields.tangential, (int)i);
+        J2[i] = J2_of(s, normal, rw_field_multiple(f, shear), x[i], y[i]);
         if (mirrored)
-            mirrored[i] = J2_of(s, fields.normal[i], rw_field_multiple(-f, fields.tangential[i]),
-                                -x[i], y[i]);
+            mirrored[i] = J2_of(s, normal, rw_field_multiple(-f, shear), -x[i], y[i]);
     }
 }
 
@@ -316,9 +317,9 @@ static void fill(search *s, polar_grid *grid, double outermost, double innermost
         grid->radius[rows] = radius;
     grid->rows = rows;
     const bool both = s->is_centred && grid->centre != 0;
-    for (int first = 0; first < rows * ANGLES; first += RW_BLOCK) {
-        const int n = rows * ANGLES - first < RW_BLOCK ? rows * ANGLES - first : RW_BLOCK;
-        double x[RW_BLOCK], y[RW_BLOCK];
+    for (int first = 0; first < rows * ANGLES; first += RW_BATCH) {
+        const int n = rows * ANGLES - first < RW_BATCH ? rows * ANGLES - first : RW_BATCH;
+        double x[RW_BATCH], y[RW_BATCH];
         for (int i = 0; i < n; i++) {
             const double r = grid->radius[(first + i) / ANGLES];
             x[i] = grid->centre + r * grid->cosine[(first + i) % ANGLES];

@@ -15,6 +15,19 @@ static const double SHARP = 0x1p-260;
 /* A width that cannot be multiplied. */
 static const double LARGEST = 1e250;
 
+/* Of an edge, over the width: edges at the same place are inside. */
+static const double SLACK = 1e-12;
+
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)
+{
+    const double reach = fmax(fabs(outer.left), fabs(outer.right)); /* may be many widths */
+    const double tolerance =
+        (SLACK + 16 * DBL_EPSILON / (1 - fabs(tilt))) * (outer.right - outer.left) +
+        8 * DBL_EPSILON * reach;
+    return isgreaterequal(inner.left, outer.left - tolerance) &&
+           islessequal(inner.right, outer.right + tolerance);
+}
+
 /* sin(v) - v cos(v), 0 <= v <= pi/2: of the order v^3/3. */
 static double sine_less_arc(double v, double sine, double cosine)
 {

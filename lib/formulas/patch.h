@@ -28,6 +28,10 @@ static inline double rw_patch_half_width(rw_patch patch)
     return patch.right / 2 - patch.left / 2;
 }
 
+/* Whether one patch lies inside another, to the rounding that patches of a tilt have. false for
+ * NaN. */
+bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt);
+
 /* The ends of the rounding as the patch sees them, at x = -+a; one that is outside counts as the
  * edge. half is half the angle phi between them, middle the angle midway. */
 typedef struct {

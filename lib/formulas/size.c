@@ -63,3 +63,22 @@ double rwedge_normal_load(double theta, double a, double A, double b)
     return b == 0 || rw_is_contact_size(&geometry, b) ? magnitude(rw_normal_load(&geometry, b))
                                                       : NAN;
 }
+
+static rw_patch centred(const rw_geometry *g, double P)
+{
+    const double b = rw_half_width(g, P);
+    return (rw_patch){-b, b};
+}
+
+rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
+{
+    return M == 0 ? centred(g, P)
+                  : rw_patch_of_moment(g->a, rw_as_length(g, P), rw_as_length(g, M));
+}
+
+rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
+{
+    if (tilt == 0)
+        return centred(g, P);
+    return fabs(tilt) < 1 ? rw_patch_of_tilt(g->a, rw_as_length(g, P), tilt) : (rw_patch){NAN, NAN};
+}

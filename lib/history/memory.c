@@ -81,6 +81,16 @@ rw_trail rw_memory_trail(const rw_memory *memory)
     return (rw_trail){memory->corners, &WHOLE, 0, memory->count};
 }
 
+size_t rw_memory_common(const rw_memory *one, const rw_trail *other)
+{
+    const size_t most = one->count < other->count ? one->count : other->count;
+    size_t i = 1;
+    while (i < most && one->corners[i].load == rw_trail_corner(other, i)->load &&
+           one->corners[i].ratio == rw_trail_corner(other, i)->ratio)
+        i++;
+    return i;
+}
+
 static double clipped(double ratio)
 {
     return fmax(-1, fmin(1, ratio));

@@ -80,6 +80,9 @@ bool rw_memory_create(rw_memory *memory);
 bool rw_memory_copy(const rw_memory *memory, rw_memory *copy);
 void rw_memory_destroy(rw_memory *memory);
 
+/* How many of their first corners two paths have in common; the origin always. */
+size_t rw_memory_common(const rw_memory *one, const rw_trail *other);
+
 /* Makes room for that many more corners. false where memory is short; the path is as before. */
 bool rw_memory_reserve(rw_memory *memory, size_t more);
 

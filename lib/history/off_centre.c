@@ -12,7 +12,6 @@
  * rounding, and beyond x = a the slope is 1 - delta - G. */
 #include "history/off_centre.h"
 
-#include "base/always.h"
 #include "base/integral.h"
 #include "base/logarithm.h"
 #include "stress/eccentric.h"
@@ -194,20 +193,6 @@ double rw_patch_gap(double a, rw_patch patch, double x)
 
 /* ---- Displacement ---- */
 
-/* The first corner in which two paths differ: it is a front inside the layer of the other one, or
- * its layer has another slope. */
-static size_t count_common(const rw_memory *one, const rw_memory *other)
-{
-    size_t i = 1;
-    /* always: they differ before one of them ends, because one has slipped where the other has
-     * not */
-    while (one->corners[i].load == other->corners[i].load &&
-           one->corners[i].ratio == other->corners[i].ratio &&
-           ALWAYS(i + 1 < one->count && i + 1 < other->count))
-        i++;
-    return i;
-}
-
 /* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
 static void add_displacement(const rw_memory *path, size_t first, double sign, double a, size_t n,
                              const double x[], double sum[])
@@ -223,82 +208,12 @@ static void add_displacement(const rw_memory *path, size_t first, double sign, d
 void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
                           const double x[], double displacement[])
 {
-    const size_t common = count_common(path, beyond);
+    /* they differ before one of them ends, because one has slipped where the other has not: at a
+     * front inside a layer of the other, or by the slope of a layer */
+    const rw_trail other = rw_memory_trail(beyond);
+    const size_t common = rw_memory_common(path, &other);
     for (size_t i = 0; i < n; i++)
         displacement[i] = 0;
     add_displacement(path, common, 1, a, n, x, displacement);
     add_displacement(beyond, common, -1, a, n, x, displacement);
-}
-
-/* ---- Energy ---- */
-
-typedef struct {
-    const rw_memory *before, *after;
-    const rw_eccentric *contact;
-    double a;
-} annulus;
-
-enum { STEPS = 20, NODES = 2 * STEPS + 1 };
-
-/* Between two marks: the integrand is smooth but for roots and logarithms at the ends, which the
- * substitution of tanh and sinh takes away. Slip has the sign of the last layer everywhere, see
- * one_way.h. */
-static double panel_integral(const annulus *w, double left, double right)
-{
-    const double half = (right - left) / 2, middle = left + half, step = 0.16;
-    double x[NODES], weight[NODES], slip[NODES], sum = 0;
-    for (int i = 0; i < NODES; i++) {
-        const double t = (i - STEPS) * step, u = tanh(RW_HALF_PI * sinh(t));
-        x[i] = fmin(fmax(left, middle + half * u), right);
-        weight[i] = RW_HALF_PI * cosh(t) * (1 - u * u);
-    }
-    rw_path_displacement(w->after, w->before, w->a, NODES, x, slip);
-    const double sign = rw_memory_end(w->after)->ratio;
-    for (int i = 0; i < NODES; i++)
-        sum += weight[i] * fmax(0, sign * slip[i] * rw_eccentric_at(w->contact, x[i], 0).G_im);
-    return half * step * sum;
-}
-
-static void note_mark(double at, double left, double right, double *nearest)
-{
-    if (at > left && at < right && at < *nearest)
-        *nearest = at;
-}
-
-/* The next mark on the way from left to right: an edge of a patch, an end of the rounding. */
-static double next_mark(const annulus *w, double left, double right)
-{
-    double nearest = right;
-    for (int k = 0; k < 2; k++) {
-        const rw_memory *path = k ? w->after : w->before;
-        for (size_t i = 1; i < path->count; i++) {
-            note_mark(path->corners[i].patch.left, left, right, &nearest);
-            note_mark(path->corners[i].patch.right, left, right, &nearest);
-        }
-    }
-    note_mark(-w->a, left, right, &nearest);
-    note_mark(w->a, left, right, &nearest);
-    return nearest;
-}
-
-static double integral_between(const annulus *w, double left, double right)
-{
-    double sum = 0;
-    while (left < right) {
-        const double next = next_mark(w, left, right);
-        sum += panel_integral(w, left, next);
-        left = next;
-    }
-    return sum;
-}
-
-double rw_annuli_work(const rw_memory *before, const rw_memory *after, double a)
-{
-    const rw_corner *end = rw_memory_end(after);
-    const rw_patch contact = end->patch, front = (end - 1)->patch;
-    rw_eccentric potential;
-    rw_eccentric_init(&potential, a, contact);
-    const annulus w = {before, after, &potential, a};
-    return integral_between(&w, contact.left, front.left) +
-           integral_between(&w, front.right, contact.right);
 }

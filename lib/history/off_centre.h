@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Slip and energy where patches are off the centre. */
+/* Slip where patches are off the centre. */
 #ifndef RW_OFF_CENTRE_H
 #define RW_OFF_CENTRE_H
 
@@ -14,9 +14,5 @@ double rw_patch_gap(double a, rw_patch patch, double x);
  * another of the same slope in its first layer. What both paths have in common is left out. */
 void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
                           const double x[], double displacement[]);
-
-/* The integral of |p| times the slip of a step under constant load and moment, which took the path
- * from `before` to `after`, over the two annuli that slip; p in theta/A, the slip in f theta. */
-double rw_annuli_work(const rw_memory *before, const rw_memory *after, double a);
 
 #endif

@@ -32,29 +32,6 @@ static double half_width(rw_patch patch)
     return rw_patch_half_width(patch);
 }
 
-/* P A/theta, a length. */
-static double length_of(const rw_geometry *g, double P)
-{
-    return P * (g->A / g->theta);
-}
-
-rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
-{
-    if (M != 0)
-        return rw_patch_of_moment(g->a, length_of(g, P), length_of(g, M));
-    const double b = rw_half_width(g, P);
-    return (rw_patch){-b, b};
-}
-
-rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
-{
-    if (tilt != 0)
-        return fabs(tilt) < 1 ? rw_patch_of_tilt(g->a, length_of(g, P), tilt)
-                              : (rw_patch){NAN, NAN};
-    const double b = rw_half_width(g, P);
-    return (rw_patch){-b, b};
-}
-
 bool rw_path_is_plain(const rw_memory *memory, rw_loading to)
 {
     if (to.tilt != 0)
@@ -70,16 +47,6 @@ bool rw_path_is_plain(const rw_memory *memory, rw_loading to)
 static double tilt_tolerance(const rw_memory *memory, rw_loading to)
 {
     return 64 * DBL_EPSILON * (1 + fmax(fabs(to.stretch), fabs(rw_memory_end(memory)->stretch)));
-}
-
-bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)
-{
-    const double reach = fmax(fabs(outer.left), fabs(outer.right)); /* may be many widths */
-    const double tolerance =
-        (SLACK + 16 * DBL_EPSILON / (1 - fabs(tilt))) * (outer.right - outer.left) +
-        8 * DBL_EPSILON * reach;
-    return isgreaterequal(inner.left, outer.left - tolerance) &&
-           islessequal(inner.right, outer.right + tolerance);
 }
 
 typedef struct {
@@ -99,16 +66,24 @@ static bool adds_everywhere(double load, range tilt, rw_patch patch, double tole
     return arm * (largest(tilt) - tolerance) <= (1 + SLACK) * load;
 }
 
+/* Whether slip has exhausted friction all over, and leaves nothing of the old path. Whatever the
+ * way, no other traction then carries so much shear. */
+static bool is_sliding(const rw_step *s, rw_loading to, int slip, rw_departure *d)
+{
+    const double most = fmax(to.load, rw_memory_end(s->memory)->load);
+    if (to.load - slip * to.shear > rw_memory_tolerance(most))
+        return false;
+    *d = (rw_departure){s->memory->corners[0], 1, slip};
+    return true;
+}
+
 /* Whether the front that slips from the edges is between the same two patches at both, and all
- * points that it passed have slipped. Slip that leaves nothing of the old path slides. */
+ * points that it passed have slipped. */
 static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_departure *d)
 {
     const rw_memory *memory = s->memory;
-    const double most = fmax(to.load, rw_memory_end(memory)->load);
-    if (to.load - d->slip * to.shear <= rw_memory_tolerance(most)) {
-        *d = (rw_departure){memory->corners[0], 1, d->slip};
+    if (is_sliding(s, to, d->slip, d))
         return true;
-    }
     const rw_corner *before = &memory->corners[d->kept - 1];
     const bool is_corner = d->corner.load == before->load;
     if (!is_corner)
@@ -127,7 +102,7 @@ static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_d
 static rw_obstacle constant_step(const rw_step *s, rw_departure *d)
 {
     const rw_corner *end = rw_memory_end(s->memory);
-    const double shear = length_of(s->geometry, fabs(s->to.shear - end->shear));
+    const double shear = rw_as_length(s->geometry, fabs(s->to.shear - end->shear));
     const double stretch = s->to.stretch - end->stretch;
     if (!adds_everywhere(shear, (range){stretch, stretch}, end->patch,
                          tilt_tolerance(s->memory, s->to)))
@@ -182,8 +157,8 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
 {
     if (is_level(s))
         return (range){0, 0};
-    const double P = length_of(s->geometry, s->to_P - s->from_P);
-    const double M = length_of(s->geometry, s->to_M - s->from_M);
+    const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
+    const double M = rw_as_length(s->geometry, s->to_M - s->from_M);
     const double one = M - P * (larger.left / 2 + smaller.right / 2);
     const double other = M - P * (smaller.left / 2 + larger.right / 2);
     const double least = fmin(one, other), most = fmax(one, other);
@@ -276,7 +251,7 @@ static bool stays_behind(const rw_step *s, const station *from, const station *t
     const double load = (s->to.shear - end->shear) - D * (s->to.load - end->load);
     const double stretch = s->to.stretch - end->stretch;
     const range tilt = {stretch - D * tilt_rate.least, stretch - D * tilt_rate.most};
-    return adds_everywhere(S * length_of(s->geometry, load), tilt, from->contact,
+    return adds_everywhere(S * rw_as_length(s->geometry, load), tilt, from->contact,
                            tilt_tolerance(s->memory, s->to));
 }
 
@@ -291,7 +266,7 @@ static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *f
     const double load = slip * (s->to.shear - end->shear) - (s->to.load - end->load);
     const double stretch = slip * (s->to.stretch - end->stretch);
     const range tilt = {stretch - rate.most, stretch - rate.least};
-    if (!adds_everywhere(length_of(s->geometry, load), tilt, larger,
+    if (!adds_everywhere(rw_as_length(s->geometry, load), tilt, larger,
                          tilt_tolerance(s->memory, s->to)))
         return RW_SLIPS_BOTH_WAYS;
     if (grows(s) || rw_patch_is_nested(from->stuck, to->contact, s->to.tilt) ||
@@ -334,15 +309,54 @@ static bool is_constant(const rw_step *s)
     return s->to_P == s->from_P && s->to_M == s->from_M;
 }
 
+static rw_obstacle obstacle_of(const rw_step *s, rw_departure *departure)
+{
+    if (is_constant(s))
+        return constant_step(s, departure);
+    if (!edges_go_together(s))
+        return RW_EDGES_PART;
+    return moving_step(s, departure);
+}
+
+/* A contact that recedes and sticks may come to the last corner of its path, at both edges at once.
+ * From there on the step is one of the shorter path, `rest`. */
+static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
+{
+    const rw_corner *end = rw_memory_end(s->memory), *at = end - 1;
+    if (grows(s) || s->memory->count < 3 || s->to.load >= at->load)
+        return false;
+    const double t = (end->load - at->load) / (end->load - s->to.load);
+    rw_step part = *s;
+    part.to_P = at->load;
+    part.to_M = s->from_M + t * (s->to_M - s->from_M);
+    part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
+    part.to = (rw_loading){.load = at->load,
+                           .shear = end->shear + t * (s->to.shear - end->shear),
+                           .tilt = rw_patch_pressing(s->geometry->a, part.patch).tilt,
+                           .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+    rw_departure d;
+    if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||
+        obstacle_of(&part, &d) != RW_NO_OBSTACLE || d.slip != 0)
+        return false;
+    *shorter = *s->memory;
+    shorter->count--;
+    *rest = *s;
+    rest->memory = shorter;
+    rest->from_P = part.to_P;
+    rest->from_M = part.to_M;
+    return true;
+}
+
 rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
 {
     if (s->to.load == 0 || rw_path_is_plain(s->memory, s->to)) {
         *departure = rw_memory_departure(s->memory, s->to);
         return RW_NO_OBSTACLE;
     }
-    if (is_constant(s))
-        return constant_step(s, departure);
-    if (!edges_go_together(s))
-        return RW_EDGES_PART;
-    return moving_step(s, departure);
+    const rw_obstacle found = obstacle_of(s, departure);
+    if (found == RW_NO_OBSTACLE || is_sliding(s, s->to, s->to.shear < 0 ? -1 : 1, departure))
+        return RW_NO_OBSTACLE;
+    rw_memory shorter;
+    rw_step rest;
+    return leaves_layer(s, &shorter, &rest) ? rw_path_departure(&rest, departure) : found;
 }

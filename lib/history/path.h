@@ -8,15 +8,6 @@
 #include "formulas/size.h"
 #include "history/memory.h"
 
-/* The patch of a load P >= 0 and a moment M, or a tilt in theta, which are 0 where P is. NaN where
- * the tilt is 1. */
-rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
-rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
-
-/* Whether one patch lies inside another, to the rounding that patches of a tilt have. false for
- * NaN. */
-bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt);
-
 /* A straight step of the loads. The patches are those of the contact at its ends. */
 typedef struct {
     const rw_geometry *geometry;

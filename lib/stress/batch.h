@@ -3,10 +3,11 @@
 #ifndef RW_BATCH_H
 #define RW_BATCH_H
 
+#include "base/inline.h"
 #include "stress/potential.h"
 
 /* The bits of rw_potential_at(), at count <= RW_BATCH points: several times faster. */
-enum { RW_BATCH = 64 };
+enum { RW_BATCH = 32 };
 typedef struct {
     double G_re[RW_BATCH], G_im[RW_BATCH], H_re[RW_BATCH], H_im[RW_BATCH];
 } rw_fields;
@@ -14,6 +15,14 @@ typedef struct {
 static inline rw_field rw_field_in(const rw_fields *fields, int i)
 {
     return (rw_field){fields->G_re[i], fields->G_im[i], fields->H_re[i], fields->H_im[i]};
+}
+
+RW_INLINE void rw_put(rw_fields *fields, int i, rw_field field)
+{
+    fields->G_re[i] = field.G_re;
+    fields->G_im[i] = field.G_im;
+    fields->H_re[i] = field.H_re;
+    fields->H_im[i] = field.H_im;
 }
 
 void rw_potential_fields(const rw_potential *potential, int count, const double x[],

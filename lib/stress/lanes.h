@@ -9,31 +9,25 @@
 
 enum { RW_LANES = 8 }; /* a multiple of the numbers in a vector */
 
-RW_INLINE void rw_put(rw_fields *fields, int i, rw_field field)
-{
-    fields->G_re[i] = field.G_re;
-    fields->G_im[i] = field.G_im;
-    fields->H_re[i] = field.H_re;
-    fields->H_im[i] = field.H_im;
-}
-
 /* Defines NAME(potential, count, x, y, fields), which does LOOP for the processor at hand: vectors
- * of four numbers where it has them. Every x86-64 has vectors of two. */
+ * of eight or four numbers where it has them. Every x86-64 has vectors of two. */
 #define RW_PARAMETERS(POTENTIAL)                                                                   \
     const POTENTIAL *p, int count, const double x[], const double y[], rw_fields *fields
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
+#define RW_FOR_PROCESSOR(NAME, LOOP, POTENTIAL, TARGET)                                            \
+    __attribute__((target(TARGET))) static void NAME(RW_PARAMETERS(POTENTIAL))                     \
+    {                                                                                              \
+        LOOP(p, count, x, y, fields);                                                              \
+    }
 #define RW_BEST_PROCESSOR(NAME, LOOP, POTENTIAL)                                                   \
-    static void NAME##_baseline(RW_PARAMETERS(POTENTIAL))                                          \
-    {                                                                                              \
-        LOOP(p, count, x, y, fields);                                                              \
-    }                                                                                              \
-    __attribute__((target("avx2"))) static void NAME##_avx2(RW_PARAMETERS(POTENTIAL))              \
-    {                                                                                              \
-        LOOP(p, count, x, y, fields);                                                              \
-    }                                                                                              \
+    RW_FOR_PROCESSOR(NAME##_of_two, LOOP, POTENTIAL, "sse2")                                       \
+    RW_FOR_PROCESSOR(NAME##_of_four, LOOP, POTENTIAL, "avx2")                                      \
+    RW_FOR_PROCESSOR(NAME##_of_eight, LOOP, POTENTIAL, "avx512f,avx512dq")                         \
     static void NAME(RW_PARAMETERS(POTENTIAL))                                                     \
     {                                                                                              \
-        (__builtin_cpu_supports("avx2") ? NAME##_avx2 : NAME##_baseline)(p, count, x, y, fields);  \
+        (__builtin_cpu_supports("avx512dq") ? NAME##_of_eight                                      \
+         : __builtin_cpu_supports("avx2")   ? NAME##_of_four                                       \
+                                            : NAME##_of_two)(p, count, x, y, fields);                \
     }
 #else
 #define RW_BEST_PROCESSOR(NAME, LOOP, POTENTIAL)                                                   \

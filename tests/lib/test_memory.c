@@ -188,6 +188,46 @@ static void random_load(uint64_t *seed, double *load, double *shear)
     *shear = kind < 0.1 ? *load : kind < 0.2 ? -*load : *load * (2 * random_fraction(seed) - 1);
 }
 
+/* Loads around a point, as far from it as any number of roundings: a corner stays only if it is the
+ * highest or lowest of all since, so that there are about as many as digits in their number. */
+static void dithering_leaves_few_corners(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (double far = DBL_EPSILON; far < 1e-8; far *= 4)
+        for (int kind = 0; kind < 3; kind++) {
+            rw_memory path;
+            assert_true(rw_memory_create(&path));
+            advance(&path, 1, 0);
+            advance(&path, 1, 0.3);
+            for (int i = 0; i < 100000; i++) {
+                const double by = kind == 1 ? 0 : far * (2 * random_fraction(&seed) - 1);
+                const double shear = kind == 2 ? 0 : far * (2 * random_fraction(&seed) - 1);
+                advance(&path, 1 + by, 0.3 + shear);
+                assert_true(path.count < 45);
+            }
+            rw_memory_destroy(&path);
+        }
+}
+
+/* A load that grows by roundings, and dithers. Two layers together are thicker than the tolerance:
+ * a path of slopes up to 1 is straight to within its length. */
+static void growth_by_roundings_leaves_no_more_than_it_is_long(void **state)
+{
+    (void)state;
+    uint64_t seed = 22;
+    for (double step = DBL_EPSILON / 4; step < 2 * DBL_EPSILON; step *= 2) {
+        rw_memory path;
+        assert_true(rw_memory_create(&path));
+        advance(&path, 1, 0);
+        enum { STEPS = 30000 };
+        for (int i = 0; i < STEPS; i++)
+            advance(&path, 1 + i * step, step * (2 * random_fraction(&seed) - 1));
+        assert_true((double)path.count < 4 + 2 * STEPS * step / rw_memory_tolerance(1));
+        rw_memory_destroy(&path);
+    }
+}
+
 static void a_million_equal_cycles_keep_the_size_of_one(void **state)
 {
     (void)state;
@@ -349,6 +389,8 @@ int main(void)
         cmocka_unit_test(collinear_steps_are_one),
         cmocka_unit_test(a_slow_bend_is_not_straightened),
         cmocka_unit_test(creep_below_rounding_is_not_lost),
+        cmocka_unit_test(dithering_leaves_few_corners),
+        cmocka_unit_test(growth_by_roundings_leaves_no_more_than_it_is_long),
         cmocka_unit_test(a_million_equal_cycles_keep_the_size_of_one),
         cmocka_unit_test(each_load_adds_two_corners_at_most),
         cmocka_unit_test(a_step_is_the_sum_of_its_parts),

@@ -478,13 +478,41 @@ static void recession_is_refused_where_it_passes_a_patch_at_one_edge(void **stat
     apply(contact, 0.5, 0.1, 0.1, 0.01);
     apply(contact, 0.6, 0.12, 0.1, 0.01);
     refuse(contact, 0.45, 0.09, 0.075, 0.01, RWEDGE_EPATH); /* past a corner */
-    refuse(contact, 0.45, 0.09, 0.1, 0.01, RWEDGE_EPATH);
-    refuse(contact, 0.51, 0.06, 0.1, 0.01, RWEDGE_EPATH); /* at one edge */
+    refuse(contact, 0.51, 0.06, 0.1, 0.01, RWEDGE_EPATH);   /* at one edge */
     apply(contact, 0.55, 0.1, 0.1, 0.01);
     apply(contact, 0.5, 0.1, 0.1, 0.01); /* to the corner, and on */
     apply(contact, 0.45, 0.09, 0.1, 0.01);
     apply(contact, 0.2, 0.03, 0.04, 0.01);
     rwedge_contact_destroy(contact);
+}
+
+static void assert_same_state(const rwedge_contact *one, const rwedge_contact *other)
+{
+    assert_within(edges(one).left, edges(other).left, 1e-14);
+    assert_within(stick_zone(one).left, stick_zone(other).left, 1e-14);
+    assert_within(stick_zone(one).right, stick_zone(other).right, 1e-14);
+    assert_int_equal(one->memory.count, other->memory.count);
+}
+
+/* What recedes without slip to a patch of the history, and goes on, may do so in one step. */
+static void recession_passes_a_patch_at_both_edges_at_once(void **state)
+{
+    (void)state;
+    static const double moments[] = {0, 0.2}, ends[] = {0.45, 0.3};
+    for (int i = 0; i < 4; i++) {
+        const double arm = moments[i / 2], P = ends[i % 2], Q = 0.1;
+        rwedge_contact *one = create(0.4, F), *two;
+        apply(one, 0.5, 0.5 * arm, 0, 0);
+        apply(one, 0.5, 0.5 * arm, Q, 0.01);
+        apply(one, 0.6, 0.6 * arm, Q, 0.01);
+        assert_int_equal(rwedge_contact_copy(one, &two), RWEDGE_OK);
+        apply(one, P, P * arm, Q, 0.01);
+        apply(two, 0.5, 0.5 * arm, Q, 0.01);
+        apply(two, P, P * arm, Q, 0.01);
+        assert_same_state(one, two);
+        rwedge_contact_destroy(one);
+        rwedge_contact_destroy(two);
+    }
 }
 
 /* In shorter steps the front goes the same way. */
@@ -530,6 +558,34 @@ static void a_tilted_contact_slides(void **state)
     apply(contact, 0.5, 0.1, 0.25, 0.005); /* slides again, over a front */
     assert_int_equal(contact->memory.count, 2);
     rwedge_contact_destroy(contact);
+}
+
+/* With |Q| = f P there is one traction, whatever the way: also where the edges part, and where the
+ * contact recedes. */
+static void every_way_leads_to_sliding(void **state)
+{
+    (void)state;
+    static const double to[][4] = {{0.5, 0.2, 0.25, 0.01},
+                                   {0.3, 0.06, -0.15, 0.02},
+                                   {0.3, -0.06, 0.15, 0},
+                                   {0.8, 0.1, 0.4, 1}};
+    for (size_t i = 0; i < sizeof to / sizeof *to; i++) {
+        rwedge_contact *contact = create(0.4, F), *fresh = create(0.4, F);
+        apply(contact, 0.5, 0.1, 0, 0);
+        apply(contact, 0.5, 0.1, 0.25, 0.01);
+        const double *l = to[i], sign = l[2] < 0 ? -1 : 1, P = l[0], M = l[1];
+        apply(contact, P, M, l[2], l[3]);
+        apply(fresh, 0, 0, 0, l[3]);
+        apply(fresh, P, M, 0, l[3]);
+        apply(fresh, P, M, l[2], l[3]);
+        assert_int_equal(contact->memory.count, 2);
+        assert_within(shear(contact, 0), sign * F * pressure(contact, 0), 1e-15);
+        apply(contact, P, M, 0, l[3] - sign * 0.01);
+        apply(fresh, P, M, 0, l[3] - sign * 0.01);
+        assert_same_state(contact, fresh);
+        rwedge_contact_destroy(contact);
+        rwedge_contact_destroy(fresh);
+    }
 }
 
 static void a_moment_may_be_taken_away(void **state)
@@ -871,8 +927,10 @@ int main(void)
         cmocka_unit_test(a_corner_with_another_tilt_is_refused),
         cmocka_unit_test(rings_with_shear_need_a_constant_tilt),
         cmocka_unit_test(recession_is_refused_where_it_passes_a_patch_at_one_edge),
+        cmocka_unit_test(recession_passes_a_patch_at_both_edges_at_once),
         cmocka_unit_test(long_steps_lead_where_short_ones_do),
         cmocka_unit_test(a_tilted_contact_slides),
+        cmocka_unit_test(every_way_leads_to_sliding),
         cmocka_unit_test(a_moment_may_be_taken_away),
         cmocka_unit_test(without_friction_all_is_exact),
         cmocka_unit_test(random_loads_are_finite_or_change_nothing),

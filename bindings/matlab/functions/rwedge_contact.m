@@ -117,7 +117,7 @@ classdef rwedge_contact < handle
         %   of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
         %   closed form, nor those that end with the front of slip between two patches of the memory at one
         %   edge and between two others at the other, or with a part beyond the front that sticks:
-        %   lib/README.md, "Moment and bulk tension". Without friction, f = 0, all are exact.
+        %   lib/README.md, "Moment and bulk tension". Where |Q| = f P, and without friction, all are exact.
         %   rwedge:path where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
         %   surface. The others as rwedge_contact.load(): rwedge:sliding; rwedge:range; rwedge:handle;
@@ -227,9 +227,9 @@ classdef rwedge_contact < handle
         function value = memory(contact)
         %MEMORY  value = contact.memory()
         %   How many points of its history the contact remembers: those that its tractions depend on, and
-        %   those that its slip is measured from. At most two per load; 0 when separated. The
-        %   memory it takes grows in proportion; so does the time of its functions, at most, for each point
-        %   of the half-plane.
+        %   those that its slip is measured from. At most two per load, and some tens after any number of
+        %   loads that dither around one point; 0 when separated. The memory it takes grows in
+        %   proportion; so does the time of its functions, at most, for each point of the half-plane.
             value = rwedge_mex('contact_memory', contact.number);
         end
 

@@ -3,7 +3,7 @@ function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigm
 %   The zone that never slips while loads go to and fro between two points in a straight line, once
 %   the first cycles are over, whatever was before.   new
 %     P1, P2          finite, >= 0, as for rwedge_contact.apply()
-%     M1, M2          finite
+%     M1, M2          finite; 0 where P is 0
 %     Q1, Q2          |Q| <= f P
 %     sigma1, sigma2  finite
 %     left, right     its edges, length

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The energy of a step under constant load and moment. The front N_0 of slip has passed the layers
+ * of the path up to the contact N_n. The shear traction has changed by f c_i times the pressures
+ * between N_i and N_(i+1), c_i = 1 - S D_i >= 0.
+ *
+ * The work is a sum over pairs of a flat punch t of that change and a flat punch u of the pressure
+ * that is larger: the work of u on the displacement of t outside of t. With L = (P, M) of a punch
+ * and its compliance C, a symmetric matrix, that is L_t . (C_u - C_t) L_u. Between t and u the
+ * compliance changes by what the edges v feel as they move (Irwin):
+ *
+ *     L_t . dC L_u = (k_t k_u dr)_right - (k_t k_u dl)_left,   k = P +- 2 (M - m P)/s,
+ *
+ * over 2 pi s. So with the sums of all punches inside and outside of a patch v the work is one
+ * integral over nested patches from the front to the contact,
+ *
+ *     (1/2 pi) int k_in k_out dr/s,   L_in = sum c_i dL_i up to v,   L_out = L_n - L_v.
+ *
+ * The pressures between two patches do not depend on the way from one to the other: here the edges
+ * move evenly. */
+#include "history/edge_work.h"
+
+#include "base/domain.h"
+
+/* One layer: the change of the traction has the load and the moment `inner` inside `from`. */
+typedef struct {
+    double a, weight;
+    rw_patch from, to;
+    rw_pressing inner, start, contact;
+} layer;
+
+static rw_patch patch_at(const layer *l, double t)
+{
+    return (rw_patch){l->from.left + t * (l->to.left - l->from.left),
+                      l->from.right + t * (l->to.right - l->from.right)};
+}
+
+static rw_pressing sum(rw_pressing one, double weight, rw_pressing two, rw_pressing less)
+{
+    return (rw_pressing){.load = one.load + weight * (two.load - less.load),
+                         .moment = one.moment + weight * (two.moment - less.moment)};
+}
+
+/* What is felt at an edge, right for side = 1. */
+static double felt(rw_pressing carried, rw_patch patch, int side)
+{
+    const double about_middle = carried.moment - rw_patch_middle(patch) * carried.load;
+    return carried.load + side * 2 * about_middle / rw_patch_half_width(patch);
+}
+
+static double rate(const layer *l, double t)
+{
+    const rw_patch v = patch_at(l, t);
+    const rw_pressing here = rw_patch_pressing(l->a, v), none = {0, 0, 0};
+    const rw_pressing in = sum(l->inner, l->weight, here, l->start),
+                      out = sum(none, 1, l->contact, here);
+    const double right = felt(in, v, 1) * felt(out, v, 1) * (l->to.right - l->from.right);
+    const double left = felt(in, v, -1) * felt(out, v, -1) * (l->from.left - l->to.left);
+    return (right + left) / rw_patch_half_width(v);
+}
+
+enum { STEPS = 20 };
+
+/* Smooth but for roots at the ends, which the substitution of tanh and sinh takes away. */
+static double panel_integral(const layer *l, double from, double to)
+{
+    const double half = (to - from) / 2, middle = from + half, step = 0.16;
+    double sum = 0;
+    for (int i = -STEPS; i <= STEPS; i++) {
+        const double t = i * step, u = tanh(RW_HALF_PI * sinh(t));
+        sum += RW_HALF_PI * cosh(t) * (1 - u * u) * rate(l, middle + half * u);
+    }
+    return half * step * sum;
+}
+
+/* Panels end where an edge passes the end of the rounding, and where the patch has four times the
+ * width: there is a pole where it has none. */
+static double next_end(const layer *l, double t)
+{
+    const rw_patch here = patch_at(l, t);
+    const double to_left = (-l->a - here.left) / (l->to.left - l->from.left),
+                 to_right = (l->a - here.right) / (l->to.right - l->from.right);
+    const double grown =
+        3 * rw_patch_half_width(here) / (rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
+    double way = 1 - t;
+    if (to_left > 0)
+        way = fmin(way, to_left);
+    if (to_right > 0)
+        way = fmin(way, to_right);
+    return fmin(way, grown) < 1 - t ? t + fmin(way, grown) : 1;
+}
+
+static double layer_integral(const layer *l)
+{
+    double sum = 0;
+    for (double t = 0, next; t < 1; t = next) {
+        next = next_end(l, t);
+        sum += panel_integral(l, t, next);
+    }
+    return sum;
+}
+
+double rw_edge_work(const rw_memory *before, const rw_memory *after, double a)
+{
+    const rw_corner *end = rw_memory_end(after), *front = end - 1;
+    layer l = {.a = a, .to = front->patch, .contact = rw_patch_pressing(a, end->patch)};
+    rw_pressing reached = rw_patch_pressing(a, front->patch);
+    double sum_of_all = 0;
+    for (size_t i = 1; i < before->count; i++) {
+        const rw_corner *corner = &before->corners[i];
+        if (corner->load <= front->load)
+            continue;
+        l.from = l.to;
+        l.to = i + 1 < before->count ? corner->patch : end->patch;
+        l.start = reached;
+        l.weight = 1 - end->ratio * corner->ratio;
+        sum_of_all += layer_integral(&l);
+        reached = rw_patch_pressing(a, l.to);
+        l.inner = sum(l.inner, l.weight, reached, l.start);
+    }
+    return fmax(0, sum_of_all / (2 * RW_PI));
+}

@@ -13,9 +13,16 @@ static const char not_a_range[] = "must be a number, a comma list of numbers, or
 static const char zero_step[] = "the STEP of START:STOP:STEP must not be 0";
 static const char wrong_sign[] = "the STEP of START:STOP:STEP must lead from START towards STOP";
 static const char too_many[] = "must not have more than 1000000000 values";
+static const char impossible[] = "must be 0, or 1e-60 to 1e60 in magnitude";
 static const char no_memory[] = "out of memory";
 
 enum { START, STOP, STEP };
+
+/* As the library has it of whatever has a size. */
+static bool is_possible(double value)
+{
+    return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
 
 static bool read_triple(const char *text, double number[3])
 {
@@ -70,6 +77,8 @@ static const char *read_steps(const char *text, range *values)
         return zero_step;
     if ((stop > start && step < 0) || (stop < start && step > 0))
         return wrong_sign;
+    if (!is_possible(start) || !is_possible(stop))
+        return impossible;
     values->first = start;
     values->step = step;
     values->power = common_power(number);
@@ -96,6 +105,8 @@ static const char *read_list(const char *text, range *values)
         const size_t length = number_length(text);
         if (!number_read_part(text, length, &values->items[values->count]))
             return not_a_range;
+        if (!is_possible(values->items[values->count]))
+            return impossible;
         values->count++;
         text += length;
         if (*text == '\0')

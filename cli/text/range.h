@@ -20,7 +20,7 @@ typedef struct {
 } range;
 
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the
- * option and the text. */
+ * option and the text. Numbers are 0, or 1e-60 to 1e60 in magnitude. */
 const char *range_read(const char *text, range *values);
 
 /* Says on stderr how a list was understood that may have been meant for one number: 0,5. Such are

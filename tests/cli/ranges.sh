@@ -35,7 +35,7 @@ values "0.5" 0.5
 values "0.5 0.1 0.5" 0.5,0.1,0.5
 values "0" -0
 values "0 0.5" -0:0.5:0.5
-values "1e-300 1e+300" 1e-300,1e300
+values "1e-60 1e+60" 1e-60,1e60
 
 # A thousand steps, each the double nearest to its decimal.
 run table max-tension --a-over-b 1 --friction 0:1:0.001

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "range.h"
 
+#include "message.h"
 #include "number.h"
 
 #include <float.h>
@@ -123,6 +124,19 @@ const char *range_read(const char *text, range *values)
     if (complaint != NULL)
         range_free(values);
     return complaint;
+}
+
+void range_say_two_values(const char *option, const char *text)
+{
+    static const char digits[] = "0123456789";
+    const size_t sign = text[0] == '-' || text[0] == '+' ? 1 : 0;
+    const size_t whole = strspn(text + sign, digits), first = sign + whole;
+    const char *second = text + first + (text[first] == ',' ? 1 : 0);
+    const size_t length = strspn(second, digits);
+    if (text[first] == ',' && whole > 0 && length > 0 && second[length] == '\0' &&
+        ((whole == 1 && text[sign] == '0') || (length > 1 && second[0] == '0')))
+        notice("--%s %s: two values, %.*s and %s; a decimal is written %.*s.%s", option, text,
+               (int)first, text, second, (int)first, text, second);
 }
 
 range range_between(double first, double last, int64_t count)

@@ -5,11 +5,12 @@
 #     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation 
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #
+# Seeds, samples and numbers of runs are fixed: what was green stays green on the same tree. tests/README.md says how to look further.
 # The last line says how many tests passed, failed and were skipped. The line before it says how long the run took. Each skipped test
 # says why in its own output.
 set -eu

@@ -2,6 +2,8 @@
 /* rwedge: finds the command, and does what all commands need. */
 #include "options/arguments.h"
 #include "options/completion.h"
+#include "fretting/fretting.h"
+#include "history/history.h"
 #include "field/field.h"
 #include "figure/figure.h"
 #include "text/invocation.h"
@@ -21,9 +23,9 @@
 #include <rwedge.h>
 
 static const command help_command;
-static const command *const commands[] = {&solve_command, &table_command,  &profile_command,
-                                          &field_command, &figure_command, &workbook_command,
-                                          &help_command};
+static const command *const commands[] = {&solve_command,  &table_command,    &profile_command,
+                                          &field_command,  &history_command,  &fretting_command,
+                                          &figure_command, &workbook_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };

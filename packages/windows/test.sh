@@ -47,6 +47,12 @@ rwedge --completion bash >/dev/null
     rwedge field $bodies --load 2000,300 -o "Größe 2.xlsx"
     "$build/cli/rwedge" solve $bodies --P 2000 --Q 300 --k 300 | diff -q - "Größe 1.csv" || fail "solve writes something else"
 }
+# shellcheck disable=SC2086
+{
+    rwedge history $bodies --load 2000,0,0,0 --load 2000,0,300,0 -o "history.csv"
+    printf 'P,Q\n2000,0\n2000,300\n2000,-300\n' >cycle.csv
+    rwedge fretting cycle.csv $bodies --x -1,0,1 -o "fretting.csv"
+}
 rwedge figure 4 --data -o "figure 4.csv"
 rwedge workbook -o "workbook.xlsx"
 on_windows "$folder/rwedge.exe" figure 4 -o figure.svg 2>"$work/said" && fail "a figure without gnuplot" || true

@@ -2,6 +2,8 @@
 /* rwedge: finds the command, and does what all commands need. */
 #include "options/arguments.h"
 #include "options/completion.h"
+#include "fretting/fretting.h"
+#include "history/history.h"
 #include "field/field.h"
 #include "figure/figure.h"
 #include "text/invocation.h"
@@ -10,7 +12,7 @@
 #include "text/nearest.h"
 #include "field/profile.h"
 #include "system/signals.h"
-#include "system/streams.h"
+#include "system/start.h"
 #include "solve/solve.h"
 #include "table/table.h"
 #include "workbook/workbook.h"
@@ -21,9 +23,9 @@
 #include <rwedge.h>
 
 static const command help_command;
-static const command *const commands[] = {&solve_command, &table_command,  &profile_command,
-                                          &field_command, &figure_command, &workbook_command,
-                                          &help_command};
+static const command *const commands[] = {&solve_command,  &table_command,    &profile_command,
+                                          &field_command,  &history_command,  &fretting_command,
+                                          &figure_command, &workbook_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
@@ -136,9 +138,8 @@ static const command help_command = {"help",        "rwedge help", "the help of 
 
 int main(int argc, char **argv)
 {
-    const char *no_arguments[] = {"rwedge", NULL};
-    const char **words = argc > 0 ? (const char **)argv : no_arguments;
-    if (!streams_fill_closed())
+    const char **words = (const char **)argv;
+    if (!start(&argc, &words))
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);
@@ -148,5 +149,5 @@ int main(int argc, char **argv)
     if (argc > 1 && words[1][0] != '-')
         return unknown_command(words[1]);
     words[0] = "rwedge";
-    return without_command(argc > 0 ? argc : 1, words);
+    return without_command(argc, words);
 }

@@ -110,7 +110,7 @@ step()
 }
 
 # What has no language but C, and does not build again.
-of_another_compiler='^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$'
+of_another_compiler='^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*)$'
 
 without_warnings()
 {
@@ -144,7 +144,7 @@ if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
     # but for those whose own programs would need the sanitizers too, and that build anew anyway; the tool has alternate stacks itself
     export ASAN_OPTIONS=use_sigaltstack=0
-    build_and_test build/debug '^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*|fuzz_.*)$' --preset debug
+    build_and_test build/debug "$of_another_compiler" --preset debug
     unset ASAN_OPTIONS
 fi
 if [ $campaign = yes ]; then
@@ -159,12 +159,15 @@ if [ $campaign = yes ]; then
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
+    step "every C file compiles alone" sh tests/package/alone.sh .
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
-    step "Python from the source distribution, and with an older NumPy" sh bindings/python/test.sh --long build
+    step "Python: types, a sweep on a cluster, the source distribution, an older NumPy" sh bindings/python/test.sh --long build
     step "edges of all arguments" build/tests/host/test_calls 5000
+    step "a file of 100000 rows" sh tests/cli/batch.sh build/cli/rwedge tests/data 100000
+    step "a spreadsheet of too many rows" sh tests/cli/spreadsheet.sh build/cli/rwedge tests/data all
     step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
-    step "fuzzing" sh tests/random/long.sh 240 build/tests/random/libfuzzer
+    step "fuzzing" sh tests/random/long.sh
 fi
 if [ $elsewhere = yes ]; then
     step "the two commands on Debian stable" sh tests/elsewhere.sh stable

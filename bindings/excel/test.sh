@@ -15,9 +15,9 @@ fail() { echo "FAILED: $*"; exit 1; }
 for command in x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran apt-get dpkg-source cmake python3 timeout; do
     command -v "$command" >/dev/null || skip "$command is not here"
 done
-sh "$here/windows/sources.sh" "$work/sources" >"$work/log" 2>&1 ||
+sh "$top/packages/sources.sh" "$work/sources" gsl lapack musl >"$work/log" 2>&1 ||
     skip "the sources of GSL, LAPACK and musl cannot be fetched: $(grep '^E: ' "$work/log" | head -n 1)"
-sh "$here/windows/build.sh" "$work"
+sh "$top/packages/windows/build.sh" "$work"
 sh "$top/bindings/private.sh" "$folder"
 cd "$work"
 dll=windows/bin/rwedge.dll
@@ -105,7 +105,7 @@ cat times
 ! grep -q ANOTHER times || fail "DispCallFunc gives other results"
 
 # The library of this machine, with its own libm and with that of the DLL.
-[ -f linux/libm.a ] || sh "$here/windows/libm.sh" sources linux
+[ -f linux/libm.a ] || sh "$top/packages/windows/libm.sh" sources linux
 prefix=$folder/private/prefix
 cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
 cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm

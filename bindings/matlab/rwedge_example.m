@@ -1,5 +1,6 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
-% The elastic limit over friction, and the loop of slip over Q at a point of a fretting contact (N, mm).
+% The elastic limit over friction; the loop of slip over Q at a point of a fretting contact, and what its cycle does along the
+% surface (N, mm).
 f = 0:0.1:0.6;
 [limit, x, y] = rwedge_yield_point(0.25, f, 0.3);
 fprintf('  f     P/(bk)    x/b     y/b\n');
@@ -21,3 +22,11 @@ end
 fprintf('\n     Q   slip at -0.9 b\n');
 fprintf('%6.1f  %12.4e\n', [Q; slip]);
 fprintf('dissipated so far: %.4e N\n', pad.dissipated_energy());
+
+b = pad.half_width();
+x = b * linspace(-1.2, 1.2, 241);
+x(end + 1) = -b; % the trailing edge, to the bit: there it is worst
+[sxx, syy, txy] = pad.cycle([P + 0 * Q(:), Q(:)], x, 0 * x);
+[value, angle] = rwedge_smith_watson_topper_field(sxx, syy, txy, E, nu);
+[worst, at] = max(value);
+fprintf('Smith-Watson-Topper: at most %.6f MPa, at x = %.4f b, plane %.1f degrees\n', worst, x(at) / b, angle(at) * 180 / pi);

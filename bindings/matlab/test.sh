@@ -106,6 +106,9 @@ echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
 octave "$here/rwedge_example.m" >example.txt
 grep -q "^ -28.8 *4.0370e-04" example.txt || fail "the example's slip is not that of tests/data/example_fretting.txt"
+swt=$(sed -n 's/^Smith-Watson-Topper \(.*\) MPa$/\1/p' "$top/tests/data/example_fretting.txt")
+grep -q "^Smith-Watson-Topper: at most $swt MPa, at x = -1.0000 b, plane 90.0 degrees" example.txt ||
+    fail "the example's Smith-Watson-Topper is not the $swt of tests/data/example_fretting.txt"
 
 cc -O2 -I"$prefix/include" "$here/loop.c" "$prefix/lib/librwedge.a" -lm -o loop
 LOOP_NS=$(./loop) octave "$here/test_rwedge.m"

@@ -321,6 +321,31 @@ function many_calls(n)
     end
 end
 
+function cycles()
+    pad = rwedge_contact(0.005, 0.1, rwedge_compliance(72e3, 0.33, 72e3, 0.33), 0.6);
+    pad.load(60, 0);
+    single = pad.copy();
+    Q = [20; -10; 28];
+    x = [-0.2 0.05 0.3 0.1];
+    y = [0 0.1 0 0.2];
+    [sxx, syy, txy] = pad.cycle([60 + 0 * Q, Q], x, y);
+    for i = 1:3
+        single.load(60, Q(i));
+        [a, b, c] = single.stresses(x, y);
+        claim('a cycle has the bits of loads one by one', isequal(sxx(:, i), a') && isequal(syy(:, i), b') && ...
+            isequal(txy(:, i), c'));
+    end
+    four = single.copy();
+    claim('a row of two or of four', isequal(pad.cycle([60 -20], x, y), four.cycle([60 0 -20 0], x, y)));
+    identifier = '';
+    try
+        pad.cycle([60 0 20], x, y);
+    catch err
+        identifier = err.identifier;
+    end
+    claim('a row of three is refused', strcmp(identifier, 'rwedge:size'));
+end
+
 function costs()
     in_c = str2double(getenv('LOOP_NS'));
     alpha = linspace(1e-6, 1.2, 1e6);
@@ -344,5 +369,6 @@ lives();
 series();
 surplus();
 texts();
+cycles();
 costs();
 exit(double(failures > 0));

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --long: also from its source distribution, and with an older
-# NumPy. Everything goes into BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
+# Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --long: also what takes long, from its source distribution,
+# and with an older NumPy. Everything goes into BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
 long=no
@@ -9,8 +9,9 @@ long=no
 mkdir -p "$1"
 build=$(cd "$1" && pwd)
 shift
+[ $long = yes ] || set -- -m 'not long' "$@"
 folder=$build/python
-export PYTHONDONTWRITEBYTECODE=1 PIP_DISABLE_PIP_VERSION_CHECK=1
+export PYTHONPYCACHEPREFIX="$folder/pycache" PIP_DISABLE_PIP_VERSION_CHECK=1
 export MPLCONFIGDIR="$folder/matplotlib" MYPY_CACHE_DIR="$folder/mypy"
 
 skip()
@@ -24,11 +25,11 @@ tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed za
 older='numpy==1.26.*'
 wanted="$(python3 --version) $tools"
 
-# fetch PIP-ARGUMENTS... - from PyPI, with another try for a bad line
+# fetch PIP-ARGUMENTS... - from PyPI, with another try for a bad line; what is imported is compiled then, which is not much of it
 fetch()
 {
-    "$folder/venv/bin/pip" install --quiet "$@" >"$folder/pip.log" 2>&1 ||
-        "$folder/venv/bin/pip" install --quiet "$@" >"$folder/pip.log" 2>&1
+    "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1 ||
+        "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1
 }
 
 mkdir -p "$folder"
@@ -56,6 +57,8 @@ cd "$folder"
 export PATH="$folder/venv/bin:$PATH"
 pytest_of "$source/tests" "$@"
 
+[ $long = yes ] || exit 0
+
 # An editable install is found.
 rm -rf editable
 SKBUILD_BUILD_DIR=$folder/package pip install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
@@ -66,7 +69,6 @@ site.addsitedir(glob.glob('$folder/editable/lib/*/site-packages')[0])
 import rwedge
 assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
 print('editable:', rwedge.load(0.25))"
-[ $long = yes ] || exit 0
 
 # The source distribution is whole: its own tests pass from it, with what it is built to.
 rm -rf sdist

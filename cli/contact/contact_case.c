@@ -34,7 +34,9 @@ static bool is_needed(const input_texts *given, int input, case_needs needs)
     if (input == INPUT_K)
         return false;
     if (input == INPUT_P)
-        return needs != CASE_LOADS_APART;
+        return needs == CASE_WITH_LOADS || needs == CASE_OF_SOLVE;
+    if (input == INPUT_F && needs == CASE_OF_COURSE)
+        return true;
     if (input == INPUT_F)
         return needs == CASE_OF_SOLVE &&
                (input_is_given(given, INPUT_Q) || input_is_given(given, INPUT_SIGMA) ||
@@ -88,8 +90,8 @@ bool case_is_complete(const input_texts *given, case_needs needs, char complaint
         friction = friction || ways[i].one == INPUT_F;
     }
     if (friction)
-        list_add(complaint, COMPLAINT_SIZE, "; ",
-                 "friction has no default where Q, sigma or a yield stress is given");
+        list_add(complaint, COMPLAINT_SIZE, "; ", "friction has no default %s",
+                 needs == CASE_OF_COURSE ? "here" : "where Q, sigma or a yield stress is given");
     if (cells)
         list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: columns or options");
     return complaint[0] == '\0' && second_body_is_whole(given, complaint);

@@ -234,14 +234,26 @@ void header_free(header *names)
     *names = (header){0};
 }
 
-void header_name_unused(const header *names, const csv_input *in)
+/* A column that says which row it is, not what is computed. */
+static bool is_label(const char *name)
+{
+    static const char *const labels[] = {"case", "id",    "key",    "line", "load", "name",
+                                         "no",   "nr",    "number", "row",  "step", "time",
+                                         "t",    "cycle", "point",  "label"};
+    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++)
+        if (is_like(name, strcspn(name, "[("), labels[i]))
+            return true;
+    return false;
+}
+
+void header_name_unused(const header *names, const char *file)
 {
     char unused[1000] = "";
     for (size_t i = 0; i < names->count; i++)
-        if (names->has_numbers[i] && !header_is_input(names, i))
+        if (names->has_numbers[i] && !header_is_input(names, i) && !is_label(names->name[i]))
             list_add(unused, sizeof unused, ", ", "'%.60s'", names->name[i]);
     if (unused[0] != '\0')
-        notice("%s: columns with numbers that are not used: %s", csv_input_name(in), unused);
+        notice("%s: columns with numbers that are not used: %s", file, unused);
 }
 
 bool header_has(const header *names, const char *name)

@@ -30,7 +30,7 @@ bool header_is_input(const header *names, size_t column);
 
 /* Says which columns are no inputs but have numbers: one of them may be meant for an input, and
  * nobody would notice. */
-void header_name_unused(const header *names, const csv_input *in);
+void header_name_unused(const header *names, const char *file);
 
 bool header_has(const header *names, const char *name);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A history of loads, in straight steps, from the command line or a CSV file. */
+/* A load, how it is applied, and what is wrong with it where it cannot be. */
 #ifndef CLI_LOADS_H
 #define CLI_LOADS_H
 
@@ -25,12 +25,8 @@ typedef struct {
 /* Of a load that the contact, which is as before, has refused with this status. */
 load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact);
 
-/* Applies "P,Q" or "P,M,Q,sigma", one to a line, as --load gave them; returns the exit status. */
-int loads_apply_list(const char *lines, double f, rwedge_contact *contact);
-
-/* Applies the rows of a file with the columns P and Q, and perhaps M and sigma, as --history names
- * it; returns the exit status. */
-int loads_apply_file(const char *path, const char *encoding, char decimal_sign, double f,
-                     rwedge_contact *contact);
+/* Applies the next load of a history. False, with what is wrong with it, where the contact refuses
+ * it; it is as before. */
+bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE]);
 
 #endif

@@ -3,21 +3,13 @@
 
 #include "contact_case.h"
 #include "doubts.h"
-#include "input/csv_input.h"
-#include "input/text_input.h"
-#include "loads.h"
 #include "text/message.h"
 #include "options/variable.h"
 
 #include <math.h>
 
 struct poptOption state_option_table[] = {
-    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
-     "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
-    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
-     "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
-     "FILE"},
-    {ENCODING_OPTION},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
      "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
     {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_Q_OVER_FP,
@@ -128,45 +120,27 @@ static int read_natural(const arguments *given, const input_texts *texts, contac
 
 /* ---- Dimensional ---- */
 
-static int apply_loads(const arguments *given, char decimal_sign, const contact_case *what,
-                       contact_state *state)
+static int apply_table(const load_source *from, char decimal_sign, double f, contact_state *state)
 {
-    if (given->value[OPTION_LOAD] != NULL)
-        return loads_apply_list(given->value[OPTION_LOAD], what->f, state->contact);
-    if (given->value[OPTION_HISTORY] != NULL)
-        return loads_apply_file(given->value[OPTION_HISTORY], given->value[OPTION_ENCODING],
-                                decimal_sign, what->f, state->contact);
-    return load_monotonic(case_load(what), state);
+    load_table loads;
+    char complaint[COMPLAINT_SIZE];
+    int status = load_table_read(from, decimal_sign, false, &loads);
+    for (size_t i = 0; i < loads.count && status == STATUS_DONE; i++)
+        if (!load_table_apply(&loads, i, f, state->contact, complaint))
+            status = load_table_fail(&loads, i, "", complaint);
+    if (status == STATUS_DONE && loads.name != NULL)
+        header_name_unused(&loads.names, loads.name);
+    load_table_free(&loads);
+    return status;
 }
 
-static int check_loads(const arguments *given, const input_texts *texts)
+static int refuse_natural(const arguments *given)
 {
-    const char *list = given->value[OPTION_LOAD], *file = given->value[OPTION_HISTORY];
-    if (list != NULL && file != NULL)
-        return usage_error("--history %s: given together with --load; allowed: one of the two",
-                           file);
-    for (int i = INPUT_P; i <= INPUT_SIGMA && (list != NULL || file != NULL); i++) {
-        char name[INPUT_NAME_SIZE];
-        if (texts->text[i] != NULL)
-            return usage_error(
-                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
-                input_name(texts, i, name), texts->text[i], list != NULL ? "load" : "history");
-    }
     for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
         if (given->value[i] != NULL)
             return usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
                                i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", given->value[i]);
     return STATUS_DONE;
-}
-
-static int check_encoding(const arguments *given)
-{
-    const char *encoding = given->value[OPTION_ENCODING];
-    if (encoding == NULL)
-        return STATUS_DONE;
-    if (given->value[OPTION_HISTORY] == NULL)
-        return usage_error("--encoding %s: needs --history", encoding);
-    return text_input_check(encoding);
 }
 
 /* P_yield/P, where there is a strength and a load. */
@@ -181,16 +155,19 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
 {
     contact_case what;
     char complaint[COMPLAINT_SIZE];
-    const bool has_history =
-        given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL;
-    int status = check_loads(given, texts);
+    const load_source from = load_source_of(given);
+    const bool has_history = from.file != NULL || from.list != NULL;
+    int status = load_source_check(&from, texts);
+    if (status == STATUS_DONE)
+        status = refuse_natural(given);
     if (status == STATUS_DONE &&
         !case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &what, complaint))
         status = usage_error("%s", complaint);
     if (status == STATUS_DONE)
         status = create(what.theta, what.a, what.A, what.f, state);
     if (status == STATUS_DONE)
-        status = apply_loads(given, decimal_sign, &what, state);
+        status = has_history ? apply_table(&from, decimal_sign, what.f, state)
+                             : load_monotonic(case_load(&what), state);
     if (status != STATUS_DONE)
         return status;
     state->nu = what.nu1;
@@ -208,7 +185,8 @@ int state_read(const arguments *given, char decimal_sign, contact_state *state)
     input_texts texts;
     *state = (contact_state){0};
     input_texts_from_options(given, &texts);
-    const int status = check_encoding(given);
+    const load_source from = load_source_of(given);
+    const int status = load_source_check_encoding(&from);
     if (status != STATUS_DONE)
         return status;
     if (given->value[OPTION_A_OVER_B] != NULL)

@@ -4,16 +4,14 @@
 #ifndef CLI_STATE_H
 #define CLI_STATE_H
 
-#include "inputs.h"
+#include "load_table.h"
 
 #include <rwedge.h>
 
 enum {
-    OPTION_A_OVER_B = OPTION_AFTER_INPUTS,
+    OPTION_A_OVER_B = OPTION_AFTER_LOADS,
     OPTION_Q_OVER_FP,
     OPTION_C_OVER_B,
-    OPTION_HISTORY,
-    OPTION_LOAD, /* may be repeated */
     OPTION_AFTER_STATE
 };
 

@@ -2,7 +2,6 @@
 #include "field.h"
 
 #include "grid.h"
-#include "vtk.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
@@ -32,13 +31,18 @@ static const struct poptOption options[] = {
 
 static void describe(FILE *stream)
 {
-    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk the last "
-          "five as scalars:\n"
-          "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
-          "  sxx, syy, txy  stresses in body 1, tension positive\n"
-          "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
-          "  s1             larger principal stress in the plane\n",
-          stream);
+    fputs(
+        "\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk all but the "
+        "first two\nas scalars, and the stress as a tensor:\n"
+        "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
+        "  sxx, syy, txy  stresses in body 1, tension positive\n"
+        "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
+        "  s1             larger principal stress in the plane\n"
+        "  szz            stress across the plane\n"
+        "  s2             smaller principal stress in the plane\n"
+        "  tau_max        largest shear stress on any plane\n"
+        "  s1_angle       from the normal of the surface to that of the plane of s1, deg\n",
+        stream);
     state_describe(stream);
 }
 
@@ -105,8 +109,8 @@ static int field(const arguments *given)
     if (status == STATUS_DONE)
         status = check_grid(given, &what, how.format == NULL);
     if (status == STATUS_DONE)
-        status =
-            output_options_write(&how, how.format == NULL ? vtk_write : grid_write_rows, &what);
+        status = output_options_write(&how, how.format == NULL ? grid_write_vtk : grid_write_rows,
+                                      &what);
     state_free(&what.state);
     range_free(&what.x);
     range_free(&what.y);

@@ -6,9 +6,7 @@
 #include "text/range.h"
 #include "rows/records.h"
 #include "contact/state.h"
-
-enum { GRID_SXX, GRID_SYY, GRID_TXY, GRID_VON_MISES, GRID_S1, GRID_COUNT };
-extern const char *const grid_quantities[GRID_COUNT];
+#include "contact/tensor.h"
 
 typedef struct {
     contact_state state;
@@ -17,10 +15,13 @@ typedef struct {
 
 int64_t grid_size(const grid *what);
 
-/* The quantities at the point (x, y); NAN where they are infinite. False, with the reason said. */
-bool grid_compute(const grid *what, double x, double y, double quantity[GRID_COUNT]);
+/* The stress at the point (x, y); NAN where it is infinite. False, with the reason said. */
+bool grid_compute(const grid *what, double x, double y, tensor *found);
 
 /* A row for every point, x fastest. */
 bool grid_write_rows(void *of_grid, records *rows, bool show_progress);
+
+/* The same as a file for ParaView. */
+bool grid_write_vtk(void *of_grid, records *rows, bool show_progress);
 
 #endif

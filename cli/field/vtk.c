@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The legacy format of VTK, version 3.0, ASCII, RECTILINEAR_GRID. It has one quantity after the
- * other. The stresses are computed anew for every quantity. So a grid of any size takes no memory;
- * and writing the digits takes longer than computing. */
+/* The legacy format of VTK, version 3.0, ASCII. It has one quantity after the other. The stresses
+ * are computed anew for every quantity. So a grid of any size takes no memory; and writing the
+ * digits takes longer than computing. */
 #include "vtk.h"
 
 #include "system/progress.h"
@@ -21,57 +21,105 @@ static void put_number(records *rows, double value, bool last)
     output_text(rows->out, last ? "\n" : " ");
 }
 
-static void put_axis(records *rows, const char *name, const range *values)
+static void put_axis(records *rows, const char *name, const vtk_points *what, int64_t count,
+                     double (*value)(const void *, int64_t))
 {
     char line[80];
-    snprintf(line, sizeof line, "%s_COORDINATES %" PRId64 " double\n", name, values->count);
+    snprintf(line, sizeof line, "%s_COORDINATES %" PRId64 " double\n", name, count);
     output_text(rows->out, line);
-    for (int64_t i = 0; i < values->count && records_go_on(rows); i++)
-        put_number(rows, range_value(values, i), i == values->count - 1);
+    for (int64_t i = 0; i < count && records_go_on(rows); i++)
+        put_number(rows, value(what->of, i), i == count - 1);
 }
 
-static void put_grid(records *rows, const grid *what)
+static void put_grid(records *rows, const vtk_points *what)
 {
     char line[160];
     snprintf(line, sizeof line, "DATASET RECTILINEAR_GRID\nDIMENSIONS %" PRId64 " %" PRId64 " 1\n",
-             what->x.count, what->y.count);
-    output_text(
-        rows->out,
-        "# vtk DataFile Version 3.0\nrwedge field: y is the depth below the surface\nASCII\n");
+             what->columns, what->rows);
     output_text(rows->out, line);
-    put_axis(rows, "X", &what->x);
-    put_axis(rows, "Y", &what->y);
+    put_axis(rows, "X", what, what->columns, what->x);
+    put_axis(rows, "Y", what, what->rows, what->y);
     output_text(rows->out, "Z_COORDINATES 1 double\n0\n");
-    snprintf(line, sizeof line, "POINT_DATA %" PRId64 "\n", grid_size(what));
-    output_text(rows->out, line);
 }
 
-static bool put_quantity(records *rows, const grid *what, int which)
+static void put_points(records *rows, const vtk_points *what)
 {
     char line[80];
-    snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n",
-             grid_quantities[which]);
+    snprintf(line, sizeof line, "DATASET POLYDATA\nPOINTS %" PRId64 " double\n", what->columns);
     output_text(rows->out, line);
-    for (int64_t j = 0; j < what->y.count; j++)
-        for (int64_t i = 0; i < what->x.count; i++) {
-            double quantity[GRID_COUNT];
-            if (!records_go_on(rows) ||
-                !grid_compute(what, range_value(&what->x, i), range_value(&what->y, j), quantity))
+    for (int64_t i = 0; i < what->columns && records_go_on(rows); i++) {
+        put_number(rows, what->x(what->of, i), false);
+        put_number(rows, what->y(what->of, i), false);
+        put_number(rows, 0, true);
+    }
+    snprintf(line, sizeof line, "VERTICES %" PRId64 " %" PRId64 "\n", what->columns,
+             2 * what->columns);
+    output_text(rows->out, line);
+    for (int64_t i = 0; i < what->columns && records_go_on(rows); i++) {
+        snprintf(line, sizeof line, "1 %" PRId64 "\n", i);
+        output_text(rows->out, line);
+    }
+}
+
+static void put_scalar(records *rows, const tensor *at, int which, bool last)
+{
+    put_number(rows, at->value[which], last);
+}
+
+/* Three rows of three. */
+static void put_tensor(records *rows, const tensor *at, int which, bool last)
+{
+    (void)which;
+    (void)last;
+    const double sxx = at->value[TENSOR_SXX], syy = at->value[TENSOR_SYY],
+                 szz = at->value[TENSOR_SZZ], txy = at->value[TENSOR_TXY];
+    const double component[9] = {sxx, txy, 0, txy, syy, 0, 0, 0, szz};
+    for (int i = 0; i < 9; i++)
+        put_number(rows, component[i], i % 3 == 2);
+}
+
+static bool put_quantity(records *rows, const vtk_points *what, int which,
+                         void (*put)(records *, const tensor *, int, bool))
+{
+    for (int64_t j = 0; j < what->rows; j++)
+        for (int64_t i = 0; i < what->columns; i++) {
+            tensor found;
+            if (!records_go_on(rows) || !what->stress(what->of, i, j, &found))
                 return false;
-            put_number(rows, quantity[which], i == what->x.count - 1);
+            put(rows, &found, which, i == what->columns - 1);
             progress_step();
         }
     return true;
 }
 
-bool vtk_write(void *of_grid, records *rows, bool show_progress)
+static bool put_data(records *rows, const vtk_points *what)
 {
-    const grid *what = of_grid;
+    char line[80];
     bool going = true;
-    progress_start(show_progress, GRID_COUNT * grid_size(what), "values");
-    put_grid(rows, what);
-    for (int i = 0; i < GRID_COUNT && going; i++)
-        going = put_quantity(rows, what, i);
+    for (int i = 0; i < TENSOR_COUNT && going; i++) {
+        snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n", tensor_names[i]);
+        output_text(rows->out, line);
+        going = put_quantity(rows, what, i, put_scalar);
+    }
+    output_text(rows->out, "TENSORS stress double\n");
+    return going && put_quantity(rows, what, 0, put_tensor);
+}
+
+bool vtk_write(void *of_points, records *rows, bool show_progress)
+{
+    const vtk_points *what = of_points;
+    char line[80];
+    progress_start(show_progress, (TENSOR_COUNT + 1) * what->columns * what->rows, "values");
+    output_text(rows->out, "# vtk DataFile Version 3.0\n");
+    output_text(rows->out, what->title);
+    output_text(rows->out, "\nASCII\n");
+    if (what->is_grid)
+        put_grid(rows, what);
+    else
+        put_points(rows, what);
+    snprintf(line, sizeof line, "POINT_DATA %" PRId64 "\n", what->columns * what->rows);
+    output_text(rows->out, line);
+    const bool going = put_data(rows, what);
     progress_erase();
     return going || rows->out->error != 0;
 }

@@ -1,12 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A grid of stresses as a file for ParaView. */
+/* Stresses at points as a file for ParaView. */
 #ifndef CLI_VTK_H
 #define CLI_VTK_H
 
-#include "grid.h"
+#include "contact/tensor.h"
+#include "rows/records.h"
+
+/* Points, row by row: those of a grid, or of a single row, wherever each is. */
+typedef struct {
+    const char *title;
+    bool is_grid;
+    int64_t columns, rows;
+    double (*x)(const void *of, int64_t column);
+    double (*y)(const void *of, int64_t row); /* of a grid; else of the point in that column */
+    /* false, with the reason said */
+    bool (*stress)(const void *of, int64_t column, int64_t row, tensor *found);
+    const void *of;
+} vtk_points;
 
 /* A rows_writer of output_options.h: legacy VTK, ASCII. The records say only where it goes, and
  * with how many digits. */
-bool vtk_write(void *of_grid, records *rows, bool show_progress);
+bool vtk_write(void *of_points, records *rows, bool show_progress);
 
 #endif

@@ -2,11 +2,11 @@
 /* The only file that knows iconv. */
 #include "text_input.h"
 
+#include "system/files.h"
 #include "text/message.h"
 #include "text/utf8.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,9 +71,9 @@ text_input *text_input_open(const char *path, const char *encoding)
         free(in);
         return NULL;
     }
-    in->file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    in->file = standard ? STDIN_FILENO : file_to_read(path);
     if (in->file < 0) {
-        failure("%s: %s", path, strerror(errno));
+        failure("%s: %s", path, file_problem(errno));
         text_input_close(in);
         return NULL;
     }
@@ -89,9 +89,9 @@ static bool fill(text_input *in)
     in->end -= in->begin;
     in->begin = 0;
     while (!in->at_end && in->end < BLOCK) {
-        const ssize_t got = read(in->file, in->block + in->end, BLOCK - in->end);
+        const ssize_t got = read(in->file, in->block + in->end, (unsigned)(BLOCK - in->end));
         if (got < 0 && errno != EINTR) {
-            failure("%s: %s", in->name, strerror(errno));
+            failure("%s: %s", in->name, file_problem(errno));
             return false;
         }
         in->at_end = got == 0;

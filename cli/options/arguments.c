@@ -151,9 +151,6 @@ bool arguments_read(arguments *given, const syntax *grammar, int argc, const cha
                     int *status)
 {
     *given = (arguments){0};
-    /* for popt these mean that no option may follow an operand, such as a table's name */
-    unsetenv("POSIXLY_CORRECT");
-    unsetenv("POSIX_ME_HARDER");
     errno = 0;
     given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
     *status = given->context == NULL ? failure("out of memory") : read_options(given, grammar);

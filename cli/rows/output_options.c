@@ -39,8 +39,8 @@ static const record_format *const record_formats[] = {&delimited_format, &delimi
                                                       &json_format, &xlsx_format};
 
 /* Of this tool, whatever the command. */
-static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx", "vtk",
-                                          "svg", "png", "pdf",  NULL};
+static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx",   "vtk",
+                                          "svg", "png", "pdf",  "series", NULL};
 
 /* Its place in a list that ends with NULL; -1 where it is not there. */
 static int place_of(const char *name, const char *const formats[])

@@ -25,7 +25,7 @@ struct xlsx {
     lxw_format *style[XLSX_STYLE_COUNT];
     /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
      * file. */
-    FILE *spool;
+    spool spool;
     lxw_error error;
 };
 
@@ -136,19 +136,16 @@ static void set_properties(xlsx *book, const char *title, time_t date)
 
 static bool open_workbook(xlsx *book, bool in_order)
 {
-    char name[STREAM_NAME_SIZE];
-    book->spool = stream_with_name(name);
-    if (book->spool == NULL)
+    if (!spool_begin(&book->spool))
         return false;
     lxw_workbook_options options = {.constant_memory = in_order};
-    book->workbook = workbook_new_opt(name, &options);
+    book->workbook = workbook_new_opt(book->spool.name, &options);
     return book->workbook != NULL && make_styles(book);
 }
 
 static void release(xlsx *book)
 {
-    if (book->spool != NULL)
-        fclose(book->spool);
+    spool_end(&book->spool);
     free(book);
 }
 
@@ -196,7 +193,8 @@ void xlsx_turn_to(xlsx *book, int sheet)
 static bool copy(FILE *from, output *out)
 {
     char buffer[1 << 14];
-    rewind(from);
+    if (from == NULL)
+        return false;
     for (size_t count; (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
         output_write(out, buffer, count);
     return !ferror(from);
@@ -207,7 +205,7 @@ const char *xlsx_finish(xlsx *book, output *out)
     errno = 0;
     keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
-    if (problem == NULL && !copy(book->spool, out))
+    if (problem == NULL && !copy(spool_read(&book->spool), out))
         problem = strerror(errno);
     release(book);
     return problem;

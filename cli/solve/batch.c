@@ -263,7 +263,7 @@ static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
     if (status == STATUS_DONE)
-        header_name_unused(&r->names, r->in);
+        header_name_unused(&r->names, csv_input_name(r->in));
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);

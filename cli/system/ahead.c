@@ -3,6 +3,7 @@
  * of blocks. The caller empties the ring. Without threads the caller computes each block itself. */
 #include "ahead.h"
 
+#include "processors.h"
 #include "signals.h"
 
 #include "text/message.h"
@@ -10,7 +11,6 @@
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 enum {
     /* indices; a result takes some microseconds, to hand over a block about one */
@@ -40,8 +40,8 @@ struct ahead {
 
 int ahead_processors(void)
 {
-    const long online = sysconf(_SC_NPROCESSORS_ONLN);
-    return online < 1 ? 1 : online > AHEAD_THREADS_MAX ? AHEAD_THREADS_MAX : (int)online;
+    const long all = processors();
+    return all > AHEAD_THREADS_MAX ? AHEAD_THREADS_MAX : (int)all;
 }
 
 static int64_t blocks_of(int64_t count)

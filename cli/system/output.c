@@ -2,22 +2,21 @@
 #include "output.h"
 
 #include "text/message.h"
+#include "files.h"
 #include "signals.h"
 #include "target.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 static const char stdout_name[] = "standard output";
 
 static bool refuse(output *out, int reason)
 {
-    failure("%s: %s", out->name, strerror(reason));
+    failure("%s: %s", out->name, file_problem(reason));
     return false;
 }
 
@@ -57,15 +56,18 @@ bool output_open(output *out, const char *path)
     if (path == NULL || strcmp(path, "-") == 0)
         return open_directly(out, STDOUT_FILENO);
     out->name = path;
-    struct stat existing;
-    const bool exists = stat(path, &existing) == 0;
-    if (!exists && errno != ENOENT) /* also a link that the system does not follow */
-        return refuse(out, errno);
-    if (!exists || S_ISREG(existing.st_mode))
+    switch (file_kind_of(path)) {
+    case FILE_REGULAR:
+    case FILE_ABSENT:
         return open_beside(out, path);
-    if (S_ISDIR(existing.st_mode))
+    case FILE_FOLDER:
         return refuse(out, EISDIR);
-    return open_directly(out, open(path, O_WRONLY | O_CLOEXEC));
+    case FILE_OTHER:
+        return open_directly(out, file_to_write(path));
+    case FILE_UNKNOWN: /* also a link that the system does not follow */
+        break;
+    }
+    return refuse(out, errno);
 }
 
 bool output_is_stdout(const output *out)
@@ -77,7 +79,7 @@ static void flush(output *out)
 {
     const char *bytes = out->buffer;
     while (out->used > 0 && out->error == 0) {
-        const ssize_t written = write(out->descriptor, bytes, out->used);
+        const ssize_t written = write(out->descriptor, bytes, (unsigned)out->used);
         if (written < 0) {
             if (errno != EINTR)
                 out->error = errno;
@@ -129,7 +131,7 @@ static void settle(output *out)
 {
     signals_hold();
     if (out->unfinished != NULL && out->error != 0)
-        remove(out->unfinished);
+        target_remove(out->unfinished);
     else if (out->unfinished != NULL)
         out->error = target_replace(out->target, out->unfinished);
     signals_on_end(NULL, NULL);

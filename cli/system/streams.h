@@ -6,19 +6,24 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* A file must not get the number of a standard stream that was closed: messages would be written
- * into it. This puts something in the place of each one that is closed. The stand-in for standard
- * output refuses to be written to, as the closed one would. */
-bool streams_fill_closed(void);
-
 bool stream_is_terminal(FILE *stream);
 
 /* A temporary file; closed, it is gone. Another program does not inherit it. NULL with errno. */
 FILE *stream_temporary(void);
 
-/* A temporary file that a library can open by this name too. Closed, it is gone. NULL with
- * errno. */
-enum { STREAM_NAME_SIZE = 40 };
-FILE *stream_with_name(char name[STREAM_NAME_SIZE]);
+/* A temporary file that a library writes to by its name. */
+typedef struct {
+    char name[1024];
+    FILE *stream;
+} spool;
+
+/* False with errno. */
+bool spool_begin(spool *file);
+
+/* What the library has written and closed; NULL with errno. The stream is the spool's. */
+FILE *spool_read(spool *file);
+
+/* The file is gone. */
+void spool_end(spool *file);
 
 #endif

@@ -20,6 +20,9 @@ int target_open_beside(const char *target, char **unfinished, const char **lost)
 /* Writes what the file holds to the disk. 0, or errno. */
 int target_sync(int descriptor);
 
+/* Removes the unfinished file. */
+void target_remove(const char *unfinished);
+
 /* The unfinished file, closed, takes the place of the target, also on the disk. 0, or errno; it is
  * removed where it cannot. */
 int target_replace(const char *target, const char *unfinished);

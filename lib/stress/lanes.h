@@ -25,9 +25,12 @@ enum { RW_LANES = 8 }; /* a multiple of the numbers in a vector */
     RW_FOR_PROCESSOR(NAME##_of_eight, LOOP, POTENTIAL, "avx512f,avx512dq")                         \
     static void NAME(RW_PARAMETERS(POTENTIAL))                                                     \
     {                                                                                              \
-        (__builtin_cpu_supports("avx512dq") ? NAME##_of_eight                                      \
-         : __builtin_cpu_supports("avx2")   ? NAME##_of_four                                       \
-                                            : NAME##_of_two)(p, count, x, y, fields);                \
+        if (__builtin_cpu_supports("avx512dq"))                                                    \
+            NAME##_of_eight(p, count, x, y, fields);                                               \
+        else if (__builtin_cpu_supports("avx2"))                                                   \
+            NAME##_of_four(p, count, x, y, fields);                                                \
+        else                                                                                       \
+            NAME##_of_two(p, count, x, y, fields);                                                 \
     }
 #else
 #define RW_BEST_PROCESSOR(NAME, LOOP, POTENTIAL)                                                   \

@@ -13,7 +13,7 @@ most=${3:-2}
 
 command -v strace >/dev/null || skip "strace is not here"
 strace -o /dev/null true 2>/dev/null || skip "this machine does not let strace trace"
-ASAN_OPTIONS=detect_leaks=0 # which cannot be done under strace
+ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0 # which cannot be done under strace
 export ASAN_OPTIONS
 echo old >old
 mkdir files

@@ -29,6 +29,13 @@ awk -F, 'NR > 1 { z = 0.25 * ($3 + $4); printf "%.17g %.17g\n",
 close_rows von_mises 1e-12 0
 awk -F, 'NR > 1 { s = $7; print 1, 1 + (($3 - s) * ($4 - s) - $5 ^ 2) / ($3 ^ 2 + $4 ^ 2 + $5 ^ 2) }' out >both
 close_rows "s1 is a principal stress" 1e-12 0
+# The others by their definitions: s1 + s2 is the trace, tau_max the largest of three differences, s1 the normal stress of its plane.
+awk -F, 'function max(a, b) { return a > b ? a : b } function abs(a) { return a < 0 ? -a : a }
+    NR > 1 { size = abs($3) + abs($4) + abs($5); a = $11 * 3.14159265358979324 / 180
+    print 1, 1 + ($7 + $9 - $3 - $4) / size; print 1, 1 + ($8 - 0.25 * ($3 + $4)) / size
+    print 1, 1 + (2 * $10 - max(abs($7 - $9), max(abs($7 - $8), abs($9 - $8)))) / size
+    print 1, 1 + ($3 * sin(a) ^ 2 + $4 * cos(a) ^ 2 + 2 * $5 * sin(a) * cos(a) - $7) / size }' out >both
+close_rows "s2, szz, tau_max, s1_angle" 1e-12 0
 same "s1 below the mean" "" "$(awk -F, 'NR > 1 && 2 * $7 < $3 + $4' out)"
 cp out sliding
 largest=$(awk -F, 'NR > 1 && $6 > m { m = $6 } END { print m }' out)
@@ -49,7 +56,7 @@ for P in 1 7 33.3 100 123.456 300 777 5000; do
         same "the middle of 81" 0 "$(sed -n 41p x)"
         same "mirror images" "" "$(sed 's/^-//' x | tail -n 41 >right; sed 's/^-//' x | head -n 41 | sed -n '1!G;h;$p' | diff - right)"
         same "columns to the left" 40 "$(grep -c '^-' x)"
-        same "apex" "$([ $a = 0 ] && echo 0,0,,,,,)" "$(sed -n 42p out | grep ',,,,,$')"
+        same "apex" "$([ $a = 0 ] && echo 0,0,,,,,,,,,)" "$(sed -n 42p out | grep ',,,,,,,,,$')"
         run field $shape --format vtk
         vtk_x=$(sed -n '/^X_COORDINATES/,/^Y_COORDINATES/p' out | sed '1d;$d' | tr -s ' ' '\n' | grep .)
         same "in VTK" "$(cat x)" "$vtk_x"
@@ -65,11 +72,11 @@ run field $contact --load 300,0 --load 300,60 --load 300,-60 --x -0.1:0.1:0.1 --
 same "order" "-0.1 0 0 0 0.1 0 -0.1 0.05 0 0.05 0.1 0.05" "$(awk -F, 'NR > 1 { print $1, $2 }' out | paste -s -d ' ' -)"
 same "sign of txy under the contact after the reversal" "+" "$(awk -F, 'NR == 3 { print ($5 > 0 ? "+" : "-") }' out)"
 # Below the sharp wedge: mean stress -(2/pi) arsinh(1/y), half the difference (2/pi)/sqrt(1 + y^2).
-prints "x,y,sxx,syy,txy,von_mises,s1
-0,0,,,,,
-0,1,-0.1109,-1.011,0,0.8114,-0.1109" field --a-over-b 0 --x 0 --y 0,1 --digits 4
-prints "x,y,sxx,syy,txy,von_mises,s1
-0,1,0,0,0,0,0" field $contact --load 300,20 --load 0,0 --x 0 --y 1
+prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
+0,0,,,,,,,,,
+0,1,-0.1109,-1.011,0,0.8114,-0.1109,-0.3367,-1.011,0.4502,90" field --a-over-b 0 --x 0 --y 0,1 --digits 4
+prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
+0,1,0,0,0,0,0,0,0,0,0" field $contact --load 300,20 --load 0,0 --x 0 --y 1
 
 # VTK: read back by its own counts, and the same numbers as in the rows.
 vtk_to_rows() {
@@ -89,6 +96,11 @@ vtk_to_rows() {
         $1 == "POINT_DATA" { if ($2 != nx * ny) die("points"); next }
         $1 == "SCALARS" { if ($3 != "double" || $4 != 1) die("scalars"); name = $2; names[++count] = name; getline
             if ($0 != "LOOKUP_TABLE default") die("lookup"); at = 99999; take(nx * ny, name); next }
+        $1 == "TENSORS" { if ($2 != "stress" || $3 != "double") die("tensors"); at = 99999; take(9 * nx * ny, "stress")
+            for (p = 1; p <= nx * ny; p++) { t = 9 * (p - 1)
+                for (i = 2; i <= 8; i++) if (got["stress", t + i] != (i == 2 || i == 4 ? got["txy", p] : i == 5 ? got["syy", p] : 0)) die("tensor")
+                if (got["stress", t + 1] != got["sxx", p] || got["stress", t + 9] != got["szz", p]) die("tensor") }
+            next }
         { die("line " NR ": " $0) }
         END { if (bad) exit
             printf "x,y"; for (n = 1; n <= count; n++) printf ",%s", names[n]; print ""
@@ -104,7 +116,7 @@ run field --a-over-b 0 --f 0.2 --q-over-fp 1 --x -1:1:0.5 --y 0,1,3 --format vtk
 run field --a-over-b 0 --f 0.2 --q-over-fp 1 --x -1:1:0.5 --y 0,1,3
 vtk_to_rows sharp.vtk >rows
 same "VTK with an apex" "" "$(diff out rows | head -n 5)"
-same "nan" 5 "$(grep -c nan sharp.vtk)"
+same "nan" 12 "$(grep -c nan sharp.vtk)"
 head -c 900 sharp.vtk >cut.vtk
 same "the check of VTK can fail" "not VTK" "$(vtk_to_rows cut.vtk | cut -c 1-7 | tail -n 1)"
 if python3 -c 'import vtk' 2>/dev/null; then

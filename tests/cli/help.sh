@@ -26,7 +26,7 @@ cp out whole
 says 'Usage: rwedge COMMAND'
 run --help
 same "help without a command" "" "$(diff whole out)"
-for command in solve table profile field figure workbook; do
+for command in solve table profile field history fretting figure workbook; do
     run $command --help
     cp out whole
     run help $command
@@ -47,7 +47,7 @@ run profile --help
 says 'Usage: rwedge profile' '--history' '--load' '--c-over-b' 'zone'
 run field --help
 says 'Usage: rwedge field' 'csv|tsv|json|xlsx|vtk' 'von_mises' 'depth'
-for command in solve profile field; do
+for command in solve profile field history fretting; do
     called="rwedge $command --help"
     same "lines over 81 columns" 0 "$("$rwedge" $command --help | awk 'length > 81' | wc -l | tr -d ' ')"
 done
@@ -84,7 +84,7 @@ for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
     same "README has $word" 1 "$(grep -c -m 1 -e "$word" "$readme")"
 done
 
-for command in solve profile field; do
+for command in solve profile field history fretting; do
     called="rwedge $command --help"
     "$rwedge" $command --help >out
     for word in $(grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' out | sort -u) \

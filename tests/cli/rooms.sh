@@ -21,14 +21,15 @@ for room in $rooms; do
         *) wrong "cli/$room uses $other, which cli/README.md does not name before it" ;;
         esac
     done
-    for other in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' "$room"/*.[ch] | sort -u); do
-        case " $uses " in
+    for other in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' $(find "$room" -name '*.[ch]') | sort -u); do
+        case " $uses $room " in
         *" $other "*) ;;
         *) wrong "cli/$room includes a header of $other, which its README does not allow" ;;
         esac
     done
     for header in "$room"/*.h; do
-        [ -e "${header%.h}.c" ] || ! grep -q '^extern\|^[a-z][a-z_0-9 *]*(' "$header" ||
+        [ -e "${header%.h}.c" ] || [ -e "$room/posix/$(basename "$header" .h).c" ] ||
+            ! grep -q '^extern\|^[a-z][a-z_0-9 *]*(' "$header" ||
             wrong "cli/$header declares what another file defines"
     done
     above="$above $room"

@@ -59,7 +59,7 @@ same "old file" old "$(cat files/old.csv)"
 
 # A crash removes the unfinished file too. (The address sanitizer would answer it instead.)
 called="rwedge $long -o files/old.csv, SIGSEGV"
-export ASAN_OPTIONS=handle_segv=0
+export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}handle_segv=0"
 start default-signal=TERM -o files/old.csv
 wait_for_start
 kill -s SEGV "$process"

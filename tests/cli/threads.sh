@@ -46,6 +46,7 @@ peak() {
     most=0
     while now=$(sed -n 's/^VmHWM:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
         [ "$now" -gt "$most" ] && most=$now
+        sleep 0.02
     done
     wait "$process"
     echo "$most"

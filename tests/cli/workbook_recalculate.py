@@ -161,6 +161,8 @@ def yield_tip(case, row):
 
 class Calculator:
     def __init__(self, document):
+        self.document = document
+        document.enableAutomaticCalculation(False)  # enter() calculates once, not after each cell
         self.sheet = document.Sheets.getByIndex(0)
         self.cells = {}
         for i in range(document.NamedRanges.Count):
@@ -178,6 +180,7 @@ class Calculator:
                 self.cells["rw_" + name].String = value
             else:
                 self.cells["rw_" + name].Value = value
+        self.document.calculate()
 
     def result(self, name):
         cell = self.cells[name]

@@ -29,6 +29,7 @@ classdef rwedge_contact < handle
 %   slip = c.slip(x)
 %   value = c.dissipated_energy()
 %   [factor, x, y] = c.yield_factor(nu, k)
+%   [sxx, syy, txy] = c.cycle(loads, x, y)  stresses at points through a table of loads
 %   d = c.copy()                            an independent copy, to try a load and go back; d = c is the same contact
 %
 %   c.load(P, Q) takes vectors too, one load after the other: those before one that is refused stay.
@@ -77,6 +78,24 @@ classdef rwedge_contact < handle
             other = rwedge_contact();
             other.number = rwedge_mex('contact_copy', contact.number);
             other.a = contact.a;
+        end
+
+        function [sxx, syy, txy] = cycle(contact, loads, x, y)
+        %CYCLE  [sxx, syy, txy] = contact.cycle(loads, x, y)
+        %   Stresses at points while the contact goes on through a table of loads, in one call to the library: see
+        %   stress_history. A row of loads is [P Q], with the moment and the tension that there are, or [P M Q sigma]. The
+        %   stresses at point i under load j are at (i, j), as rwedge_smith_watson_topper_field takes them.
+            if nargin < 4
+                error('rwedge:arguments', 'too few arguments: [sxx, syy, txy] = contact.cycle(loads, x, y)');
+            elseif size(loads, 2) == 2
+                [~, M, ~, sigma] = contact.loads();
+                stays = cumsum(loads(:, 1) == 0) == 0; % a moment is gone once the bodies were separated
+                same = ones(size(loads, 1), 1);
+                loads = [loads(:, 1), M * stays, loads(:, 2), sigma * same];
+            elseif size(loads, 2) ~= 4
+                error('rwedge:size', 'loads has %d columns: a row is [P Q] or [P M Q sigma]', size(loads, 2));
+            end
+            [sxx, syy, txy] = contact.stress_history(loads(:, 1), loads(:, 2), loads(:, 3), loads(:, 4), x, y);
         end
 
         function load(contact, P, Q)

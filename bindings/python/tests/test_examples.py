@@ -59,6 +59,7 @@ def test_published_cases_are_met(drawn):
     assert len(differences) == 11 and max(map(abs, differences)) < 1e-4
 
 
+@pytest.mark.long
 def test_the_sweep_stores_the_bits_of_the_serial_result(tmp_path, run):
     printed = run(PACKAGE / "examples/sweep.py", tmp_path / "limit.zarr", "--rows", 200, "--columns", 100, "--check")
     assert printed.startswith("20000 points in ")
@@ -93,6 +94,7 @@ def test_the_figure_is_drawn(tmp_path, run):
     assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (770, 550)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("example", ["figure4.py", "sweep.py", "fretting.py"])
 def test_without_its_argument_an_example_says_how_it_is_called(example):
     done = subprocess.run([sys.executable, PACKAGE / "examples" / example], capture_output=True, text=True)

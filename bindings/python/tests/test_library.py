@@ -106,6 +106,7 @@ rwedge.absent(1)  # type: ignore[attr-defined]
 """
 
 
+@pytest.mark.long
 def test_types_of_the_stub_are_those_of_the_package(run):
     """The stub lists what is there; mypy knows right from wrong (where nothing is wrong it minds the "ignore")."""
     for check in (["mypy.stubtest", "rwedge"], ["mypy", "--strict", "--no-warn-return-any", "-p", "rwedge"],

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "target.h"
+#include "system/target.h"
 
 #include "attributes.h"
 
@@ -130,12 +130,17 @@ static int sync_folder(const char *target)
     return reason;
 }
 
+void target_remove(const char *unfinished)
+{
+    unlink(unfinished);
+}
+
 int target_replace(const char *target, const char *unfinished)
 {
     if (rename(unfinished, target) == 0)
         return sync_folder(target);
     const int reason = errno;
-    remove(unfinished);
+    target_remove(unfinished);
     return reason;
 }
 

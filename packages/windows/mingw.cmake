@@ -5,5 +5,8 @@ set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc)
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 string(APPEND CMAKE_C_FLAGS_INIT " -Wno-float-conversion ") # its isnan() and the like would each say so
 string(APPEND CMAKE_SHARED_LINKER_FLAGS_INIT " -static-libgcc -s \"-L${RWEDGE_LIBM_FOLDER}\" ") # whose libm.a is found for -lm
+string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -static -s \"-L${RWEDGE_LIBM_FOLDER}\" ")

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "signals.h"
+#include "system/signals.h"
 
 #include "text/message.h"
-#include "progress.h"
+#include "system/progress.h"
 
 #include <signal.h>
 #include <stdbool.h>

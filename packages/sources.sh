@@ -1,12 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fetches the distribution's sources of GSL, LAPACK and musl into FOLDER/gsl, lapack and musl: there is no Windows package of
-# theirs. From where this machine has its packages, with lists of its own, so that the machine's settings stay as they are.
-#     sources.sh FOLDER
+# Fetches the distribution's sources of packages into FOLDER/PACKAGE: it has no packages of theirs for other systems. From where
+# this machine has its packages, with lists of its own, so that the machine's settings stay as they are.
+#     sources.sh FOLDER PACKAGE...
 set -eu
 mkdir -p "$1"
 cd "$1"
-[ -d gsl ] && [ -d lapack ] && [ -d musl ] && exit 0
+shift
+missing=''
+for package; do
+    [ -d "$package" ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
 
 # The machine's repositories, asked for sources: both forms of apt's lists.
 rm -rf apt
@@ -25,8 +30,8 @@ apt()
         -o Dir::State::Lists="$here/lists" -o APT::Sandbox::User=root "$@"
 }
 apt update || true # a repository without sources is no obstacle while another has them
-for package in gsl lapack musl; do
-    rm -rf "apt/$package" "$package"
+for package in $missing; do
+    rm -rf "apt/$package"
     mkdir "apt/$package"
     (cd "apt/$package" && apt source "$package")
     mv "apt/$package/$package"-*/ "$package"

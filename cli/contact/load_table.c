@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "load_table.h"
+
+#include "input/text_input.h"
+#include "text/message.h"
+#include "text/number.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct poptOption load_option_table[] = {
+    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+     "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
+    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
+     "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
+     "FILE"},
+    {ENCODING_OPTION},
+    POPT_TABLEEND,
+};
+
+load_source load_source_of(const arguments *given)
+{
+    return (load_source){given->value[OPTION_HISTORY], given->value[OPTION_LOAD],
+                         given->value[OPTION_ENCODING]};
+}
+
+int load_source_check_encoding(const load_source *from)
+{
+    if (from->encoding == NULL)
+        return STATUS_DONE;
+    if (from->file == NULL)
+        return usage_error("--encoding %s: needs --history", from->encoding);
+    return text_input_check(from->encoding);
+}
+
+int load_source_check(const load_source *from, const input_texts *texts)
+{
+    if (from->list != NULL && from->file != NULL)
+        return usage_error("--history %s: given together with --load; allowed: one of the two",
+                           from->file);
+    for (int i = INPUT_P; i <= INPUT_SIGMA && (from->list != NULL || from->file != NULL); i++) {
+        char name[INPUT_NAME_SIZE];
+        if (texts->text[i] != NULL)
+            return usage_error(
+                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
+                input_name(texts, i, name), texts->text[i],
+                from->list != NULL ? "load" : "history");
+    }
+    return STATUS_DONE;
+}
+
+/* ---- Rows in memory ---- */
+
+static bool grow(load_table *loads)
+{
+    const size_t room = 2 * loads->room + 64;
+    load *longer = realloc(loads->load, room * sizeof *longer);
+    loads->load = longer != NULL ? longer : loads->load;
+    int64_t *line = realloc(loads->line, room * sizeof *line);
+    loads->line = line != NULL ? line : loads->line;
+    if (longer == NULL || line == NULL)
+        return false;
+    loads->room = room;
+    return true;
+}
+
+static bool add(load_table *loads, load next, int64_t line)
+{
+    if (loads->count == loads->room && !grow(loads)) {
+        failure("out of memory");
+        return false;
+    }
+    loads->load[loads->count] = next;
+    loads->line[loads->count++] = line;
+    return true;
+}
+
+/* Of the row that was added last. */
+static bool keep_cells_of(load_table *loads, const csv_input *row)
+{
+    const size_t columns = loads->names.count, first = (loads->count - 1) * columns;
+    char **cells = realloc(loads->cells, (first + columns) * sizeof *cells);
+    bool kept = cells != NULL;
+    if (kept)
+        loads->cells = cells;
+    else
+        loads->count--; /* a row without cells */
+    for (size_t i = 0; cells != NULL && i < columns; i++) {
+        cells[first + i] = strdup(csv_input_cell(row, i));
+        kept = kept && cells[first + i] != NULL;
+    }
+    if (!kept)
+        failure("out of memory");
+    return kept;
+}
+
+const char *load_table_cell(const load_table *loads, size_t row, size_t column)
+{
+    return loads->cells[row * loads->names.count + column];
+}
+
+void load_table_free(load_table *loads)
+{
+    for (size_t i = 0; loads->cells != NULL && i < loads->count * loads->names.count; i++)
+        free(loads->cells[i]);
+    free(loads->cells);
+    free(loads->load);
+    free(loads->line);
+    free(loads->name);
+    header_free(&loads->names);
+    *loads = (load_table){0};
+}
+
+/* ---- The command line ---- */
+
+/* Reads up to most numbers, separated by commas; how many there are, 0 where it is not that. */
+static int read_numbers(const char *text, size_t length, int most, double number[])
+{
+    for (int n = 0; n < most; n++) {
+        const size_t own = number_length(text);
+        if (!number_read_part(text, own, &number[n]))
+            return 0;
+        if (own == length)
+            return n + 1;
+        if (own > length || text[own] != ',')
+            return 0;
+        text += own + 1;
+        length -= own + 1;
+    }
+    return 0;
+}
+
+/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
+static bool read_load(const char *text, size_t length, load last, load *to)
+{
+    double number[4];
+    const int count = read_numbers(text, length, 4, number);
+    if (count == 4)
+        *to = (load){number[0], number[1], number[2], number[3]};
+    else if (count == 2)
+        *to = (load){number[0], number[0] == 0 ? 0 : last.M, number[1], last.sigma};
+    return count == 4 || count == 2;
+}
+
+static int read_list(const char *lines, load_table *loads)
+{
+    load to = {0};
+    loads->lines = lines;
+    for (bool last = false; !last;) {
+        const size_t length = strcspn(lines, "\n");
+        last = lines[length] == '\0';
+        if (!read_load(lines, length, to, &to))
+            return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
+                               (int)(length < 60 ? length : 60), lines);
+        if (!add(loads, to, 0))
+            return STATUS_FAILED;
+        lines += length + 1;
+    }
+    return STATUS_DONE;
+}
+
+/* ---- A file ---- */
+
+static void note_numbers(header *names, const csv_input *row, char decimal_sign)
+{
+    double number;
+    for (size_t i = 0; i < names->count; i++)
+        if (number_read_cell(csv_input_cell(row, i), decimal_sign, &number))
+            names->has_numbers[i] = true;
+}
+
+/* The four columns of a load; moment and tension are 0 where they have none. */
+static bool read_row(header *names, const csv_input *row, char decimal_sign, load *to,
+                     char complaint[COMPLAINT_SIZE])
+{
+    double value[INPUT_COUNT] = {0};
+    if (!header_fits(names, row, complaint))
+        return false;
+    note_numbers(names, row, decimal_sign);
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++) {
+        char name[INPUT_NAME_SIZE];
+        const char *text =
+            names->column[i] < names->count ? csv_input_cell(row, names->column[i]) : NULL;
+        if (text == NULL || number_read_cell(text, decimal_sign, &value[i]))
+            continue;
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
+                 input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
+        return false;
+    }
+    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
+    return true;
+}
+
+/* A row that is no load ends it: what comes after would belong to another history. */
+static bool take_row(csv_input *in, bool malformed, char decimal_sign, bool keep_cells,
+                     load_table *loads)
+{
+    load to;
+    char complaint[COMPLAINT_SIZE];
+    if (malformed)
+        snprintf(complaint, COMPLAINT_SIZE, "%s", csv_input_fault(in));
+    if (malformed || !read_row(&loads->names, in, decimal_sign, &to, complaint)) {
+        failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
+        return false;
+    }
+    return add(loads, to, csv_input_line(in)) && (!keep_cells || keep_cells_of(loads, in));
+}
+
+static int find_columns(csv_input *in, header *names)
+{
+    const bool wanted[INPUT_COUNT] = {
+        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
+    if (!header_read(in, wanted, NULL, names))
+        return STATUS_FAILED;
+    for (int i = INPUT_P; i <= INPUT_Q; i += INPUT_Q - INPUT_P)
+        if (names->column[i] == names->count)
+            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in),
+                           i == INPUT_P ? "P" : "Q", header_separator_hint(names));
+    return STATUS_DONE;
+}
+
+static int read_rows(csv_input *in, char decimal_sign, bool keep_cells, load_table *loads)
+{
+    csv_event event;
+    int status = find_columns(in, &loads->names);
+    while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END)
+        if (event == CSV_FAILED ||
+            !take_row(in, event == CSV_MALFORMED, decimal_sign, keep_cells, loads))
+            status = STATUS_FAILED;
+    if (status == STATUS_DONE && loads->count == 0)
+        status = failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
+    return status;
+}
+
+static int read_file(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads)
+{
+    csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
+    if (in == NULL)
+        return STATUS_FAILED;
+    int status = read_rows(in, decimal_sign, keep_cells, loads);
+    loads->name = strdup(csv_input_name(in));
+    loads->has_mark = csv_input_has_mark(in);
+    if (status == STATUS_DONE && loads->name == NULL)
+        status = failure("out of memory");
+    csv_input_close(in);
+    return status;
+}
+
+int load_table_read(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads)
+{
+    *loads = (load_table){0};
+    return from->file != NULL ? read_file(from, decimal_sign, keep_cells, loads)
+                              : read_list(from->list, loads);
+}
+
+/* ---- Applied ---- */
+
+bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
+                      char complaint[COMPLAINT_SIZE])
+{
+    return loads_apply_next(loads->load[row], f, contact, complaint);
+}
+
+const char *load_table_place(const load_table *loads, size_t row, char place[LOAD_PLACE_SIZE])
+{
+    if (loads->name != NULL) {
+        snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name, loads->line[row]);
+        return place;
+    }
+    const char *line = loads->lines;
+    for (size_t i = 0; i < row; i++)
+        line += strcspn(line, "\n") + 1;
+    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(line, "\n"), line);
+    return place;
+}
+
+int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint)
+{
+    char place[LOAD_PLACE_SIZE];
+    load_table_place(loads, row, place);
+    return loads->name != NULL ? failure("%s%s: %s", place, word, complaint)
+                               : usage_error("%s%s: %s", place, word, complaint);
+}

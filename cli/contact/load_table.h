@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A history of loads, in straight steps, as the command line or a CSV file gives it: read whole,
+ * and then applied, once or again and again. */
+#ifndef CLI_LOAD_TABLE_H
+#define CLI_LOAD_TABLE_H
+
+#include "header.h"
+#include "loads.h"
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding. */
+enum {
+    OPTION_HISTORY = OPTION_AFTER_INPUTS,
+    OPTION_LOAD, /* may be repeated */
+    OPTION_AFTER_LOADS
+};
+extern struct poptOption load_option_table[];
+
+typedef struct {
+    char *name;        /* of the file, as messages call it; NULL where --load gave the loads */
+    const char *lines; /* what --load gave, one to a line */
+    header names;      /* of the file's columns */
+    bool has_mark;     /* whether the file begins with the mark of Unicode */
+    load *load;
+    int64_t *line; /* of the file, where each stands */
+    char **cells;  /* row by row, those of all columns; NULL where they are not kept */
+    size_t count, room;
+} load_table;
+
+/* Where the loads come from; a file may be named by a word in place of the option. */
+typedef struct {
+    const char *file, *list, *encoding; /* NULL where not given */
+} load_source;
+load_source load_source_of(const arguments *given);
+
+/* Refuses an encoding without a file, or one that iconv does not know. STATUS_DONE, or what to
+ * leave with; so does the next. */
+int load_source_check_encoding(const load_source *from);
+
+/* Refuses a file beside a list, and loads that the texts give too. */
+int load_source_check(const load_source *from, const input_texts *texts);
+
+/* Reads the file or the list. Returns the exit status; free it in either case. */
+int load_table_read(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads);
+void load_table_free(load_table *loads);
+
+/* The cell of a row, of those that are kept. */
+const char *load_table_cell(const load_table *loads, size_t row, size_t column);
+
+/* Applies one load. False, with the complaint, where the contact refuses it; it is as before. */
+bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
+                      char complaint[COMPLAINT_SIZE]);
+
+/* Says that a load cannot be applied, after a word such as ", cycle 2", or "". Returns the exit
+ * status. */
+int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint);
+
+/* Where it stands, as messages say it: "loads.csv: line 3". */
+enum { LOAD_PLACE_SIZE = 300 };
+const char *load_table_place(const load_table *loads, size_t row, char place[LOAD_PLACE_SIZE]);
+
+#endif

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "after_load.h"
+
+#include "peak.h"
+
+#include "contact/doubts.h"
+#include "text/message.h"
+
+#include <math.h>
+
+const after_load_kind after_load_kinds[AFTER_COUNT] = {
+    [AFTER_LOAD] = {"load", "its number, from 1"},
+    [AFTER_P] = {"P", "normal force"},
+    [AFTER_M] = {"M", "moment"},
+    [AFTER_Q] = {"Q", "tangential force"},
+    [AFTER_SIGMA] = {"sigma", "bulk tension"},
+    [AFTER_LEFT] = {"left", "left edge of the contact; empty when separated"},
+    [AFTER_RIGHT] = {"right", "right edge of the contact"},
+    [AFTER_STICK_LEFT] = {"stick_left", "left edge of the stick zone; empty in full sliding"},
+    [AFTER_STICK_RIGHT] = {"stick_right", "right edge of the stick zone"},
+    [AFTER_TILT] = {"tilt", "angle by which the moment tilts body 2, in radians"},
+    [AFTER_PEAK_PRESSURE] = {"peak_pressure", "largest pressure; empty where it is infinite"},
+    [AFTER_TENSION_LEFT] = {"tension_left", "sxx at the left edge of the contact"},
+    [AFTER_TENSION_RIGHT] = {"tension_right", "sxx at its right edge"},
+    [AFTER_LARGEST_SLIP] = {"largest_slip", "largest magnitude of slip since the bodies touched"},
+    [AFTER_ENERGY] = {"energy", "dissipated by friction so far, per unit thickness"},
+    [AFTER_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2); needs a yield stress"},
+    [AFTER_YIELD_X] = {"yield_x", "where that is"},
+    [AFTER_YIELD_Y] = {"yield_y", "and how deep"},
+    [AFTER_WARNINGS] = {"warnings", "what makes these numbers doubtful"},
+};
+
+/* A contact and its edges. */
+typedef struct {
+    const rwedge_contact *contact;
+    double left, right;
+} touching;
+
+static double pressure_at(const void *of_touching, double x)
+{
+    double p, q;
+    const int32_t status =
+        rwedge_contact_tractions(((const touching *)of_touching)->contact, 1, &x, &p, &q);
+    return status == RWEDGE_OK ? -p : NAN;
+}
+
+static double slip_size_at(const void *of_touching, double x)
+{
+    double slip;
+    const int32_t status =
+        rwedge_contact_slip(((const touching *)of_touching)->contact, 1, &x, &slip);
+    return status == RWEDGE_OK ? fabs(slip) : NAN;
+}
+
+/* Of a function over the contact: the best of some places, dense at the edges, and around it. */
+static double largest(const touching *of, peak_function *f)
+{
+    enum { STEPS = 32 };
+    const double middle = (of->left + of->right) / 2, half = (of->right - of->left) / 2;
+    double place[2 * STEPS + 1];
+    int best = 0;
+    peak found = {of->left, f(of, of->left)};
+    for (int i = 0; i <= 2 * STEPS; i++) {
+        const double half_pi = 1.5707963267948966;
+        place[i] = i == 0           ? of->left
+                   : i == 2 * STEPS ? of->right
+                                    : middle + half * sin(half_pi * (i - STEPS) / STEPS);
+        const double value = f(of, place[i]);
+        if (!(value > found.value))
+            continue;
+        found = (peak){place[i], value};
+        best = i;
+    }
+    return peak_between(place[best > 0 ? best - 1 : 0],
+                        place[best < 2 * STEPS ? best + 1 : 2 * STEPS], found, f, of)
+        .value;
+}
+
+static double peak_pressure(const contact_case *what, const touching *of)
+{
+    if (what->a == 0) /* at the apex */
+        return NAN;
+    if (rwedge_contact_tilt(of->contact) != 0)
+        return largest(of, pressure_at);
+    const double b = rwedge_contact_half_width(of->contact);
+    return what->theta / what->A * rwedge_peak_pressure(what->a / b);
+}
+
+static int32_t edges(const contact_case *what, const touching *of, cell row[])
+{
+    const double edge[2] = {of->left, of->right}, surface[2] = {0, 0};
+    double sxx[2], syy[2], txy[2], left, right;
+    row[AFTER_LEFT] = cell_number(of->left);
+    row[AFTER_RIGHT] = cell_number(of->right);
+    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(of->contact));
+    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(what, of));
+    row[AFTER_LARGEST_SLIP] = cell_number(largest(of, slip_size_at));
+    if (rwedge_contact_stick_zone(of->contact, &left, &right) == RWEDGE_OK) {
+        row[AFTER_STICK_LEFT] = cell_number(left);
+        row[AFTER_STICK_RIGHT] = cell_number(right);
+    }
+    const int32_t status = rwedge_contact_stresses(of->contact, 2, edge, surface, sxx, syy, txy);
+    if (status == RWEDGE_OK) {
+        row[AFTER_TENSION_LEFT] = cell_number(sxx[0]);
+        row[AFTER_TENSION_RIGHT] = cell_number(sxx[1]);
+    }
+    return status;
+}
+
+static int32_t strength(const contact_case *what, const rwedge_contact *contact, double *factor,
+                        cell row[])
+{
+    double x, y;
+    if (isnan(what->k))
+        return RWEDGE_OK;
+    const int32_t status = rwedge_contact_yield_factor(contact, what->nu1, what->k, factor, &x, &y);
+    if (status == RWEDGE_OK) {
+        row[AFTER_YIELD_FACTOR] = cell_number(*factor);
+        row[AFTER_YIELD_X] = cell_number(x);
+        row[AFTER_YIELD_Y] = cell_number(y);
+    }
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
+}
+
+static void loads(const rwedge_contact *contact, size_t number, cell row[])
+{
+    load now;
+    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    row[AFTER_LOAD] = cell_number((double)number);
+    row[AFTER_P] = cell_number(now.P);
+    row[AFTER_M] = cell_number(now.M);
+    row[AFTER_Q] = cell_number(now.Q);
+    row[AFTER_SIGMA] = cell_number(now.sigma);
+    row[AFTER_ENERGY] = cell_number(rwedge_contact_dissipated_energy(contact));
+}
+
+bool after_load_compute(const contact_case *what, const rwedge_contact *contact, size_t number,
+                        after_load *found)
+{
+    double factor = NAN;
+    touching of = {.contact = contact};
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; i < AFTER_COUNT; i++)
+        found->value[i] = cell_empty();
+    loads(contact, number, found->value);
+    if (rwedge_contact_edges(contact, &of.left, &of.right) == RWEDGE_OK) {
+        status = edges(what, &of, found->value);
+        if (status == RWEDGE_OK)
+            status = strength(what, contact, &factor, found->value);
+    }
+    if (status != RWEDGE_OK) {
+        failure("load %zu: %s", number, rwedge_strerror(status));
+        return false;
+    }
+    found->doubts = doubts_of(what, rwedge_contact_half_width(contact), factor);
+    found->warnings[0] = '\0';
+    doubts_write(found->doubts, found->warnings, sizeof found->warnings);
+    found->value[AFTER_WARNINGS] = cell_text(found->warnings);
+    return true;
+}

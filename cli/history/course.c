@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "course.h"
+
+#include "text/message.h"
+#include "text/number.h"
+
+#include <inttypes.h>
+
+struct poptOption course_option_table[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
+    {"cycles", '\0', POPT_ARG_STRING, NULL, OPTION_CYCLES,
+     "Go through the loads N times, one after the other (default: see below)", "N"},
+    {"until", '\0', POPT_ARG_NONE, NULL, OPTION_UNTIL,
+     "Where a load has no closed form, or cannot be, go as far as the loads before it", NULL},
+    POPT_TABLEEND,
+};
+
+enum { CYCLES_MAX = 1000000 };
+
+const char *course_file(const arguments *given)
+{
+    return given->operand != NULL && given->operand[0] != NULL ? given->operand[0]
+                                                               : given->value[OPTION_HISTORY];
+}
+
+static int find_loads(const arguments *given, const input_texts *texts, load_source *from)
+{
+    *from = load_source_of(given);
+    const char *word = given->operand != NULL ? given->operand[0] : NULL;
+    if (word != NULL && given->operand[1] != NULL)
+        return usage_error("%s: unexpected; allowed: one file of loads", given->operand[1]);
+    if (word != NULL && (from->file != NULL || from->list != NULL))
+        return usage_error("%s: given together with --%s; allowed: one of the two", word,
+                           from->file != NULL ? "history" : "load");
+    if (word != NULL)
+        from->file = word;
+    if (from->file == NULL && from->list == NULL)
+        return usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
+                           "sigma; or --load P,Q for each");
+    const int status = load_source_check_encoding(from);
+    return status == STATUS_DONE ? load_source_check(from, texts) : status;
+}
+
+static int read_cycles(const arguments *given, int64_t usual, int64_t *cycles)
+{
+    const char *text = given->value[OPTION_CYCLES];
+    *cycles = usual;
+    if (text != NULL && !number_read_whole(text, 1, CYCLES_MAX, cycles))
+        return usage_error("--cycles %s: must be a whole number from 1 to %d", text, CYCLES_MAX);
+    return STATUS_DONE;
+}
+
+size_t course_row(const course *whole, size_t step)
+{
+    return step % whole->loads.count;
+}
+
+load course_load(const course *whole, size_t step)
+{
+    return whole->loads.load[course_row(whole, step)];
+}
+
+rwedge_contact *course_begin(const course *whole)
+{
+    rwedge_contact *contact;
+    const int32_t status = case_contact(&whole->what, &contact);
+    if (status != RWEDGE_OK)
+        failure("the contact: %s", rwedge_strerror(status));
+    return contact;
+}
+
+/* Where there are several cycles, the word says in which it was. */
+static int refuse(const course *whole, size_t step, bool until, const char *complaint)
+{
+    char word[40] = "", place[LOAD_PLACE_SIZE];
+    const size_t row = course_row(whole, step);
+    if (step >= whole->loads.count)
+        snprintf(word, sizeof word, ", cycle %zu", step / whole->loads.count + 1);
+    if (!until || step == 0)
+        return load_table_fail(&whole->loads, row, word, complaint);
+    notice("%s%s: %s; the results end before it", load_table_place(&whole->loads, row, place), word,
+           complaint);
+    return STATUS_DONE;
+}
+
+static int try_loads(course *whole, bool until)
+{
+    char complaint[COMPLAINT_SIZE];
+    const size_t wanted = whole->loads.count * (size_t)whole->cycles;
+    rwedge_contact *contact = course_begin(whole);
+    int status = contact != NULL ? STATUS_DONE : STATUS_FAILED;
+    bool applied = true;
+    while (status == STATUS_DONE && applied && whole->steps < wanted) {
+        applied = load_table_apply(&whole->loads, course_row(whole, whole->steps), whole->what.f,
+                                   contact, complaint);
+        if (applied)
+            whole->steps++;
+        else
+            status = refuse(whole, whole->steps, until, complaint);
+    }
+    rwedge_contact_destroy(contact);
+    return status;
+}
+
+bool course_go_on(const course *whole, size_t step, rwedge_contact *contact)
+{
+    char complaint[COMPLAINT_SIZE];
+    if (load_table_apply(&whole->loads, course_row(whole, step), whole->what.f, contact, complaint))
+        return true;
+    refuse(whole, step, false, complaint);
+    return false;
+}
+
+int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles, course *whole)
+{
+    input_texts texts;
+    load_source from;
+    char complaint[COMPLAINT_SIZE];
+    *whole = (course){0};
+    input_texts_from_options(given, &texts);
+    int status = find_loads(given, &texts, &from);
+    if (status == STATUS_DONE)
+        status = read_cycles(given, usual_cycles, &whole->cycles);
+    if (status == STATUS_DONE && !case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))
+        status = usage_error("%s", complaint);
+    if (status == STATUS_DONE)
+        status = load_table_read(&from, decimal_sign, true, &whole->loads);
+    if (status == STATUS_DONE)
+        status = try_loads(whole, given->value[OPTION_UNTIL] != NULL);
+    return status;
+}
+
+void course_free(course *whole)
+{
+    load_table_free(&whole->loads);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact and the loads it goes through, once or again and again. */
+#ifndef CLI_COURSE_H
+#define CLI_COURSE_H
+
+#include "contact/contact_case.h"
+#include "contact/load_table.h"
+
+enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_COURSE };
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
+extern struct poptOption course_option_table[];
+
+typedef struct {
+    contact_case what;
+    load_table loads;
+    int64_t cycles; /* how often the table is gone through */
+    size_t steps;   /* how many loads are applied: all, or with --until those before the first that
+                       cannot be */
+} course;
+
+/* Reads the options, and a file that stands in place of --history, and tries every load: a load
+ * that cannot be applied ends it, unless --until is given. The cycles are as many as by default
+ * where --cycles is not given. Returns the exit status; free it in either case. */
+int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles, course *whole);
+void course_free(course *whole);
+
+/* The file the loads come from; NULL where there is none. */
+const char *course_file(const arguments *given);
+
+/* The row of the table that the load of this step stands in. */
+size_t course_row(const course *whole, size_t step);
+load course_load(const course *whole, size_t step);
+
+/* The contact before its first load; NULL, with the reason said. */
+rwedge_contact *course_begin(const course *whole);
+
+/* Applies the load of a step, which has been tried; false, with the reason said. */
+bool course_go_on(const course *whole, size_t step, rwedge_contact *contact);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The points of body 1 that are looked at: a list, a file of them, or a grid. */
+#ifndef CLI_PLACES_H
+#define CLI_PLACES_H
+
+#include "course.h"
+#include "text/range.h"
+
+enum {
+    OPTION_AT = OPTION_AFTER_COURSE,
+    OPTION_POINTS,
+    OPTION_X,
+    OPTION_DEPTH,
+    OPTION_AFTER_PLACES
+};
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption place_option_table[];
+
+typedef struct {
+    double *x, *y;
+    size_t count; /* 0 where no option gives any */
+    /* of a grid, whose points are row by row, x fastest; 0 and 0 for other places */
+    size_t columns, rows;
+} places;
+
+/* Reads --at or --points; or --x with --depth, which is 0 by default. Returns the exit status; free
+ * them in either case. */
+int places_read(const arguments *given, char decimal_sign, places *found);
+void places_free(places *what);
+
+/* Reads --depth alone: 0 by default. STATUS_DONE, or what to leave with; free the range. */
+int places_read_depth(const arguments *given, range *depth);
+
+#endif

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "point_rows.h"
+
+#include "system/progress.h"
+#include "text/message.h"
+
+#include <string.h>
+
+const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",       "syy",    "szz",
+                                                  "txy",  "s1", "s2", "von_mises", "tau_max"};
+
+/* ---- Columns that pass through ---- */
+
+int passed_check(const load_table *loads, const char *const results[], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        bool is_load = false;
+        for (int n = INPUT_P; n <= INPUT_SIGMA; n++) {
+            char name[INPUT_NAME_SIZE];
+            is_load = is_load || strcmp(results[i], input_column(n, name)) == 0;
+        }
+        if (!is_load && header_has(&loads->names, results[i]))
+            return failure("%s: column %s: a result has that name; allowed: any other", loads->name,
+                           results[i]);
+    }
+    return STATUS_DONE;
+}
+
+void passed_names(const load_table *loads, records *rows)
+{
+    for (size_t i = 0; i < loads->names.count; i++)
+        if (!header_is_input(&loads->names, i))
+            rows->format->name(rows, loads->names.name[i]);
+}
+
+static cell passed_cell(const char *text, char decimal_sign)
+{
+    double number;
+    return number_read_cell(text, decimal_sign, &number) && number_is_exact(text)
+               ? cell_typed(text, number)
+               : cell_text(text);
+}
+
+void passed_cells(const load_table *loads, size_t row, records *rows)
+{
+    for (size_t i = 0; i < loads->names.count; i++)
+        if (!header_is_input(&loads->names, i))
+            rows->format->value(rows, loads->names.name[i],
+                                passed_cell(load_table_cell(loads, row, i), rows->decimal_sign));
+}
+
+/* ---- Rows ---- */
+
+bool point_stress(const point_rows *what, const rwedge_contact *contact, size_t i, tensor *found)
+{
+    const double x = what->at->x[i], y = what->at->y[i];
+    double sxx, syy, txy;
+    *found = tensor_unknown();
+    if (what->whole->what.a == 0 && x == 0 && y == 0 && rwedge_contact_half_width(contact) > 0)
+        return true;
+    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
+    if (status != RWEDGE_OK) {
+        failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
+        return false;
+    }
+    *found = tensor_of(sxx, syy, txy, what->whole->what.nu1);
+    return true;
+}
+
+static bool write_row(const point_rows *what, const rwedge_contact *contact, size_t step, size_t i,
+                      records *rows)
+{
+    tensor at;
+    if (!point_stress(what, contact, i, &at))
+        return false;
+    const double *v = at.value;
+    const double value[POINT_COLUMNS] = {(double)(step + 1),  what->at->x[i],   what->at->y[i],
+                                         v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],
+                                         v[TENSOR_TXY],       v[TENSOR_S1],     v[TENSOR_S2],
+                                         v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
+    passed_cells(&what->whole->loads, course_row(what->whole, step), rows);
+    for (int c = 0; c < POINT_COLUMNS; c++)
+        rows->format->value(rows, point_columns[c], cell_number(value[c]));
+    rows->format->end_row(rows);
+    progress_step();
+    return true;
+}
+
+bool point_rows_write(const point_rows *what, records *rows)
+{
+    rwedge_contact *contact = course_begin(what->whole);
+    bool going = contact != NULL;
+    passed_names(&what->whole->loads, rows);
+    for (int c = 0; c < POINT_COLUMNS; c++)
+        rows->format->name(rows, point_columns[c]);
+    rows->format->end_header(rows);
+    for (size_t step = 0; step < what->whole->steps && going; step++) {
+        going = course_go_on(what->whole, step, contact);
+        for (size_t i = 0; i < what->at->count && going && records_go_on(rows); i++)
+            going = write_row(what, contact, step, i, rows);
+    }
+    rwedge_contact_destroy(contact);
+    return going;
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "system/files.h"
+
+#include "wide.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <io.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Also a folder, and what may not be read. */
+static HANDLE look(const char *path)
+{
+    wchar_t *name = wide_of(path);
+    if (name == NULL)
+        return INVALID_HANDLE_VALUE;
+    const HANDLE file = open_shared(name, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
+    free(name);
+    return file;
+}
+
+file_kind file_kind_of(const char *path)
+{
+    BY_HANDLE_FILE_INFORMATION known;
+    const HANDLE file = look(path);
+    if (file == INVALID_HANDLE_VALUE)
+        return errno == ENOENT ? FILE_ABSENT : FILE_UNKNOWN;
+    const bool on_disk = GetFileType(file) == FILE_TYPE_DISK;
+    const bool is_folder = on_disk && GetFileInformationByHandle(file, &known) != 0 &&
+                           (known.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0;
+    CloseHandle(file);
+    return is_folder ? FILE_FOLDER : on_disk ? FILE_REGULAR : FILE_OTHER;
+}
+
+static int open_by_name(const char *path, DWORD access, int mode)
+{
+    if (file_kind_of(path) == FILE_FOLDER) {
+        errno = EISDIR;
+        return -1;
+    }
+    wchar_t *name = wide_of(path);
+    if (name == NULL)
+        return -1;
+    const HANDLE file = open_shared(name, access, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL);
+    free(name);
+    return file != INVALID_HANDLE_VALUE ? _open_osfhandle((intptr_t)file, mode | _O_BINARY) : -1;
+}
+
+int file_to_read(const char *path)
+{
+    return open_by_name(path, GENERIC_READ, _O_RDONLY);
+}
+
+int file_to_write(const char *path)
+{
+    return open_by_name(path, GENERIC_WRITE, _O_WRONLY);
+}
+
+const char *file_problem(int reason)
+{
+    return reason == EACCES ? "Permission denied; it is protected, or open in another program"
+                            : strerror(reason);
+}

@@ -81,12 +81,23 @@ static const struct {
     {"Reibbeiwert", INPUT_F},
     {"Reibungszahl", INPUT_F},
     {"Reibungskoeffizient", INPUT_F},
+    {"frottement", INPUT_F},
+    {"coefficient_de_frottement", INPUT_F},
+    {"attrito", INPUT_F},
+    {"coefficiente_di_attrito", INPUT_F},
+    {"rozamiento", INPUT_F},
+    {"coeficiente_de_rozamiento", INPUT_F},
+    {"coeficiente_de_fricci\xc3\xb3n", INPUT_F},
     {"tangential_force", INPUT_Q},
     {"tangential_load", INPUT_Q},
     {"shear_force", INPUT_Q},
     {"shear_load", INPUT_Q},
     {"Querkraft", INPUT_Q},
     {"Tangentialkraft", INPUT_Q},
+    {"force_tangentielle", INPUT_Q},
+    {"effort_tangentiel", INPUT_Q},
+    {"forza_tangenziale", INPUT_Q},
+    {"fuerza_tangencial", INPUT_Q},
     {"moment", INPUT_M},
     {"bulk_tension", INPUT_SIGMA},
     {"bulk_stress", INPUT_SIGMA},
@@ -96,6 +107,10 @@ static const struct {
     {"normal_force", INPUT_P},
     {"normal_load", INPUT_P},
     {"Normalkraft", INPUT_P},
+    {"force_normale", INPUT_P},
+    {"effort_normal", INPUT_P},
+    {"forza_normale", INPUT_P},
+    {"fuerza_normal", INPUT_P},
     {"sigma_y", INPUT_YIELD_STRESS},
     {"\xcf\x83y", INPUT_YIELD_STRESS}, /* sigma */
     {"Sy", INPUT_YIELD_STRESS},
@@ -108,11 +123,21 @@ static const struct {
     {"Dehngrenze", INPUT_YIELD_STRESS},
     {"Fliessgrenze", INPUT_YIELD_STRESS},
     {"Flie\xc3\x9fgrenze", INPUT_YIELD_STRESS},
+    {"limite_elastique", INPUT_YIELD_STRESS},
+    {"limite_\xc3\xa9lastique", INPUT_YIELD_STRESS},
+    {"limite_d'\xc3\xa9lasticit\xc3\xa9", INPUT_YIELD_STRESS},
+    {"snervamento", INPUT_YIELD_STRESS},
+    {"tensione_di_snervamento", INPUT_YIELD_STRESS},
+    {"l\xc3\xadmite_el\xc3\xa1stico", INPUT_YIELD_STRESS},
     {"tau_y", INPUT_K},
     {"\xcf\x84y", INPUT_K}, /* tau */
     {"E", INPUT_E1},
     {"E-Modul", INPUT_E1},
     {"youngs_modulus", INPUT_E1},
+    {"module_d'Young", INPUT_E1},
+    {"module_de_Young", INPUT_E1},
+    {"modulo_di_Young", INPUT_E1},
+    {"m\303\263dulo_de_Young", INPUT_E1}, /* \xb3 would take the d */
     {"nu", INPUT_NU1},
     {"\xce\xbd", INPUT_NU1},
     {"\xce\xbd\x31", INPUT_NU1},
@@ -121,6 +146,9 @@ static const struct {
     {"poisson", INPUT_NU1},
     {"Querdehnzahl", INPUT_NU1},
     {"Querkontraktionszahl", INPUT_NU1},
+    {"coefficient_de_Poisson", INPUT_NU1},
+    {"coefficiente_di_Poisson", INPUT_NU1},
+    {"coeficiente_de_Poisson", INPUT_NU1},
     {"\xce\xb8", INPUT_THETA},
     {"angle", INPUT_THETA},
     {"R", INPUT_RADIUS},
@@ -264,12 +292,12 @@ bool header_has(const header *names, const char *name)
     return false;
 }
 
-bool header_fits(const header *names, const csv_input *row, char complaint[COMPLAINT_SIZE])
+bool header_fits(const header *names, size_t cells, char complaint[COMPLAINT_SIZE])
 {
-    if (csv_input_count(row) == names->count)
+    if (cells == names->count)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header",
-             csv_input_count(row), names->count);
+    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header", cells,
+             names->count);
     return false;
 }
 

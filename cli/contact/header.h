@@ -34,8 +34,8 @@ void header_name_unused(const header *names, const char *file);
 
 bool header_has(const header *names, const char *name);
 
-/* Whether the row has as many cells as the header; the complaint says so if not. */
-bool header_fits(const header *names, const csv_input *row, char complaint[COMPLAINT_SIZE]);
+/* Whether a row of so many cells has as many as the header; the complaint says so if not. */
+bool header_fits(const header *names, size_t cells, char complaint[COMPLAINT_SIZE]);
 
 /* "; the header has a ';': ..." where the wrong separator explains that a column is missing; or
  * nothing. */

@@ -175,7 +175,7 @@ static bool read_row(header *names, const csv_input *row, char decimal_sign, loa
                      char complaint[COMPLAINT_SIZE])
 {
     double value[INPUT_COUNT] = {0};
-    if (!header_fits(names, row, complaint))
+    if (!header_fits(names, csv_input_count(row), complaint))
         return false;
     note_numbers(names, row, decimal_sign);
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++) {

@@ -5,6 +5,7 @@
 #include "worst.h"
 
 #include "contact/doubts.h"
+#include "options/threads.h"
 #include "rows/output_options.h"
 #include "system/ahead.h"
 #include "system/progress.h"
@@ -192,17 +193,6 @@ static int read_k_over_sy(const arguments *given, const contact_case *what, doub
     return STATUS_DONE;
 }
 
-static int read_threads(const arguments *given, plan *what)
-{
-    const char *text = given->value[OPTION_THREADS];
-    int64_t threads = ahead_processors();
-    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &threads))
-        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
-                           AHEAD_THREADS_MAX);
-    what->threads = (int)threads;
-    return STATUS_DONE;
-}
-
 static int read_plan(const arguments *given, plan *what, output_options *how)
 {
     double k_over_sy = NAN;
@@ -212,7 +202,7 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     if (status == STATUS_DONE)
         status = output_options_spare(how, given->value[OPTION_POINTS]);
     if (status == STATUS_DONE)
-        status = read_threads(given, what);
+        status = threads_read(given->value[OPTION_THREADS], &what->threads);
     if (status == STATUS_DONE)
         status = course_read(given, how->decimal_sign, 3, &what->whole);
     if (status == STATUS_DONE)

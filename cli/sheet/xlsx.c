@@ -15,14 +15,14 @@
 #include <rwedge.h>
 #include <xlsxwriter.h>
 
-enum { SHEETS_MAX = 8, NAME_MAX_LENGTH = 40 };
+enum { SHEETS_MAX = 12, NAME_MAX_LENGTH = 40 };
 
 struct xlsx {
     lxw_workbook *workbook;
     lxw_worksheet *sheet[SHEETS_MAX], *current;
     char sheet_name[SHEETS_MAX][NAME_MAX_LENGTH];
     int sheet_count, current_index;
-    lxw_format *style[XLSX_STYLE_COUNT];
+    lxw_format *style[XLSX_STYLE_COUNT], *colour[XLSX_COLOUR_COUNT];
     /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
      * file. */
     spool spool;
@@ -82,13 +82,26 @@ static void style_texts(lxw_format *const style[])
     format_set_font_color(style[XLSX_CHECK], 0xB00000);
 }
 
+/* Four to six digits; zero is 0. */
+#define RESULT_FORMAT "[=0]0;[<0.001]0.0000E+00;0.00###"
+
 static void style_cells(lxw_format *const style[])
 {
     frame(style[XLSX_INPUT], 0xFFF8D0);
     format_set_unlocked(style[XLSX_INPUT]);
     format_set_align(style[XLSX_INPUT], LXW_ALIGN_RIGHT);
     frame(style[XLSX_RESULT], 0xE8F0F8);
-    format_set_num_format(style[XLSX_RESULT], "[>=100]0.00;[<0.001]0.0000E+00;0.00000");
+    format_set_num_format(style[XLSX_RESULT], RESULT_FORMAT);
+    format_set_align(style[XLSX_RESULT], LXW_ALIGN_RIGHT);
+    frame(style[XLSX_STRONG], 0xE8F0F8);
+    format_set_num_format(style[XLSX_STRONG], "0.00");
+    format_set_align(style[XLSX_STRONG], LXW_ALIGN_RIGHT);
+    format_set_bold(style[XLSX_STRONG]);
+    format_set_font_size(style[XLSX_STRONG], 14);
+    frame(style[XLSX_VERDICT], 0xFFFFFF);
+    format_set_bold(style[XLSX_VERDICT]);
+    format_set_text_wrap(style[XLSX_VERDICT]);
+    format_set_align(style[XLSX_VERDICT], LXW_ALIGN_VERTICAL_CENTER);
     format_set_bold(style[XLSX_STATUS]);
     format_set_indent(style[XLSX_UNIT], 1);
     format_set_num_format(style[XLSX_NUMBER], "0.0#####");
@@ -97,6 +110,20 @@ static void style_cells(lxw_format *const style[])
     format_set_num_format(style[XLSX_LIMIT], "[>=1000000]\"infinite\";0.0000");
     format_set_align(style[XLSX_LIMIT], LXW_ALIGN_RIGHT);
     format_set_num_format(style[XLSX_POWER], "0.00000E+00");
+}
+
+static bool make_colours(xlsx *book)
+{
+    static const lxw_color_t shade[] = {0xC6EFCE, 0xFFEB9C, 0xFFC7CE},
+                             text[] = {0x006100, 0x7F4F00, 0x9C0006};
+    for (int i = 0; i < XLSX_COLOUR_COUNT; i++) {
+        book->colour[i] = workbook_add_format(book->workbook);
+        if (book->colour[i] == NULL)
+            return false;
+        format_set_bg_color(book->colour[i], shade[i]);
+        format_set_font_color(book->colour[i], text[i]);
+    }
+    return true;
 }
 
 static bool make_styles(xlsx *book)
@@ -108,7 +135,7 @@ static bool make_styles(xlsx *book)
     }
     style_texts(book->style);
     style_cells(book->style);
-    return true;
+    return make_colours(book);
 }
 
 /* ---- The file -------------------------------------------------------------------------------- */
@@ -286,6 +313,71 @@ void xlsx_freeze(xlsx *book, int rows, int columns)
     worksheet_freeze_panes(book->current, row_of(rows), column_of(columns));
 }
 
+void xlsx_hide_sheet(xlsx *book)
+{
+    worksheet_hide(book->current);
+}
+
+void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
+{
+    lxw_row_col_options options = {.hidden = LXW_TRUE};
+    keep(book, worksheet_set_column_opt(book->current, column_of(first_column),
+                                        column_of(last_column), 12, NULL, &options));
+}
+
+void xlsx_protect(xlsx *book)
+{
+    lxw_protection may = {.format_columns = LXW_TRUE, .format_rows = LXW_TRUE};
+    worksheet_protect(book->current, NULL, &may);
+}
+
+void xlsx_hide_names(xlsx *book, const char *beginning)
+{
+    struct lxw_defined_name *name;
+    TAILQ_FOREACH(name, book->workbook->defined_names, list_pointers)
+    if (strncmp(name->name, beginning, strlen(beginning)) == 0)
+        name->hidden = LXW_TRUE;
+}
+
+void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
+{
+    keep(book,
+         worksheet_merge_range(book->current, row_of(area.row), column_of(area.column),
+                               row_of(area.row + area.rows - 1),
+                               column_of(area.column + area.columns - 1), "", book->style[style]));
+}
+
+void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_colour colour)
+{
+    char text[300];
+    snprintf(text, sizeof text, "%s", formula);
+    lxw_conditional_format when = {
+        .type = LXW_CONDITIONAL_TYPE_FORMULA, .value_string = text, .format = book->colour[colour]};
+    keep(book,
+         worksheet_conditional_format_range(book->current, row_of(area.row), column_of(area.column),
+                                            row_of(area.row + area.rows - 1),
+                                            column_of(area.column + area.columns - 1), &when));
+}
+
+void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
+{
+    char formula[256], title[33], hint[256], message[256];
+    snprintf(formula, sizeof formula, "%s", rule->formula);
+    snprintf(title, sizeof title, "%s", rule->title);
+    snprintf(hint, sizeof hint, "%s", rule->hint);
+    snprintf(message, sizeof message, "%s", rule->message);
+    lxw_data_validation what = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
+                                .value_formula = formula,
+                                .input_title = title,
+                                .input_message = hint,
+                                .error_title = title,
+                                .error_message = message};
+    keep(book,
+         worksheet_data_validation_range(book->current, row_of(area.row), column_of(area.column),
+                                         row_of(area.row + area.rows - 1),
+                                         column_of(area.column + area.columns - 1), &what));
+}
+
 void xlsx_print(xlsx *book, xlsx_page page)
 {
     keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row),
@@ -315,7 +407,9 @@ static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
     else if (drawing == XLSX_DASHED_LINE)
         line = (lxw_chart_line){
             .color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
-    else if (drawing == XLSX_MARK)
+    else if (drawing == XLSX_OUTLINE)
+        line = (lxw_chart_line){.color = LXW_COLOR_BLACK, .width = 1.5F};
+    else if (drawing == XLSX_MARK || drawing == XLSX_LABEL)
         line = (lxw_chart_line){.none = LXW_TRUE};
     chart_series_set_line(series, &line);
 }
@@ -339,6 +433,13 @@ static void draw_series(lxw_chart *drawn, const xlsx_series *what, int index)
         chart_series_set_name(series, what->name);
     draw_line(series, index, what->drawing);
     draw_mark(series, what->drawing);
+    if (what->drawing == XLSX_LABEL) {
+        lxw_chart_font font = {.size = 10};
+        chart_series_set_labels(series);
+        chart_series_set_labels_options(series, LXW_TRUE, LXW_FALSE, LXW_FALSE);
+        chart_series_set_labels_position(series, LXW_CHART_LABEL_POSITION_CENTER);
+        chart_series_set_labels_font(series, &font);
+    }
 }
 
 static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
@@ -356,6 +457,12 @@ static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
     chart_axis_set_max(drawn->y_axis, chart->y_max);
     chart_axis_set_num_format(drawn->x_axis, "0.0");
     chart_axis_set_num_format(drawn->y_axis, "General");
+    if (chart->bare) {
+        chart_axis_off(drawn->x_axis);
+        chart_axis_off(drawn->y_axis);
+        chart_axis_major_gridlines_set_visible(drawn->y_axis, LXW_FALSE);
+        return;
+    }
     chart_axis_major_gridlines_set_visible(drawn->x_axis, LXW_TRUE);
     chart_axis_major_gridlines_set_line(drawn->x_axis, &grid);
     chart_axis_major_gridlines_set_line(drawn->y_axis, &grid);
@@ -374,9 +481,12 @@ void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart)
     draw_axes(drawn, chart);
     chart_title_set_name(drawn, chart->title);
     chart_title_set_name_font(drawn, &font);
-    chart_legend_set_position(drawn, LXW_CHART_LEGEND_RIGHT);
+    chart_legend_set_position(drawn, chart->bare ? LXW_CHART_LEGEND_NONE : LXW_CHART_LEGEND_BOTTOM);
     chart_legend_set_font(drawn, &small);
-    lxw_chart_options place = {.x_scale = chart->width / 480.0, .y_scale = chart->height / 288.0};
+    lxw_chart_options place = {.x_scale = chart->width / 480.0,
+                               .y_scale = chart->height / 288.0,
+                               .x_offset = chart->right,
+                               .y_offset = chart->down};
     keep(book,
          worksheet_insert_chart_opt(book->current, row_of(row), column_of(column), drawn, &place));
 }

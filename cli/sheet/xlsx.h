@@ -25,8 +25,10 @@ typedef enum {
     XLSX_NUMBER,  /* up to six decimals */
     XLSX_FIXED_4, /* four decimals */
     XLSX_FIXED_6,
-    XLSX_LIMIT, /* four decimals, and a word for XLSX_INFINITE */
-    XLSX_POWER, /* six digits and an exponent */
+    XLSX_LIMIT,   /* four decimals, and a word for XLSX_INFINITE */
+    XLSX_POWER,   /* six digits and an exponent */
+    XLSX_VERDICT, /* a text in a frame over several cells, wrapped */
+    XLSX_STRONG,  /* a result that matters */
     XLSX_STYLE_COUNT
 } xlsx_style;
 
@@ -70,6 +72,31 @@ void xlsx_width(xlsx *book, int first_column, int last_column, double characters
 void xlsx_lines(xlsx *book, int row, int lines);
 void xlsx_freeze(xlsx *book, int rows, int columns);
 
+void xlsx_hide_sheet(xlsx *book);
+void xlsx_hide_columns(xlsx *book, int first_column, int last_column);
+/* Cells but those of XLSX_INPUT cannot be typed into; there is no password. */
+void xlsx_protect(xlsx *book);
+/* Names that begin like this do not show in lists of names; those named so far. */
+void xlsx_hide_names(xlsx *book, const char *beginning);
+
+typedef struct {
+    int row, column, rows, columns;
+} xlsx_area;
+
+/* Makes one cell of an area. */
+void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style);
+
+/* The area has the colour where the formula, written for its first cell, is true. */
+typedef enum { XLSX_GREEN, XLSX_AMBER, XLSX_RED, XLSX_COLOUR_COUNT } xlsx_colour;
+void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_colour colour);
+
+/* What is typed into the area must make the formula true, or is refused with the message; the hint
+ * shows where the cell is selected. */
+typedef struct {
+    const char *formula, *title, *hint, *message;
+} xlsx_rule;
+void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule);
+
 /* What is printed: the cells up to this one, one page wide; one page high, or as many as it
  * takes, with the header on each. */
 typedef struct {
@@ -79,8 +106,15 @@ typedef struct {
 } xlsx_page;
 void xlsx_print(xlsx *book, xlsx_page page);
 
-enum { XLSX_SERIES_MAX = 13 };
-typedef enum { XLSX_LINE, XLSX_THICK_LINE, XLSX_DASHED_LINE, XLSX_MARK } xlsx_drawing;
+enum { XLSX_SERIES_MAX = 24 };
+typedef enum {
+    XLSX_LINE,
+    XLSX_THICK_LINE,
+    XLSX_DASHED_LINE,
+    XLSX_MARK,
+    XLSX_OUTLINE, /* black */
+    XLSX_LABEL    /* the name, at an invisible point */
+} xlsx_drawing;
 typedef struct {
     const char *name;  /* in the legend; NULL for none */
     const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
@@ -90,6 +124,8 @@ typedef struct {
     const char *title, *x_title, *y_title;
     double x_min, x_max, x_step, y_min, y_max;
     int width, height; /* pixels */
+    int right, down;   /* pixels from the corner of the cell */
+    bool bare;         /* no axes, no legend */
     xlsx_series series[XLSX_SERIES_MAX];
     int series_count;
 } xlsx_chart;

@@ -3,6 +3,8 @@
 
 #include "contact/doubts.h"
 #include "contact/header.h"
+#include "input/csv_row.h"
+#include "system/ahead.h"
 #include "text/message.h"
 #include "text/number.h"
 #include "system/progress.h"
@@ -14,6 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* So many rows are held at a time, for threads to solve them; fewer where they are long. */
+enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
+
 /* What goes on from row to row. */
 typedef struct {
     const batch *what;
@@ -24,6 +29,8 @@ typedef struct {
     records *rows;
     int64_t count, failed;
     int32_t doubts; /* of any row */
+    csv_row *held;
+    int64_t held_count;
 } run;
 
 static const char error_column[] = "error";
@@ -133,20 +140,21 @@ static void write_header(run *r)
     format->end_header(r->rows);
 }
 
-/* ---- Rows ---- */
+/* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, bool malformed, results *found, char complaint[COMPLAINT_SIZE])
+static bool solve_row(const run *r, const csv_row *row, results *found,
+                      char complaint[COMPLAINT_SIZE])
 {
-    if (malformed) {
-        snprintf(complaint, COMPLAINT_SIZE, "%s in the row of line %" PRId64,
-                 csv_input_fault(r->in), csv_input_line(r->in));
+    if (row->malformed) {
+        snprintf(complaint, COMPLAINT_SIZE, "%s in the row of line %" PRId64, row->fault,
+                 row->line);
         return false;
     }
-    if (!header_fits(&r->names, r->in, complaint))
+    if (!header_fits(&r->names, row->count, complaint))
         return false;
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
-        text[i] = has_column(r, i) ? csv_input_cell(r->in, r->names.column[i]) : NULL;
+        text[i] = has_column(r, i) ? row->cell[r->names.column[i]] : NULL;
     const input_texts texts = texts_of(r, text);
     contact_case what;
     if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, CASE_OF_SOLVE, &what, complaint) ||
@@ -157,10 +165,26 @@ static bool solve_row(const run *r, bool malformed, results *found, char complai
     return true;
 }
 
-/* A cell as it is in the file. A column that is no input may have names that look like numbers. */
-static cell cell_of(run *r, size_t column)
+typedef struct {
+    results found;
+    char complaint[COMPLAINT_SIZE];
+    bool solved;
+} answer;
+
+static void compute_answer(const void *of_run, int64_t i, void *of_answer)
 {
-    const char *text = column < csv_input_count(r->in) ? csv_input_cell(r->in, column) : "";
+    const run *r = of_run;
+    answer *to = of_answer;
+    to->complaint[0] = '\0';
+    to->solved = solve_row(r, &r->held[i], &to->found, to->complaint);
+}
+
+/* ---- A row is written ---- */
+
+/* A cell as it is in the file. A column that is no input may have names that look like numbers. */
+static cell cell_of(run *r, const csv_row *row, size_t column)
+{
+    const char *text = column < row->count ? row->cell[column] : "";
     const bool is_input = header_is_input(&r->names, column);
     double number;
     if (!number_read_cell(text, r->how->decimal_sign, &number))
@@ -169,49 +193,42 @@ static cell cell_of(run *r, size_t column)
     return is_input || number_is_exact(text) ? cell_typed(text, number) : cell_text(text);
 }
 
-static void pass_through(run *r)
-{
-    for (size_t i = 0; i < r->names.count; i++)
-        r->rows->format->value(r->rows, r->names.name[i], cell_of(r, i));
-}
-
 /* What the columns cannot show of a row is in its error. */
-static char *with_row(run *r, const char *complaint)
+static char *with_row(run *r, const csv_row *row, const char *complaint)
 {
-    const char *row = csv_input_row(r->in);
-    char *whole = malloc(strlen(complaint) + strlen(row) + 3);
+    char *whole = malloc(strlen(complaint) + strlen(row->whole) + 3);
     if (whole == NULL)
         r->rows->problem = "out of memory";
     else
-        sprintf(whole, "%s: %s", complaint, row);
+        sprintf(whole, "%s: %s", complaint, row->whole);
     return whole;
 }
 
-static void write_error(run *r, bool malformed, const char *complaint)
+static void write_error(run *r, const csv_row *row, const char *complaint)
 {
     char *whole =
-        malformed || csv_input_count(r->in) > r->names.count ? with_row(r, complaint) : NULL;
+        row->malformed || row->count > r->names.count ? with_row(r, row, complaint) : NULL;
     r->rows->format->value(r->rows, error_column, cell_text(whole != NULL ? whole : complaint));
     free(whole);
 }
 
-static void write_row(run *r, bool malformed)
+static void write_row(run *r, const csv_row *row, const answer *one)
 {
-    results found;
-    char complaint[COMPLAINT_SIZE] = "";
-    const bool solved = solve_row(r, malformed, &found, complaint);
-    pass_through(r);
+    for (size_t i = 0; i < r->names.count; i++)
+        r->rows->format->value(r->rows, r->names.name[i], cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->shown[i])
             r->rows->format->value(r->rows, result_kinds[i].column,
-                                   solved ? found.value[i] : cell_empty());
-    write_error(r, malformed, complaint);
+                                   one->solved ? one->found.value[i] : cell_empty());
+    write_error(r, row, one->complaint);
     r->rows->format->end_row(r->rows);
     r->count++;
-    r->failed += solved ? 0 : 1;
-    r->doubts |= solved ? found.doubts : 0;
+    r->failed += one->solved ? 0 : 1;
+    r->doubts |= one->solved ? one->found.doubts : 0;
     progress_step();
 }
+
+/* ---- The file ---- */
 
 /* Behind rows that have gone to standard output: who reads them may not see the exit status. */
 static void write_broken_end(run *r)
@@ -235,6 +252,36 @@ static csv_event next_row(const run *r)
     return misfit && csv_input_take_line(r->in) ? CSV_MALFORMED : event;
 }
 
+/* Reads rows until there are enough for the threads; the event is that of the row that is none. */
+static csv_event hold_rows(run *r)
+{
+    size_t bytes = 0;
+    csv_event event = CSV_ROW;
+    for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
+        event = next_row(r);
+        if (event == CSV_END || event == CSV_FAILED)
+            return event;
+        csv_row *row = &r->held[r->held_count];
+        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row)) {
+            failure("out of memory");
+            return CSV_FAILED;
+        }
+        bytes += row->bytes;
+    }
+    return event;
+}
+
+static bool write_held(run *r)
+{
+    ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
+    for (int64_t i = 0; i < r->held_count && work != NULL && records_go_on(r->rows); i++)
+        write_row(r, &r->held[i], ahead_next(work));
+    ahead_stop(work);
+    for (int64_t i = 0; i < r->held_count; i++)
+        csv_row_free(&r->held[i]);
+    return work != NULL;
+}
+
 /* False, with the reason said, where the file or the format cannot go on. */
 static bool write_rows(void *of_run, records *rows, bool show_progress)
 {
@@ -243,8 +290,11 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     r->rows = rows;
     progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && (event = next_row(r)) != CSV_END && event != CSV_FAILED)
-        write_row(r, event == CSV_MALFORMED);
+    while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
+        event = hold_rows(r);
+        if (!write_held(r))
+            event = CSV_FAILED;
+    }
     if (event == CSV_FAILED)
         write_broken_end(r);
     r->rows->format->end(r->rows);
@@ -276,10 +326,13 @@ int batch_run(const batch *what, const output_options *how)
 {
     run r = {.what = what,
              .how = how,
-             .in =
-                 csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',', what->encoding)};
-    if (r.in == NULL)
-        return STATUS_FAILED;
+             .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',', what->encoding),
+             .held = calloc(HELD_ROWS, sizeof *r.held)};
+    if (r.in == NULL || r.held == NULL) {
+        csv_input_close(r.in);
+        free(r.held);
+        return r.in == NULL ? STATUS_FAILED : failure("out of memory");
+    }
     bool wanted[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
         wanted[i] = true;
@@ -293,5 +346,6 @@ int batch_run(const batch *what, const output_options *how)
         status = write_output(&r);
     header_free(&r.names);
     csv_input_close(r.in);
+    free(r.held);
     return status;
 }

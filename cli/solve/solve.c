@@ -4,6 +4,7 @@
 #include "batch.h"
 #include "input/csv_input.h"
 #include "input/text_input.h"
+#include "options/threads.h"
 #include "text/message.h"
 #include "results.h"
 
@@ -15,7 +16,8 @@ enum {
     OPTION_INPUT_FILE = OPTION_AFTER_INPUTS,
     OPTION_LAYOUT,
     OPTION_YIELD_FACTOR,
-    OPTION_NO_FORMULAS
+    OPTION_NO_FORMULAS,
+    OPTION_THREADS
 };
 
 static const struct poptOption options[] = {
@@ -30,6 +32,9 @@ static const struct poptOption options[] = {
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
     {"no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,
      "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL},
+    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
+     "Threads that solve a file; the rows are the same for any N (default: one for each processor)",
+     "N"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -158,6 +163,10 @@ static int solve(const arguments *given)
         status = output_options_spare(&how, many.path);
     if (status == STATUS_DONE)
         status = check_encoding(&many);
+    if (status == STATUS_DONE)
+        status = threads_read(given->value[OPTION_THREADS], &many.threads);
+    if (status == STATUS_DONE && given->value[OPTION_THREADS] != NULL && many.path == NULL)
+        status = usage_error("--threads %s: needs --input", given->value[OPTION_THREADS]);
     if (status == STATUS_DONE)
         status = read_layout(given, &one.row);
     if (status == STATUS_DONE)

@@ -3,6 +3,7 @@
 
 #include "system/ahead.h"
 #include "layout.h"
+#include "options/threads.h"
 #include "text/list.h"
 #include "text/message.h"
 #include "rows/output_options.h"
@@ -204,13 +205,7 @@ static int read_quantity(const arguments *given, plan *what)
 
 static int read_threads(const arguments *given, plan *what)
 {
-    const char *text = given->value[OPTION_THREADS];
-    int64_t threads = ahead_processors();
-    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &threads))
-        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
-                           AHEAD_THREADS_MAX);
-    what->threads = (int)threads;
-    return STATUS_DONE;
+    return threads_read(given->value[OPTION_THREADS], &what->threads);
 }
 
 static int read_plan(const arguments *given, plan *what)

@@ -21,34 +21,53 @@ static const char *const lines[] = {
     "radius. b: half-width of the contact. P: normal load per unit length. f: coefficient of "
     "friction, full sliding, q = f p. k: yield stress in pure shear of the half-plane (tensile "
     "yield stress over the square root of 3).",
+    "Q: tangential load, grown from 0 under constant P; |Q| cannot exceed f P. c: half-width of "
+    "the "
+    "zone that sticks.",
     "Body 1 is the half-plane, whose yield is looked at (nu1), as in the command \"solve\"; body 2 "
     "is the wedge. A = 2(1-nu1^2)/E1 + 2(1-nu2^2)/E2. The name rw_A would be the name rw_a for a "
     "spreadsheet, which does not tell capitals from small letters: A is rw_compliance.",
     "rw_P_over_bk is the elastic limit at the case's a/b and f, as in the tables; rw_load_over_bk "
     "is that of the load. As the contact grows with the load, P_yield is not P times their ratio: "
     "rw_P_yield is the load at which the two meet.",
-    "Remarks: above P_yield the contact yields. Above theta = 0.1 the wedge is hardly a "
-    "half-plane. Dissimilar bodies, Dundurs' beta not 0, couple pressure and friction: that is "
-    "neglected where f is above 0. Units look mixed, as GPa with MPa, where a/b is below 0.01 or "
-    "above 10000, or k/E below 0.00001 or above 0.1.",
-    "#How the calculator computes",
-    "a/b: from Hertz' closed form, or five Newton steps on the contact law from a parabola that is "
-    "exact at both ends.",
-    "Elastic limit: the limits at and below the surface are interpolated apart, and the smaller is "
-    "taken, so that the cusp where they cross costs nothing. 1/limit^2 by parabolas in f^2 and "
-    "(1-2 nu)^2/3, then the limit linearly in ln(tan(phi0/2)), sin(phi0) = a/b. Where one of the "
-    "nine values is empty, there is no limit below the surface.",
-    "Yield load: the stress A sqrt(J2)/theta of each tip of the table at your f and nu1, and the "
-    "tip at which it is k A/theta.",
-    "Critical friction: where the two curves of the limit cross.",
+    "Two safeties: on load, rw_safety = P_yield/P, and on strength, rw_safety_strength = "
+    "rw_P_over_bk/rw_load_over_bk, the factor by which the yield stress may fall. A small change "
+    "of "
+    "strength is a large one of load. \"> 26\" says that the table ends, at a/b = 0.003, before it "
+    "yields: the safety is at least that.",
+    "Moment M and bulk tension sigma are not here: no plain formula holds them. The commands "
+    "\"solve\", \"profile\" and \"field\" have them.",
+    "#Batch",
+    "A case a row. The first row names the inputs as \"rwedge solve --input\" does, and the "
+    "results "
+    "as it does. Paste values from a file below these names. For more than 200 rows take the "
+    "sheet's protection off (there is no password), select the last row from its first cell to the "
+    "column \"error\" and beyond it the hidden columns, and fill down.",
+    "#How the sheets compute",
+    "a/b, and c: from Hertz' closed form, or five Newton steps on the contact law from a parabola "
+    "that is exact at both ends. Pressure, slip and tension: closed forms.",
+    "Yield: a table of (A/theta)^2 J2, the largest at and below the surface, for 51 tips, 16 of "
+    "Poisson's ratio and 21 of f. The branches are interpolated apart, by parabolas in ln "
+    "tan(phi0/2) with sin(phi0) = a/b, in (1-2 nu)^2/3 and in f^2, and the larger is taken, so "
+    "that "
+    "the cusp where they cross costs nothing. Where one of the values is missing, there is no "
+    "limit "
+    "below the surface.",
+    "Yield load: the tip at which each branch has J2 = k^2, from the same parabolas, and the load "
+    "that makes it. Critical friction: where the two branches cross.",
     "#Accuracy",
-    "Against the library, for a/b from 0.01 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 to "
+    "Against the library, for a/b from 0.003 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 "
+    "to "
     "0.5.",
-    "a/b, b, p0, tension: 1e-12 (1e-8 next to a/b = 1). Elastic limit: 0.05 %. Load at yield and "
-    "safety: 0.15 % where a/b at yield is 0.02 or more, 0.4 % below, where the stress hardly "
-    "depends on the load. Critical friction: 0.006, next to 0, where it is a square root.",
-    "Measured at the centres of all cells of the table and at 10000 random points: 0.036 %, 0.13 % "
-    "and 0.38 %, 0.0044. The tests compare the cells with the library.",
+    "a/b, b, c, pressure, tension: 1e-11 (1e-8 next to a/b = 1). Elastic limit, safety on "
+    "strength: "
+    "0.05 %. Load at yield, safety on load: 0.15 % where a/b at yield is 0.02 or more, 0.5 % down "
+    "to "
+    "0.01, 2 % down to 0.003, where the stress hardly depends on the load. Critical friction: "
+    "0.001.",
+    "Measured at the centres of all cells of the table and at 10000 random points: 0.047 %, 0.11 "
+    "%, "
+    "0.41 %, 1.7 %, 0.0008. The tests compare the cells with the library.",
     "#Errata of the paper that concern these sheets",
     "Eq. (38) and Fig. 6 have \"a\" where the half-width of the contact, b here, is meant. No "
     "closed form is given there for the maximum tension between the sharp wedge and Hertz: it is b "

@@ -2,44 +2,61 @@
 #include "book.h"
 
 #include "about.h"
+#include "batch_sheet.h"
 #include "calculator.h"
 #include "table_sheets.h"
 #include "text/message.h"
+#include "working.h"
 
 #include <stdlib.h>
 
 /* The sheets, in their order. */
 enum {
     SHEET_CALCULATOR,
+    SHEET_BATCH,
     SHEET_ELASTIC_LIMIT,
     SHEET_MAX_TENSION,
     SHEET_CONTACT_LAW,
     SHEET_CRITICAL_FRICTION,
-    SHEET_ABOUT
+    SHEET_ABOUT,
+    SHEET_WORKING,
+    SHEETS
 };
 
-static bool fill(xlsx *book, const limit_table *table)
+static bool fill_tables(xlsx *book)
 {
-    static const char *const names[] = {"Calculator",  "Elastic limit",     "Maximum tension",
-                                        "Contact law", "Critical friction", "About"};
-    for (int i = 0; i <= SHEET_ABOUT; i++)
-        xlsx_sheet(book, names[i]);
     xlsx_turn_to(book, SHEET_ELASTIC_LIMIT);
-    bool done = sheet_elastic_limit(book, table);
+    const bool done = sheet_elastic_limit(book);
     xlsx_turn_to(book, SHEET_MAX_TENSION);
     sheet_max_tension(book);
     xlsx_turn_to(book, SHEET_CONTACT_LAW);
     sheet_contact_law(book);
     xlsx_turn_to(book, SHEET_CRITICAL_FRICTION);
-    done = sheet_critical_friction(book) && done;
+    return sheet_critical_friction(book) && done;
+}
+
+static bool fill(xlsx *book, const yield_table *table)
+{
+    static const char *const names[SHEETS] = {"Calculator",      "Batch",       "Elastic limit",
+                                              "Maximum tension", "Contact law", "Critical friction",
+                                              "About",           WORKING_SHEET};
+    case_values values;
+    for (int i = 0; i < SHEETS; i++)
+        xlsx_sheet(book, names[i]);
     xlsx_turn_to(book, SHEET_ABOUT);
     sheet_about(book);
     xlsx_turn_to(book, SHEET_CALCULATOR);
-    sheet_calculator(book, table);
-    return done;
+    sheet_calculator(book, table, &values);
+    xlsx_turn_to(book, SHEET_WORKING);
+    sheet_working(book, table, &values);
+    xlsx_hide_sheet(book);
+    xlsx_turn_to(book, SHEET_BATCH);
+    sheet_batch(book, table);
+    xlsx_hide_names(book, "rwt_");
+    return fill_tables(book);
 }
 
-static bool write_book(const limit_table *table, output *out)
+static bool write_book(const yield_table *table, output *out)
 {
     const char *problem;
     xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
@@ -55,11 +72,11 @@ static bool write_book(const limit_table *table, output *out)
 
 bool book_write(output *out)
 {
-    limit_table *table = malloc(sizeof *table);
+    yield_table *table = malloc(sizeof *table);
     bool done = false;
     if (table == NULL)
         failure("out of memory");
-    else if (!limit_table_fill(table))
+    else if (!yield_table_fill(table))
         failure("the elastic limit: a value could not be computed");
     else
         done = write_book(table, out);

@@ -7,7 +7,8 @@
 
 #include "sheet/xlsx.h"
 
-/* Fills the sheet that has been turned to, with its working cells and its charts. */
-void sheet_calculator(xlsx *book, const limit_table *table);
+/* Fills the sheet that has been turned to; and the values of its case, which the sheet of working
+ * cells needs. */
+void sheet_calculator(xlsx *book, const yield_table *table, case_values *values);
 
 #endif

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figs. 3, 4 and 6 of the paper beside the calculator, with its case in them. */
+/* The calculator's pictures: Figs. 3, 4 and 6 of the paper, with its case in them. */
 #ifndef CLI_CHARTS_H
 #define CLI_CHARTS_H
 
 #include "sheet/xlsx.h"
 
-/* A chart's height. */
-enum { CHART_ROWS = 17 };
+/* The height of the figures. */
+enum { FIGURE_ROWS = 17 };
 
-void sheet_charts(xlsx *book, int row, int column);
+/* The figures stand side by side, from the first column on. */
+void draw_figures(xlsx *book, int row);
 
 #endif

@@ -3,15 +3,44 @@
 #ifndef CLI_FORMULA_H
 #define CLI_FORMULA_H
 
+#include "model.h"
+
 #include "sheet/xlsx.h"
 #include "text/printf_like.h"
 
+enum { FORMULA_SIZE = 5000 };
+
 /* A formula or a text put together. */
 const char *compose(char text[], const char *format, ...) PRINTF_LIKE(2, 3);
-enum { FORMULA_SIZE = 1200 };
+
+/* "A", "Z", "AA" ... */
+const char *column_letters(int column, char text[4]);
+
+/* Where a row has the cells of a case. */
+typedef int column_finder(int cell);
+
+/* The formula in a row, the names of a case's cells replaced by the cells of the row. */
+const char *formula_in_row(const char *formula, int row, column_finder *column_of,
+                           char text[FORMULA_SIZE]);
+
+/* The condition that what is typed into an input is sound, and the message where it is not. */
+const char *input_check(int cell, char text[FORMULA_SIZE]);
+const char *input_message(int cell, char text[FORMULA_SIZE]);
+
+/* The formula with a number instead of rwt_i. */
+const char *formula_at(const char *formula, int number, char text[FORMULA_SIZE]);
 
 /* A formula and its value, to ten digits; an empty text where there is no such number. */
 void formula_cell(xlsx *book, int row, int column, const char *formula, double value,
                   xlsx_style style);
+
+/* A cell of a case with its formula: under its name; or in a row. */
+void named_cell(xlsx *book, int row, int column, int cell, const case_values *values,
+                xlsx_style style);
+void cell_in_row(xlsx *book, int row, int cell, column_finder *column_of,
+                 const case_values *values);
+
+/* The names of several cells side by side, in the row that has the calculator's. */
+void name_groups(xlsx *book, int row, column_finder *column_of);
 
 #endif

@@ -1,70 +1,52 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the workbook's calculator computes, in C. The cells show these values until the spreadsheet
- * recalculates them, by the formulas in working.c.
+/* What the workbook computes for a case, in C: the value of every cell of cells.h. The file shows
+ * these values until the spreadsheet recalculates them, by the formulas in cells.c.
  *
- * The elastic limit comes from a table of its two branches, which are interpolated apart.
- *   - In f and nu: 1/limit^2 is nearly linear in f^2 and in (1-2 nu)^2/3, as J2 is. A parabola
- *     through three nodes of each is exact to 1e-4.
- *   - In a/b: the limit is taken as linear in t = ln(tan(phi0/2)). The limit is smooth in t up to
- *     Hertz' contact; in a/b it has a root there. */
+ * Yield comes from a table of (A sqrt(J2)/theta)^2, the largest in the half-plane, for each of its
+ * two branches. They are interpolated apart.
+ *   - In f and nu: J2 is nearly linear in f^2 and in (1-2 nu)^2/3.
+ *   - In a/b: it is smooth in t = ln(tan(phi0/2)), nearly a parabola for a small tip.
+ * So a parabola through three nodes of each is taken. */
 #ifndef CLI_MODEL_H
 #define CLI_MODEL_H
 
+#include "cells.h"
+
 #include <stdbool.h>
 
-enum { TIPS = 61, NUS = 16, FRICTIONS = 21, FRICTIONS_BELOW = 17, NEWTON_STEPS = 5 };
+enum { TIPS = 51, NUS = 16, FRICTIONS = 21, FRICTIONS_BELOW = 17, TABLE_COLUMNS = NUS * FRICTIONS };
 
-/* The largest friction with a limit below the surface, and of all. */
 #define WORKBOOK_FRICTION_MAX 0.8
-#define WORKBOOK_TIP_MIN 0.01
+#define WORKBOOK_TIP_MIN 0.003
 
 typedef struct {
-    /* a/b, ln tan(phi0/2), AP/(theta b), ln(AP/(theta a)) */
-    double tip[TIPS], t[TIPS], load[TIPS], log_load[TIPS];
+    double t[TIPS]; /* ln(tan(phi0/2)), sin(phi0) = a/b; equally spaced, up to 0 */
     double nu[NUS], f[FRICTIONS];
-    double surface[TIPS][NUS][FRICTIONS];     /* P/(bk) */
-    double below[TIPS][NUS][FRICTIONS_BELOW]; /* NAN where there is none */
-} limit_table;
+    double surface[TIPS][NUS][FRICTIONS];
+    double below[TIPS][NUS][FRICTIONS]; /* 0 where there is no maximum below the surface */
+} yield_table;
 
+/* A value in a cell: a text where there is one, or a number; NAN is an empty text. */
 typedef struct {
-    double theta, a, E1, nu1, E2, nu2, P, f, k;
-} workbook_inputs;
-
-typedef struct {
-    double A, x, step[NEWTON_STEPS + 1], a_over_b, tip, cosine, b, p0, tension_ratio, tension;
-    double beta;
-    /* The patch of the table: first node of nu and of f, counted from 0, and the weights of
-     * three of each. */
-    int nu_node, f_node;
-    double m, weight_nu[3], weight_f[3];
-    /* limits at these f and nu; NAN: none */
-    double surface[TIPS], below[TIPS];
-    /* A sqrt(J2)/theta, the larger last */
-    double stress_surface[TIPS], stress_below[TIPS], stress[TIPS];
-    /* the case among the tips: between node and node + 1 */
-    double t, share;
-    int node;
-    double limit_surface, limit_below, limit;
-    double strength; /* k A/theta */
-    /* so many tips yield before the load makes them */
-    int reached;
-    /* ln(AP/(theta a)) at yield by branch; AP/(theta a) */
-    double yield_surface, yield_below, yield_either, yield;
-    double P_yield, safety, load_over_bk;
-    double low_surface[FRICTIONS], high_surface[FRICTIONS], low_below[FRICTIONS],
-        high_below[FRICTIONS];
-    double curve_surface[FRICTIONS], curve_below[FRICTIONS], curve[FRICTIONS], gap[FRICTIONS];
-    int gaps; /* so many frictions yield below the surface */
-    double f_critical;
-} workbook_results;
+    double number[CELL_COUNT];
+    char safety[24], branch[12]; /* texts of CELL_SAFETY and CELL_BRANCH; "" for the number */
+} case_values;
 
 /* Ten digits, as the tables have: a last bit that differs between math libraries does not show. */
 double workbook_rounded(double value);
 
-/* False where the library could not compute a value. */
-bool limit_table_fill(limit_table *table);
+/* AP/(theta a) of the smallest tip of the table. */
+double workbook_end_of_table(void);
 
-/* For inputs that are physical and within the tables. */
-void workbook_compute(const limit_table *table, const workbook_inputs *in, workbook_results *out);
+/* False where the library could not compute a value. */
+bool yield_table_fill(yield_table *table);
+
+/* Of inputs that are sound, within the tables, and where |Q| is not above f P; NAN where an input
+ * is not given. Or of no inputs at all: all of them NAN. */
+void workbook_compute(const yield_table *table, const double input[INPUT_CELLS], case_values *out);
+
+/* The values of limit_at_tip and limit_at_friction for a node, counted from 0. */
+double workbook_limit_at_tip(const yield_table *table, const case_values *values, int node);
+double workbook_limit_at_friction(const yield_table *table, const case_values *values, int node);
 
 #endif

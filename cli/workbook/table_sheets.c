@@ -20,15 +20,14 @@ static void head(xlsx *book, const char *title, const char *note)
 
 /* ---- Elastic limit --------------------------------------------------------------------------- */
 
-/* The paper's grid on the left, f down, for the reader and the charts; then f = 0; then what the
- * calculator uses. */
+/* The paper's grid on the left, f down; then f = 0; then the two branches, to be looked up. */
 enum {
     GRID_TIPS = 10,
     GRID_FRICTIONS = 65,
     NORMAL_COLUMN = GRID_TIPS + 2,
-    TABLE_COLUMN = NORMAL_COLUMN + 4,
-    SURFACE_COLUMN = TABLE_COLUMN + 2,
-    BELOW_COLUMN = SURFACE_COLUMN + FRICTIONS + 1
+    NORMAL_TIPS = 100,
+    SURFACE_COLUMN = NORMAL_COLUMN + 5,
+    BELOW_COLUMN = SURFACE_COLUMN + BRANCH_TIPS + 2
 };
 
 static const double PAPER_NU = 0.3;
@@ -52,68 +51,91 @@ static bool write_grid(xlsx *book)
     return done;
 }
 
-static bool write_normal_load(xlsx *book, const limit_table *limits)
+static bool write_normal_load(xlsx *book)
 {
     static const char *const names[] = {"a/b", "P/(bk)", "depth y/b"};
     bool done = true;
     xlsx_text(book, HEADER_ROW - 1, NORMAL_COLUMN, "f = 0, nu = 0.3", XLSX_HEADING);
     for (int i = 0; i < 3; i++)
         xlsx_text(book, HEADER_ROW, NORMAL_COLUMN + i, names[i], XLSX_HEADER);
-    for (int i = 0; i < TIPS; i++) {
+    for (int i = 0; i < NORMAL_TIPS; i++) {
         double limit = NAN, x, y = NAN;
-        done = rwedge_yield_point(limits->tip[i], 0, PAPER_NU, &limit, &x, &y) == RWEDGE_OK && done;
-        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN, limits->tip[i], XLSX_PLAIN);
+        const double tip = (i + 1) / (double)NORMAL_TIPS;
+        done = rwedge_yield_point(tip, 0, PAPER_NU, &limit, &x, &y) == RWEDGE_OK && done;
+        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN, tip, XLSX_PLAIN);
         xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 1, workbook_rounded(limit), XLSX_FIXED_4);
         xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 2, workbook_rounded(y), XLSX_FIXED_4);
     }
     return done;
 }
 
-static void write_branch_headers(xlsx *book, const limit_table *limits)
+/* Closer where the tip is small: straight lines between these err as little as is said. */
+static const double branch_tips[BRANCH_TIPS] = {
+    0.01,  0.012, 0.015, 0.018, 0.022, 0.027, 0.033, 0.04,  0.05, 0.06,
+    0.075, 0.09,  0.11,  0.135, 0.165, 0.2,   0.25,  0.3,   0.36, 0.43,
+    0.51,  0.6,   0.7,   0.8,   0.87,  0.92,  0.96,  0.985, 1};
+
+static bool write_branch(xlsx *book, int column, const char *title, const char *name,
+                         double limit_of(double, double))
 {
-    xlsx_text(book, HEADER_ROW - 1, TABLE_COLUMN, "The calculator's table", XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW - 1, SURFACE_COLUMN + 3, "P/(bk) at the surface, f across",
-              XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW - 1, BELOW_COLUMN,
-              "P/(bk) below the surface, f across; empty: no maximum there", XLSX_HEADING);
-    xlsx_text(book, HEADER_ROW, TABLE_COLUMN, "a/b", XLSX_HEADER);
-    xlsx_text(book, HEADER_ROW, TABLE_COLUMN + 1, "nu", XLSX_HEADER);
-    for (int f = 0; f < FRICTIONS; f++) {
-        xlsx_number(book, HEADER_ROW, SURFACE_COLUMN + f, limits->f[f], XLSX_HEADER);
-        if (f < FRICTIONS_BELOW)
-            xlsx_number(book, HEADER_ROW, BELOW_COLUMN + f, limits->f[f], XLSX_HEADER);
-    }
+    bool done = true;
+    xlsx_text(book, HEADER_ROW - 1, column, title, XLSX_HEADING);
+    for (int j = 0; j < BRANCH_TIPS; j++)
+        xlsx_number(book, HEADER_ROW, column + j, branch_tips[j], XLSX_HEADER);
+    for (int i = 0; i < GRID_FRICTIONS; i++)
+        for (int j = 0; j < BRANCH_TIPS; j++) {
+            const double limit = limit_of(branch_tips[j], i / 80.0);
+            done = done && !isnan(limit);
+            if (isfinite(limit))
+                xlsx_number(book, FIRST_ROW + i, column + j, workbook_rounded(limit), XLSX_FIXED_4);
+        }
+    xlsx_name_range(book, name, FIRST_ROW, column, GRID_FRICTIONS, BRANCH_TIPS);
+    return done;
 }
 
-static void write_branches(xlsx *book, const limit_table *limits)
+/* Infinite where there is no such branch, NAN where it cannot be computed. */
+static double limit_if(int32_t status, double limit)
 {
-    write_branch_headers(book, limits);
-    for (int row = 0; row < TIPS * NUS; row++) {
-        const int tip = row / NUS, nu = row % NUS;
-        xlsx_number(book, FIRST_ROW + row, TABLE_COLUMN, limits->tip[tip], XLSX_PLAIN);
-        xlsx_number(book, FIRST_ROW + row, TABLE_COLUMN + 1, limits->nu[nu], XLSX_PLAIN);
-        for (int f = 0; f < FRICTIONS; f++)
-            xlsx_number(book, FIRST_ROW + row, SURFACE_COLUMN + f, limits->surface[tip][nu][f],
-                        XLSX_LIMIT);
-        for (int f = 0; f < FRICTIONS_BELOW; f++)
-            if (!isnan(limits->below[tip][nu][f]))
-                xlsx_number(book, FIRST_ROW + row, BELOW_COLUMN + f, limits->below[tip][nu][f],
-                            XLSX_FIXED_4);
-    }
-    xlsx_name_range(book, NAME_SURFACE, FIRST_ROW, SURFACE_COLUMN, TIPS * NUS, FRICTIONS);
-    xlsx_name_range(book, NAME_BELOW, FIRST_ROW, BELOW_COLUMN, TIPS * NUS, FRICTIONS_BELOW);
+    return status == RWEDGE_OK ? limit : status == RWEDGE_EABSENT ? INFINITY : NAN;
 }
 
-bool sheet_elastic_limit(xlsx *book, const limit_table *limits)
+static double surface_limit(double tip, double f)
+{
+    double limit = NAN, x;
+    const int32_t status = rwedge_surface_yield(tip, f, PAPER_NU, &limit, &x);
+    return limit_if(status, limit);
+}
+
+static double limit_below(double tip, double f)
+{
+    double limit = NAN, x, y;
+    const int32_t status = rwedge_subsurface_yield(tip, f, PAPER_NU, &limit, &x, &y);
+    return limit_if(status, limit);
+}
+
+static bool write_branches(xlsx *book)
+{
+    xlsx_text(book, HEADER_ROW, SURFACE_COLUMN - 1, "f", XLSX_HEADER);
+    for (int i = 0; i < GRID_FRICTIONS; i++)
+        xlsx_number(book, FIRST_ROW + i, SURFACE_COLUMN - 1, i / 80.0, XLSX_PLAIN);
+    xlsx_name_range(book, "rw_table_tips", HEADER_ROW, SURFACE_COLUMN, 1, BRANCH_TIPS);
+    xlsx_name_range(book, "rw_table_f", FIRST_ROW, SURFACE_COLUMN - 1, GRID_FRICTIONS, 1);
+    return write_branch(book, SURFACE_COLUMN, "P/(bk) at the surface: a/b across, f down, nu = 0.3",
+                        "rw_table_surface", surface_limit) &&
+           write_branch(book, BELOW_COLUMN,
+                        "P/(bk) below the surface; empty: there is no maximum there",
+                        "rw_table_below", limit_below);
+}
+
+bool sheet_elastic_limit(xlsx *book)
 {
     head(book, "Elastic limit P/(bk)",
          "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in "
-         "pure shear. a/b = 1 holds for all a/b above 1. To the right: the two branches that the "
-         "calculator interpolates.");
-    xlsx_width(book, 0, BELOW_COLUMN + FRICTIONS_BELOW, 8);
+         "pure shear. a/b = 1 holds for all a/b above 1. To the right: the two branches, for the "
+         "sheet Look up.");
+    xlsx_width(book, 0, BELOW_COLUMN + BRANCH_TIPS, 8);
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
-    const bool done = write_grid(book) && write_normal_load(book, limits);
-    write_branches(book, limits);
+    const bool done = write_grid(book) && write_normal_load(book) && write_branches(book);
     xlsx_freeze(book, FIRST_ROW, 0);
     xlsx_print(book, (xlsx_page){FIRST_ROW + GRID_FRICTIONS - 1, NORMAL_COLUMN + 2, -1, false});
     return done;

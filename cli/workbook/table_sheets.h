@@ -7,18 +7,15 @@
 
 #include "sheet/xlsx.h"
 
-/* Names of the tables that the calculator's formulas use; the rest of the names are defined
- * where they are written. */
-#define NAME_SURFACE "rwt_surface"
-#define NAME_BELOW "rwt_below"
-
 /* Ranges that the charts draw. */
 #define TENSION_TIPS "='Maximum tension'!$A$5:$A$105"
 #define TENSION_VALUES "='Maximum tension'!$B$5:$B$105"
 
+enum { BRANCH_TIPS = 29 };
+
 /* Each fills the sheet that has been turned to. False where the library could not compute a
  * value. */
-bool sheet_elastic_limit(xlsx *book, const limit_table *table);
+bool sheet_elastic_limit(xlsx *book);
 void sheet_max_tension(xlsx *book);
 void sheet_contact_law(xlsx *book);
 bool sheet_critical_friction(xlsx *book);

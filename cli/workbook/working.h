@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The calculator's working cells: the steps of model.c as formulas, with their names. */
+/* The hidden sheet: the calculator's working cells in a row, the table of yield, what the charts
+ * draw. */
 #ifndef CLI_WORKING_H
 #define CLI_WORKING_H
 
@@ -7,16 +8,21 @@
 
 #include "sheet/xlsx.h"
 
-/* Where they begin, right of what is printed, and what the charts draw of them. */
+/* Where the charts find their curves and marks: columns of the rows from CURVE_ROW on. */
 enum {
-    WORKING_STEPS = 38,
-    WORKING_COLUMN = 18,
-    WORKING_ROW = 5,
-    TIPS_COLUMN = WORKING_COLUMN + 10,
-    FRICTIONS_COLUMN = TIPS_COLUMN + 11
+    CURVE_ROW = 10,
+    CURVE_TIP = 8,
+    CURVE_TIP_LIMIT,
+    CURVE_FRICTION,
+    CURVE_FRICTION_LIMIT,
+    CURVE_MARK_TIP,
+    CURVE_MARK_FRICTION,
+    CURVE_MARK_LIMIT,
+    CURVE_MARK_TENSION,
+    CURVES_END
 };
+#define WORKING_SHEET "Working"
 
-void sheet_working(xlsx *book, const limit_table *table, const workbook_inputs *in,
-                   const workbook_results *out);
+void sheet_working(xlsx *book, const yield_table *table, const case_values *values);
 
 #endif

@@ -30,6 +30,30 @@ alike contact-law --a-over-b 0:1:0.0001
 alike critical-friction --a-over-b 0.1:1:0.1 --nu 0.25,0.3 --layout grid
 alike stick-zone --a-over-b 0:1:0.01 --q-over-fp 0:1:0.1 --layout grid
 
+# Files of contacts: bad rows, misplaced quotes and all; the rows come in their order.
+awk 'BEGIN { print "case,P,Q,note"; for (i = 1; i <= 2500; i++)
+    printf "%d,%.6g,%.6g,%s\n", i, 50 + i / 10, i % 17 == 0 ? 500 : i / 100, i % 101 == 0 ? "a\"b" : i % 103 == 0 ? "x,y" : "n" }' >cases.csv
+contact="--E1 210000 --nu1 0.3 --theta-deg 2 --radius 10 --f 0.3 --k 300"
+run solve -i cases.csv $contact --threads 1
+status_is 0
+cp out expected
+cp err said
+same "rows" "$(seq 2500 | cksum)" "$(tail -n +2 out | cut -d , -f 1 | cksum)"
+for threads in 2 3 64; do
+    run solve -i cases.csv $contact --threads $threads
+    same "bytes" "" "$(cmp expected out 2>&1)"
+    same "messages" "" "$(cmp said err 2>&1)"
+done
+run solve -i - $contact --threads 2 <cases.csv
+same "bytes from standard input" "" "$(cmp expected out 2>&1)"
+head -n 300 cases.csv >few.csv
+run solve -i few.csv $contact --yield-factor --threads 1
+cp out expected
+run solve -i few.csv $contact --yield-factor
+same "bytes with the yield factor" "" "$(cmp expected out 2>&1)"
+refuses "rwedge solve: --threads 0: must be a whole number from 1 to 256" solve -i cases.csv $contact --threads 0
+refuses "rwedge solve: --threads 2: needs --input" solve $contact --P 1 --threads 2
+
 refuses "rwedge table: --threads 0: must be a whole number from 1 to 256" table contact-law --threads 0
 refuses "rwedge table: --threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
 refuses "rwedge table: --threads two: must be a whole number from 1 to 256" table contact-law --threads two

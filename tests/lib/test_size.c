@@ -341,8 +341,8 @@ static void a_maximum_next_to_the_edge_is_not_missed(void **state)
 }
 
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
- * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose search
- * is another. */
+ * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
+ * search is another. */
 static void a_ridge_beside_the_grid_is_followed(void **state)
 {
     (void)state;

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "threads.h"
+
+#include "system/ahead.h"
+#include "text/message.h"
+#include "text/number.h"
+
+int threads_read(const char *text, int *threads)
+{
+    int64_t number = ahead_processors();
+    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &number))
+        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
+                           AHEAD_THREADS_MAX);
+    *threads = (int)number;
+    return STATUS_DONE;
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sheet with a case a row. */
+#ifndef CLI_BATCH_SHEET_H
+#define CLI_BATCH_SHEET_H
+
+#include "model.h"
+
+#include "sheet/xlsx.h"
+
+enum { BATCH_ROWS = 200 };
+
+void sheet_batch(xlsx *book, const yield_table *table);
+
+#endif

@@ -5,11 +5,12 @@
 #     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation 
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #
+# Seeds, samples and numbers of runs are fixed: what was green stays green on the same tree. tests/README.md says how to look further.
 # The last line says how many tests passed, failed and were skipped. The line before it says how long the run took. Each skipped test
 # says why in its own output.
 set -eu
@@ -44,6 +45,8 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
+# finite elements, for a worked case in Python
+wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
 wish command:clang=clang command:clang-format-14=clang-format-14
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev

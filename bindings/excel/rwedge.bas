@@ -53,6 +53,9 @@ Attribute VB_Name = "rwedge"
 ' Threads: every function may be called from any number of threads. A handle may be read by many
 ' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
 '
+' Not for LibreOffice Calc: on Linux its Basic passes over declarations of DLLs without a word, and the cells stay empty.
+' There take tables/rounded-wedge.xlsx, which is plain formulas, or Python.
+'
 ' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
 Option Explicit
 

@@ -10,8 +10,8 @@
  * over 1 - |delta|. */
 double rw_patch_gap(double a, rw_patch patch, double x);
 
-/* The tangential displacement at x, over f theta, that one path has beyond another of the same slope
- * in its first layer. What both paths have in common is left out. */
+/* The tangential displacement at x, over f theta, that one path has beyond another of the same
+ * slope in its first layer. What both paths have in common is left out. */
 double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x);
 
 #endif

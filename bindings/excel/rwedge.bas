@@ -53,6 +53,9 @@ Attribute VB_Name = "rwedge"
 ' Threads: every function may be called from any number of threads. A handle may be read by many
 ' at a time. Output arrays may be the same as input arrays, but may not overlap them in part.
 '
+' Not for LibreOffice Calc: on Linux its Basic passes over declarations of DLLs without a word, and the cells stay empty.
+' There take tables/rounded-wedge.xlsx, which is plain formulas, or Python.
+'
 ' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
 Option Explicit
 
@@ -695,13 +698,13 @@ Attribute RWEDGE_SURFACE_YIELD.VB_Description = "At the surface: the maximum of 
 End Function
 
 ' Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
-' at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
-' the surface again for an interval of f: lib/README.md.)                               Fig. 4; new
+' at the surface without friction already. (The smallest of these tips, a/b < 0.0026, yield
+' below the surface again in an interval of f: lib/README.md.)                          Fig. 4; new
 '   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
 ' NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
 ' like a square root.
 Public Function RWEDGE_CRITICAL_FRICTION(ByVal alpha As Double, ByVal nu As Double) As Variant
-Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below the surface again for an interval of f: lib/README.md.)"
+Attribute RWEDGE_CRITICAL_FRICTION.VB_Description = "Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is at the surface without friction already. (The smallest of these tips, a/b < 0.0026, yield below the surface again in an interval of f: lib/README.md.)"
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -717,8 +720,8 @@ End Function
 ' added at the end.
 
 ' What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
-' says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
-' is not known; nor from a 0, but of safety.                                                    new
+' says what each means. The sum is 0 where nothing does. What is not known is given as NaN; it adds
+' no doubt. Nor does a 0, except as safety.                                                     new
 '   theta     any number; the angle between flank and surface, rad
 '   alpha     any number; a/b under the load; 0 is the sharp wedge
 '   beta      any number; rwedge_dundurs_beta()
@@ -728,7 +731,7 @@ End Function
 Public Function RWEDGE_VALIDITY( _
         ByVal theta As Double, ByVal alpha As Double, ByVal beta As Double, ByVal f As Double, _
         ByVal k_over_E As Double, ByVal safety As Double) As Variant
-Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text() says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what is not known; nor from a 0, but of safety."
+Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text() says what each means. The sum is 0 where nothing does. What is not known is given as NaN; it adds no doubt. Nor does a 0, except as safety."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then
@@ -738,11 +741,12 @@ Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a co
     End If
 End Function
 
-' What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
-' such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+' What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other
+' number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never
+' NULL.
 '   doubt  any integer
 Public Function RWEDGE_VALIDITY_TEXT(ByVal doubt As Long) As Variant
-Attribute RWEDGE_VALIDITY_TEXT.VB_Description = "What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL."
+Attribute RWEDGE_VALIDITY_TEXT.VB_Description = "What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never NULL."
     Dim status As Long
     status = find_library()
     If status = RWEDGE_OK Then

@@ -16,6 +16,9 @@ Attribute VB_Name = "rwedge"
 '
 {introduction}
 '
+' Not for LibreOffice Calc: on Linux its Basic passes over declarations of DLLs without a word, and the cells stay empty.
+' There take tables/rounded-wedge.xlsx, which is plain formulas, or Python.
+'
 ' The module is not private (Option Private Module), as the functions would then be missing in Insert Function.
 Option Explicit
 

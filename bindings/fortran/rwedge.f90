@@ -1081,8 +1081,8 @@ contains
     end subroutine
 
     !> Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
-    !> at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
-    !> the surface again for an interval of f: lib/README.md.)   Fig. 4; new
+    !> at the surface without friction already. (The smallest of these tips, a/b < 0.0026, yield
+    !> below the surface again in an interval of f: lib/README.md.)   Fig. 4; new
     !>   alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
     !> NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
     !> like a square root.
@@ -1095,8 +1095,8 @@ contains
     ! ---- Validity -----------------------------------------------------------------------------------------------------
 
     !> What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
-    !> says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
-    !> is not known; nor from a 0, but of safety.   new
+    !> says what each means. The sum is 0 where nothing does. What is not known is given as NaN; it adds
+    !> no doubt. Nor does a 0, except as safety.   new
     !>   theta     any number; the angle between flank and surface, rad
     !>   alpha     any number; a/b under the load; 0 is the sharp wedge
     !>   beta      any number; rwedge_dundurs_beta()
@@ -1109,8 +1109,9 @@ contains
         value = c_validity(theta, alpha, beta, f, k_over_E, safety)
     end function
 
-    !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for what is no
-    !> such bit, so that 1, 2, 4 ... until the text is empty are all of them. Static text, never NULL.
+    !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other
+    !> number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never
+    !> NULL.
     !>   doubt  any integer
     function rwedge_validity_text(doubt) result(text)
         integer(c_int32_t), intent(in) :: doubt
@@ -1229,15 +1230,16 @@ contains
     !>          where P is 0
     !>   Q      |Q| <= f P, as for rwedge_contact_load()
     !>   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
-    !>          surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
-    !>          adds: apply it before P to have it without slip
-    !> rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. Exact without
-    !> moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
-    !> one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
-    !> of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
-    !> closed form, nor those that end with the front of slip between two patches of the memory at one
-    !> edge and between two others at the other, or with a part beyond the front that sticks:
-    !> lib/README.md, "Moment and bulk tension". Where |Q| = f P, and without friction, all are exact.
+    !>          surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0
+    !>          to have it without slip
+    !> rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. The result is
+    !> exact without friction, and where |Q| = f P. It is exact without moment and under one sigma,
+    !> whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
+    !> |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact. It is exact where both edges
+    !> of the contact move outwards, or both inwards, and both slip the same way or stick. Other loads
+    !> have no closed form. Nor have loads that bring the front of slip between two patches of the
+    !> memory at one edge, and between two others at the other edge, or that leave a part beyond the
+    !> front that sticks: lib/README.md, "Moment and bulk tension".
     !> RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
     !> where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
     !> surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
@@ -1504,8 +1506,8 @@ contains
     end subroutine
 
     !> Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
-    !> rwedge_contact_stresses() after each, to the same bits, and faster, for what one load leaves as
-    !> it was is not computed again.   new
+    !> rwedge_contact_stresses() after each, to the same bits. It is faster: what a load leaves as it
+    !> was is not computed again.   new
     !>   P              0, or at least 1e-8 of the last P
     !>   M, Q, sigma    finite: loads numbers each, as P
     !>   x, y           length, finite, y >= 0: n numbers each
@@ -1589,9 +1591,9 @@ contains
         value = c_contact_state_size(own(this))
     end function
 
-    !> The contact as numbers, for restarts and for other processes: what is made of them again gives
-    !> the same bits for ever after. They are of no other use. Their form has a version: this library
-    !> reads what it and the older ones have written.   new
+    !> The contact as numbers, for restarts and for other processes. A contact that is made of them
+    !> gives the same bits from then on. They have no other use. Their form has a version: this library
+    !> reads its own and those of older libraries.   new
     !>   n      rwedge_contact_state_size()
     !>   state  receives n numbers
     !> RWEDGE_ENULL; RWEDGE_ERANGE for another n.

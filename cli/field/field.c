@@ -58,7 +58,11 @@ static int read_axis(const char *name, const char *text, double from, double to,
         *values = range_between(from, to, count);
     else
         complaint = range_read(text, values);
-    return complaint == NULL ? STATUS_DONE : usage_error("--%s %s: %s", name, text, complaint);
+    if (complaint != NULL)
+        return usage_error("--%s %s: %s", name, text, complaint);
+    if (text != NULL)
+        range_say_two_values(name, text);
+    return STATUS_DONE;
 }
 
 static bool ascends(const range *values)

@@ -148,6 +148,8 @@ static int read_points(const arguments *given, plan *what)
     const char *complaint = x != NULL ? range_read(x, &what->x) : NULL;
     if (complaint != NULL)
         return usage_error("--x %s: %s", x, complaint);
+    if (x != NULL)
+        range_say_two_values("x", x);
     what->points = x != NULL ? 0 : 201;
     if (points != NULL && !number_read_whole(points, 2, 1000000000, &what->points))
         return usage_error("--points %s: must be a whole number from 2 to 1000000000", points);

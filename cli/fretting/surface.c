@@ -112,6 +112,7 @@ static int add_range(const char *text, const last_cycle *of, stops *all)
         range_free(&x);
         return usage_error("--x %s: %s", text, complaint);
     }
+    range_say_two_values("x", text);
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (int64_t i = 0; i < x.count; i++) {
         const double value = range_value(&x, i);

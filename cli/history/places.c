@@ -94,30 +94,48 @@ static int read_at(const char *text, places *found)
 
 static const char *const names[] = {"x", "y"};
 
-static int find_columns(csv_input *in, size_t column[2])
+typedef struct {
+    size_t column[2], count; /* of x and y; of all cells */
+} columns;
+
+static int find_column(const csv_input *in, const char *name, size_t *column)
+{
+    *column = csv_input_count(in);
+    for (size_t c = 0; c < csv_input_count(in); c++) {
+        if (strcmp(csv_input_cell(in, c), name) != 0)
+            continue;
+        if (*column < c)
+            return failure("%s: column %s: there twice; allowed: once", csv_input_name(in), name);
+        *column = c;
+    }
+    if (*column == csv_input_count(in))
+        return failure("%s: column %s: missing; needed: x and y, the depth", csv_input_name(in),
+                       name);
+    return STATUS_DONE;
+}
+
+static int find_columns(csv_input *in, columns *of)
 {
     const csv_event event = csv_input_next(in);
     if (event != CSV_ROW)
         return event == CSV_FAILED
                    ? STATUS_FAILED
                    : failure("%s: no header; needed: the columns x and y", csv_input_name(in));
-    for (int i = 0; i < 2; i++) {
-        column[i] = csv_input_count(in);
-        for (size_t c = 0; c < csv_input_count(in); c++)
-            if (strcmp(csv_input_cell(in, c), names[i]) == 0)
-                column[i] = c;
-        if (column[i] == csv_input_count(in))
-            return failure("%s: column %s: missing; needed: x and y, the depth", csv_input_name(in),
-                           names[i]);
-    }
-    return STATUS_DONE;
+    of->count = csv_input_count(in);
+    int status = STATUS_DONE;
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++)
+        status = find_column(in, names[i], &of->column[i]);
+    return status;
 }
 
-static int read_row(const csv_input *in, const size_t column[2], char decimal_sign, places *found)
+static int read_row(const csv_input *in, const columns *of, char decimal_sign, places *found)
 {
     double value[2];
+    if (csv_input_count(in) != of->count)
+        return failure("%s: line %" PRId64 ": %zu cells in this row, %zu in the header",
+                       csv_input_name(in), csv_input_line(in), csv_input_count(in), of->count);
     for (int i = 0; i < 2; i++) {
-        const char *text = column[i] < csv_input_count(in) ? csv_input_cell(in, column[i]) : "";
+        const char *text = csv_input_cell(in, of->column[i]);
         if (!number_read_cell(text, decimal_sign, &value[i]))
             return failure("%s: line %" PRId64 ": %s %.60s: must be a number, with a decimal %s",
                            csv_input_name(in), csv_input_line(in), names[i], text,
@@ -131,19 +149,19 @@ static int read_row(const csv_input *in, const size_t column[2], char decimal_si
     return add(found, value[0], value[1]) ? STATUS_DONE : STATUS_FAILED;
 }
 
-static int read_file(const char *path, char decimal_sign, places *found)
+static int read_file(const char *path, const char *encoding, char decimal_sign, places *found)
 {
-    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', NULL);
+    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding);
     if (in == NULL)
         return STATUS_FAILED;
-    size_t column[2];
-    int status = find_columns(in, column);
+    columns of = {{0}, 0};
+    int status = find_columns(in, &of);
     csv_event event = CSV_ROW;
     while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END) {
         if (event == CSV_MALFORMED)
             failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
                     csv_input_fault(in));
-        status = event == CSV_ROW ? read_row(in, column, decimal_sign, found) : STATUS_FAILED;
+        status = event == CSV_ROW ? read_row(in, &of, decimal_sign, found) : STATUS_FAILED;
     }
     if (status == STATUS_DONE && found->count == 0)
         status = failure("%s: no points; needed: rows of x and y", csv_input_name(in));
@@ -160,7 +178,11 @@ int places_read_depth(const arguments *given, range *depth)
     const char *complaint = range_read(text != NULL ? text : "0", depth);
     if (complaint == NULL && !range_within(depth, 0, 1e60, &outside))
         complaint = "depths must not be below 0";
-    return complaint == NULL ? STATUS_DONE : usage_error("--depth %s: %s", text, complaint);
+    if (complaint != NULL)
+        return usage_error("--depth %s: %s", text, complaint);
+    if (text != NULL)
+        range_say_two_values("depth", text);
+    return STATUS_DONE;
 }
 
 static int fill_grid(const char *text, const range *x, const range *y, places *found)
@@ -183,8 +205,10 @@ static int read_grid(const arguments *given, places *found)
     const char *complaint = range_read(text, &x);
     int status = complaint == NULL ? places_read_depth(given, &y)
                                    : usage_error("--x %s: %s", text, complaint);
-    if (status == STATUS_DONE)
+    if (status == STATUS_DONE) {
+        range_say_two_values("x", text);
         status = fill_grid(text, &x, &y, found);
+    }
     range_free(&x);
     range_free(&y);
     return status;
@@ -206,6 +230,6 @@ int places_read(const arguments *given, char decimal_sign, places *found)
     if (at != NULL)
         return read_at(at, found);
     if (points != NULL)
-        return read_file(points, decimal_sign, found);
+        return read_file(points, given->value[OPTION_ENCODING], decimal_sign, found);
     return x != NULL ? read_grid(given, found) : STATUS_DONE;
 }

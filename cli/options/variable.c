@@ -27,10 +27,8 @@ static int outside_domain(const table_variable *which, const char *text, double 
         strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
 }
 
-int variable_read(const table_variable *which, const char *text, range *values)
+static int read_values(const table_variable *which, const char *text, range *values)
 {
-    if (text == NULL)
-        text = which->usual;
     const char *complaint = range_read(text, values);
     if (complaint != NULL)
         return usage_error("--%s %s: %s", which->option, text, complaint);
@@ -40,10 +38,20 @@ int variable_read(const table_variable *which, const char *text, range *values)
     return STATUS_DONE;
 }
 
+int variable_read(const table_variable *which, const char *text, range *values)
+{
+    if (text == NULL)
+        text = which->usual;
+    const int status = read_values(which, text, values);
+    if (status == STATUS_DONE)
+        range_say_two_values(which->option, text);
+    return status;
+}
+
 int variable_read_one(const table_variable *which, const char *text, double *value)
 {
     range values = {0};
-    int status = variable_read(which, text, &values);
+    int status = read_values(which, text, &values);
     if (status == STATUS_DONE && values.count > 1)
         status = usage_error("--%s %s: must be one number", which->option, text);
     if (status == STATUS_DONE)

@@ -34,7 +34,7 @@ static void write_about(xlsx *book)
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
         xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
     xlsx_width(book, 0, 0, 100);
-    xlsx_print(book, (xlsx_page){7, 0, -1, true});
+    xlsx_print(book, (xlsx_page){7, 0, -1, true, 1});
 }
 
 static void begin(records *rows)
@@ -131,7 +131,8 @@ static void end(records *rows)
 {
     if (rows->problem != NULL)
         return;
-    xlsx_print(rows->book, (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6});
+    xlsx_print(rows->book,
+               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, 1});
     rows->problem = xlsx_finish(rows->book, rows->out);
     rows->book = NULL;
 }

@@ -382,7 +382,9 @@ void xlsx_print(xlsx *book, xlsx_page page)
 {
     keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row),
                                     column_of(page.last_column)));
-    worksheet_fit_to_pages(book->current, 1, (uint16_t)(page.header_row < 0));
+    worksheet_fit_to_pages(book->current, (uint16_t)page.wide, (uint16_t)(page.header_row < 0));
+    if (page.wide > 1)
+        keep(book, worksheet_repeat_columns(book->current, 0, 0));
     if (page.header_row >= 0)
         keep(book, worksheet_repeat_rows(book->current, 0, row_of(page.header_row)));
     if (page.landscape)
@@ -426,19 +428,22 @@ static void draw_mark(lxw_chart_series *series, xlsx_drawing drawing)
     chart_series_set_marker_fill(series, &fill);
 }
 
-static void draw_series(lxw_chart *drawn, const xlsx_series *what, int index)
+static void draw_series(xlsx *book, lxw_chart *drawn, const xlsx_series *what, int index)
 {
     lxw_chart_series *series = chart_add_series(drawn, what->x, what->y);
-    if (what->name != NULL)
+    if (what->name != NULL && what->drawing != XLSX_LABEL)
         chart_series_set_name(series, what->name);
     draw_line(series, index, what->drawing);
     draw_mark(series, what->drawing);
     if (what->drawing == XLSX_LABEL) {
         lxw_chart_font font = {.size = 10};
+        char name[60];
+        snprintf(name, sizeof name, "%s", what->name);
+        lxw_chart_data_label text = {.value = name}, *texts[] = {&text, NULL};
         chart_series_set_labels(series);
-        chart_series_set_labels_options(series, LXW_TRUE, LXW_FALSE, LXW_FALSE);
         chart_series_set_labels_position(series, LXW_CHART_LABEL_POSITION_CENTER);
         chart_series_set_labels_font(series, &font);
+        keep(book, chart_series_set_labels_custom(series, texts));
     }
 }
 
@@ -446,10 +451,12 @@ static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
 {
     lxw_chart_font font = {.size = 10, .bold = LXW_FALSE};
     lxw_chart_line grid = {.color = 0xE0E0E0, .width = 0.5F};
-    chart_axis_set_name(drawn->x_axis, chart->x_title);
-    chart_axis_set_name(drawn->y_axis, chart->y_title);
-    chart_axis_set_name_font(drawn->x_axis, &font);
-    chart_axis_set_name_font(drawn->y_axis, &font);
+    if (chart->x_title != NULL) {
+        chart_axis_set_name(drawn->x_axis, chart->x_title);
+        chart_axis_set_name(drawn->y_axis, chart->y_title);
+        chart_axis_set_name_font(drawn->x_axis, &font);
+        chart_axis_set_name_font(drawn->y_axis, &font);
+    }
     chart_axis_set_min(drawn->x_axis, chart->x_min);
     chart_axis_set_max(drawn->x_axis, chart->x_max);
     chart_axis_set_major_unit(drawn->x_axis, chart->x_step);
@@ -477,10 +484,13 @@ void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart)
     }
     lxw_chart_font font = {.size = 11, .bold = LXW_TRUE}, small = {.size = 8};
     for (int i = 0; i < chart->series_count; i++)
-        draw_series(drawn, &chart->series[i], i);
+        draw_series(book, drawn, &chart->series[i], i);
     draw_axes(drawn, chart);
-    chart_title_set_name(drawn, chart->title);
-    chart_title_set_name_font(drawn, &font);
+    if (chart->title != NULL) {
+        chart_title_set_name(drawn, chart->title);
+        chart_title_set_name_font(drawn, &font);
+    } else
+        chart_title_off(drawn);
     chart_legend_set_position(drawn, chart->bare ? LXW_CHART_LEGEND_NONE : LXW_CHART_LEGEND_BOTTOM);
     chart_legend_set_font(drawn, &small);
     lxw_chart_options place = {.x_scale = chart->width / 480.0,

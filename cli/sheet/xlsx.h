@@ -97,12 +97,13 @@ typedef struct {
 } xlsx_rule;
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule);
 
-/* What is printed: the cells up to this one, one page wide; one page high, or as many as it
+/* What is printed: the cells up to this one; one page high, or as many as it
  * takes, with the header on each. */
 typedef struct {
     int last_row, last_column;
     int header_row; /* -1: one page */
     bool landscape;
+    int wide; /* so many pages, with the first column on each */
 } xlsx_page;
 void xlsx_print(xlsx *book, xlsx_page page);
 
@@ -116,12 +117,12 @@ typedef enum {
     XLSX_LABEL    /* the name, at an invisible point */
 } xlsx_drawing;
 typedef struct {
-    const char *name;  /* in the legend; NULL for none */
+    const char *name;  /* in the legend, or a cell that has it, "='Sheet'!$A$1"; NULL for none */
     const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
     xlsx_drawing drawing;
 } xlsx_series;
 typedef struct {
-    const char *title, *x_title, *y_title;
+    const char *title, *x_title, *y_title; /* NULL for none */
     double x_min, x_max, x_step, y_min, y_max;
     int width, height; /* pixels */
     int right, down;   /* pixels from the corner of the cell */

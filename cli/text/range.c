@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "range.h"
 
+#include "message.h"
 #include "number.h"
 
 #include <float.h>
@@ -12,9 +13,16 @@ static const char not_a_range[] = "must be a number, a comma list of numbers, or
 static const char zero_step[] = "the STEP of START:STOP:STEP must not be 0";
 static const char wrong_sign[] = "the STEP of START:STOP:STEP must lead from START towards STOP";
 static const char too_many[] = "must not have more than 1000000000 values";
+static const char impossible[] = "must be 0, or 1e-60 to 1e60 in magnitude";
 static const char no_memory[] = "out of memory";
 
 enum { START, STOP, STEP };
+
+/* As the library has it of whatever has a size. */
+static bool is_possible(double value)
+{
+    return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
 
 static bool read_triple(const char *text, double number[3])
 {
@@ -69,6 +77,8 @@ static const char *read_steps(const char *text, range *values)
         return zero_step;
     if ((stop > start && step < 0) || (stop < start && step > 0))
         return wrong_sign;
+    if (!is_possible(start) || !is_possible(stop))
+        return impossible;
     values->first = start;
     values->step = step;
     values->power = common_power(number);
@@ -95,6 +105,8 @@ static const char *read_list(const char *text, range *values)
         const size_t length = number_length(text);
         if (!number_read_part(text, length, &values->items[values->count]))
             return not_a_range;
+        if (!is_possible(values->items[values->count]))
+            return impossible;
         values->count++;
         text += length;
         if (*text == '\0')
@@ -112,6 +124,19 @@ const char *range_read(const char *text, range *values)
     if (complaint != NULL)
         range_free(values);
     return complaint;
+}
+
+void range_say_two_values(const char *option, const char *text)
+{
+    static const char digits[] = "0123456789";
+    const size_t sign = text[0] == '-' || text[0] == '+' ? 1 : 0;
+    const size_t whole = strspn(text + sign, digits), first = sign + whole;
+    const char *second = text + first + (text[first] == ',' ? 1 : 0);
+    const size_t length = strspn(second, digits);
+    if (text[first] == ',' && whole > 0 && length > 0 && second[length] == '\0' &&
+        ((whole == 1 && text[sign] == '0') || (length > 1 && second[0] == '0')))
+        notice("--%s %s: two values, %.*s and %s; a decimal is written %.*s.%s", option, text,
+               (int)first, text, second, (int)first, text, second);
 }
 
 range range_between(double first, double last, int64_t count)

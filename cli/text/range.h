@@ -20,8 +20,12 @@ typedef struct {
 } range;
 
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the
- * option and the text. */
+ * option and the text. Numbers are 0, or 1e-60 to 1e60 in magnitude. */
 const char *range_read(const char *text, range *values);
+
+/* Says on stderr how a list was understood that may have been meant for one number: 0,5. Such are
+ * two whole numbers of which the first is 0, or the second begins with it. */
+void range_say_two_values(const char *option, const char *text);
 
 /* So many values, at least 2, in equal steps. Between -x and x they are exact mirror images, 0
  * among them if their number is odd. */

@@ -41,8 +41,9 @@ static const char *const lines[] = {
     "A case a row. The first row names the inputs as \"rwedge solve --input\" does, and the "
     "results "
     "as it does. Paste values from a file below these names. For more than 200 rows take the "
-    "sheet's protection off (there is no password), select the last row from its first cell to the "
-    "column \"error\" and beyond it the hidden columns, and fill down.",
+    "sheet's protection off (there is no password), copy the last row as a whole, and paste it "
+    "into "
+    "the rows below.",
     "#How the sheets compute",
     "a/b, and c: from Hertz' closed form, or five Newton steps on the contact law from a parabola "
     "that is exact at both ends. Pressure, slip and tension: closed forms.",
@@ -105,5 +106,5 @@ void sheet_about(xlsx *book)
         xlsx_lines(book, row, heading ? 1 : lines_of(lines[i]));
         xlsx_text(book, row++, 0, lines[i] + heading, heading ? XLSX_HEADING : XLSX_WRAPPED);
     }
-    xlsx_print(book, (xlsx_page){row - 1, 0, -1, false});
+    xlsx_print(book, (xlsx_page){row - 1, 0, -1, false, 1});
 }

@@ -44,6 +44,33 @@ static const struct {
 };
 enum { EXAMPLES = sizeof examples / sizeof examples[0] };
 
+/* What is typed or pasted is checked: typing at once, pasting by the column "error". */
+static void check_typing(xlsx *book)
+{
+    for (int cell = 0; cell < INPUT_CELLS; cell++) {
+        char named[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
+        const xlsx_rule rule = {
+            formula_in_row(input_check(cell, named), FIRST_ROW, column_of, formula),
+            case_cells[cell].column, case_cells[cell].what, input_message(cell, message)};
+        xlsx_validate(book, (xlsx_area){FIRST_ROW, column_of(cell), BATCH_ROWS, 1}, &rule);
+    }
+}
+
+/* A row with an error is red, one with warnings amber. */
+static void colour_rows(xlsx *book)
+{
+    const xlsx_area all = {FIRST_ROW, CASE_COLUMN, BATCH_ROWS, 1};
+    char letters[4], formula[FORMULA_SIZE];
+    xlsx_colour_when(book, all,
+                     compose(formula, "=$%s%d<>\"\"",
+                             column_letters(column_of(CELL_ERROR), letters), FIRST_ROW + 1),
+                     XLSX_RED);
+    xlsx_colour_when(book, all,
+                     compose(formula, "=$%s%d<>\"\"",
+                             column_letters(column_of(CELL_WARNINGS), letters), FIRST_ROW + 1),
+                     XLSX_AMBER);
+}
+
 void sheet_batch(xlsx *book, const yield_table *table)
 {
     double nothing[INPUT_CELLS];
@@ -58,10 +85,13 @@ void sheet_batch(xlsx *book, const yield_table *table)
         write_row(book, FIRST_ROW + i, &values);
     }
     xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 24);
-    xlsx_width(book, CELLS_COLUMN, column_of(RESULTS_END) - 1, 13);
+    xlsx_width(book, CELLS_COLUMN, column_of(RESULTS_END) - 1, 12);
     xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 40);
     xlsx_freeze(book, FIRST_ROW, 1);
     xlsx_print(book, (xlsx_page){FIRST_ROW + BATCH_ROWS - 1, column_of(RESULTS_END) - 1, HEADER_ROW,
-                                 true});
+                                 true, 3});
+    check_typing(book);
+    colour_rows(book);
+    xlsx_protect(book);
     xlsx_hide_columns(book, column_of(RESULTS_END), column_of(CELL_COUNT) - 1);
 }

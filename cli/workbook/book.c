@@ -4,6 +4,7 @@
 #include "about.h"
 #include "batch_sheet.h"
 #include "calculator.h"
+#include "look_up.h"
 #include "table_sheets.h"
 #include "text/message.h"
 #include "working.h"
@@ -14,6 +15,7 @@
 enum {
     SHEET_CALCULATOR,
     SHEET_BATCH,
+    SHEET_LOOK_UP,
     SHEET_ELASTIC_LIMIT,
     SHEET_MAX_TENSION,
     SHEET_CONTACT_LAW,
@@ -37,9 +39,10 @@ static bool fill_tables(xlsx *book)
 
 static bool fill(xlsx *book, const yield_table *table)
 {
-    static const char *const names[SHEETS] = {"Calculator",      "Batch",       "Elastic limit",
-                                              "Maximum tension", "Contact law", "Critical friction",
-                                              "About",           WORKING_SHEET};
+    static const char *const names[SHEETS] = {
+        "Calculator",        "Batch",           "Look up",
+        "Elastic limit",     "Maximum tension", "Contact law",
+        "Critical friction", "About",           WORKING_SHEET};
     case_values values;
     for (int i = 0; i < SHEETS; i++)
         xlsx_sheet(book, names[i]);
@@ -52,6 +55,8 @@ static bool fill(xlsx *book, const yield_table *table)
     xlsx_hide_sheet(book);
     xlsx_turn_to(book, SHEET_BATCH);
     sheet_batch(book, table);
+    xlsx_turn_to(book, SHEET_LOOK_UP);
+    sheet_look_up(book);
     xlsx_hide_names(book, "rwt_");
     return fill_tables(book);
 }

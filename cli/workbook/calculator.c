@@ -183,7 +183,9 @@ void sheet_calculator(xlsx *book, const yield_table *table, case_values *values)
     xlsx_width(book, VALUE, VALUE, 15);
     xlsx_width(book, UNIT, UNIT, 7);
     xlsx_width(book, HINT, HINT, 40);
+    draw_sketch(book, INPUT_ROW - 1, SKETCH);
     draw_figures(book, RESULT_ROW + LINES + 4);
     xlsx_freeze(book, 2, 0);
-    xlsx_print(book, (xlsx_page){RESULT_ROW + LINES + 4 + FIGURE_ROWS, SKETCH + 6, -1, false});
+    xlsx_protect(book);
+    xlsx_print(book, (xlsx_page){RESULT_ROW + LINES + 4 + FIGURE_ROWS, SKETCH + 6, -1, false, 1});
 }

@@ -435,7 +435,7 @@ const char limit_at_tip[] =
     "=IF(rwt_ok_f=1,(ASIN(INDEX(rwt_tips,rwt_i))/INDEX(rwt_tips,rwt_i)+SQRT((1-INDEX(rwt_tips,"
     "rwt_i))*(1+INDEX(rwt_tips,rwt_i))))/SQRT(MAX(" AT_TIP(SURFACE, "rwt_i") "," IF_THERE_1(
         "rwt_i", AT_TIP(BELOW, "rwt_i")) ")),NA())";
-const char limit_at_friction
-    [] = "=IF(AND(rwt_ok_f=1,rwt_ok_tip=1,rwt_a>0),(ASIN(rwt_n5)/rwt_n5+rwt_cos)/"
-         "SQRT(MAX(" ONE_F_NU(SURFACE) ",IF(SUMPRODUCT(" THERE("rwt_i", "") "*" THERE(
-             "rwt_i", "+21") "*" THERE("rwt_i", "+42") ")=3," ONE_F_NU(BELOW) ",0))),NA())";
+const char limit_at_friction[] =
+    "=IF(AND(rwt_ok_f=1,rwt_ok_tip=1,rwt_a>0),(ASIN(rwt_n5)/rwt_n5+rwt_cos)/"
+    "SQRT(MAX(" ONE_F_NU(SURFACE) ",IF(SUMPRODUCT(" THERE("rwt_i", "") "*" THERE(
+        "rwt_i", "+21") "*" THERE("rwt_i", "+42") ")=3," ONE_F_NU(BELOW) ",0))),NA())";

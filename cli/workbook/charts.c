@@ -20,7 +20,7 @@ static const char *range_of(char text[], const char *sheet, int column, int firs
 }
 
 typedef struct {
-    char text[2 * XLSX_SERIES_MAX][60];
+    char text[3 * XLSX_SERIES_MAX][60];
     int used;
 } ranges;
 
@@ -43,6 +43,14 @@ static const char *mark(ranges *kept, int column)
     return curve(kept, column, 1);
 }
 
+static const char *legend(ranges *kept, int which)
+{
+    char letters[4], *text = kept->text[kept->used++];
+    snprintf(text, sizeof kept->text[0], "='%s'!$%s$%d", WORKING_SHEET,
+             column_letters(LEGEND_COLUMN, letters), CURVE_ROW + which + 1);
+    return text;
+}
+
 static void place(xlsx_chart *chart, int which)
 {
     chart->width = FIGURE_WIDTH;
@@ -61,12 +69,13 @@ static void draw_normal_load(xlsx *book, int row)
         .x_max = 1,
         .x_step = 0.2,
         .y_max = 7,
-        .series = {{"P/(bk), f = 0, nu = 0.3", tips, "='Elastic limit'!$N$5:$N$104", XLSX_LINE},
-                   {"its depth y/b", tips, "='Elastic limit'!$O$5:$O$104", XLSX_DASHED_LINE},
-                   {"P/(bk), your f and nu1", curve(&kept, CURVE_TIP, TIPS),
+        .series = {{legend(&kept, LEGEND_NORMAL), tips, "='Elastic limit'!$N$5:$N$104", XLSX_LINE},
+                   {legend(&kept, LEGEND_DEPTH), tips, "='Elastic limit'!$O$5:$O$104",
+                    XLSX_DASHED_LINE},
+                   {legend(&kept, LEGEND_TIP_CURVE), curve(&kept, CURVE_TIP, TIPS),
                     curve(&kept, CURVE_TIP_LIMIT, TIPS), XLSX_THICK_LINE},
-                   {"your case", mark(&kept, CURVE_MARK_TIP), mark(&kept, CURVE_MARK_LIMIT),
-                    XLSX_MARK}},
+                   {legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_TIP),
+                    mark(&kept, CURVE_MARK_LIMIT), XLSX_MARK}},
         .series_count = 4,
     };
     place(&chart, 0);
@@ -75,8 +84,6 @@ static void draw_normal_load(xlsx *book, int row)
 
 static void draw_friction(xlsx *book, int row)
 {
-    static const char *const names[FAMILY] = {"a/b = 1.0", "0.9", "0.8", "0.7", "0.6",
-                                              "0.5",       "0.4", "0.3", "0.2", "0.1"};
     ranges kept = {.used = 0};
     xlsx_chart chart = {
         .title = "Fig. 4: elastic limit against friction (nu = 0.3)",
@@ -90,12 +97,14 @@ static void draw_friction(xlsx *book, int row)
     const char *f = store(&kept, "Elastic limit", 0, 4, 65);
     for (int i = 0; i < FAMILY; i++)
         chart.series[i] =
-            (xlsx_series){names[i], f, store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
+            (xlsx_series){legend(&kept, LEGEND_FAMILY + i), f,
+                          store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
     chart.series[FAMILY] =
-        (xlsx_series){"your a/b, nu1", curve(&kept, CURVE_FRICTION, FRICTIONS),
+        (xlsx_series){legend(&kept, LEGEND_FRICTION_CURVE), curve(&kept, CURVE_FRICTION, FRICTIONS),
                       curve(&kept, CURVE_FRICTION_LIMIT, FRICTIONS), XLSX_THICK_LINE};
-    chart.series[FAMILY + 1] = (xlsx_series){"your case", mark(&kept, CURVE_MARK_FRICTION),
-                                             mark(&kept, CURVE_MARK_LIMIT), XLSX_MARK};
+    chart.series[FAMILY + 1] =
+        (xlsx_series){legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_FRICTION),
+                      mark(&kept, CURVE_MARK_LIMIT), XLSX_MARK};
     place(&chart, 1);
     xlsx_draw(book, row, 0, &chart);
 }
@@ -111,13 +120,38 @@ static void draw_tension(xlsx *book, int row)
         .x_step = 0.2,
         .y_min = 0.95,
         .y_max = 1.3,
-        .series = {{"b sigma/(fP)", TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
-                   {"your case", mark(&kept, CURVE_MARK_TIP), mark(&kept, CURVE_MARK_TENSION),
-                    XLSX_MARK}},
+        .series = {{legend(&kept, LEGEND_TENSION), TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
+                   {legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_TIP),
+                    mark(&kept, CURVE_MARK_TENSION), XLSX_MARK}},
         .series_count = 2,
     };
     place(&chart, 2);
     xlsx_draw(book, row, 0, &chart);
+}
+
+void draw_sketch(xlsx *book, int row, int column)
+{
+    ranges kept = {.used = 0};
+    xlsx_chart chart = {
+        .title = NULL,
+        .x_min = -5,
+        .x_max = 5,
+        .x_step = 1,
+        .y_min = -2.6,
+        .y_max = 3.3,
+        .width = 440,
+        .height = 330,
+        .right = 8,
+        .bare = true,
+        .series_count = SKETCH_PARTS,
+    };
+    for (int i = 0; i < SKETCH_PARTS; i++) {
+        const int x = CURVES_END + 2 * i, points = sketch[i].points;
+        chart.series[i] =
+            (xlsx_series){points > 1 ? NULL : sketch[i].name, curve(&kept, x, points),
+                          curve(&kept, x + 1, points), points > 1 ? XLSX_OUTLINE : XLSX_LABEL};
+    }
+    xlsx_draw(book, row, column, &chart);
 }
 
 void draw_figures(xlsx *book, int row)

@@ -110,12 +110,74 @@ static void write_curves(xlsx *book, const yield_table *table, const case_values
     write_marks(book, values);
 }
 
+/* ---- The sketch ------------------------------------------------------------------------------ */
+
+/* Lines, one after another, and letters where they stand: x, y in units of the picture. */
+const sketch_part sketch[SKETCH_PARTS] = {
+    {"half-plane", 2, {-5, 5}, {0, 0}},
+    {"wedge",
+     9,
+     {-4.6, -1, -0.75, -0.5, 0, 0.5, 0.75, 1, 4.6},
+     {1.74, 0.3, 0.209, 0.145, 0.11, 0.145, 0.209, 0.3, 1.74}},
+    {"top", 2, {-4.6, 4.6}, {1.74, 1.74}},
+    {"angle", 5, {3.6, 3.58, 3.5, 3.4, 3.28}, {0.0, 0.35, 0.7, 0.98, 1.2}},
+    {"a", 4, {0, 0, 1, 1}, {-0.55, -0.45, -0.45, 0.3}},
+    {"b", 4, {0, 0, 1.9, 1.9}, {-1.2, -1.1, -1.1, 0}},
+    {"P", 5, {0, 0, -0.16, 0, 0.16}, {3.1, 2.0, 2.25, 2.0, 2.25}},
+    {"Q", 5, {-1.9, -0.5, -0.75, -0.5, -0.75}, {-1.9, -1.9, -1.8, -1.9, -2.0}},
+    {"tension", 5, {-1.9, -2.9, -2.65, -2.9, -2.65}, {-0.4, -0.4, -0.3, -0.4, -0.5}},
+    {"theta", 1, {4.05}, {0.62}},
+    {"a", 1, {0.5}, {-0.68}},
+    {"b", 1, {0.95}, {-1.33}},
+    {"P", 1, {0.35}, {2.75}},
+    {"Q (f)", 1, {-0.05}, {-1.9}},
+    {"R = a/theta", 1, {0}, {0.75}},
+    {"2: wedge, E2, nu2", 1, {0}, {1.4}},
+    {"1: half-plane, E1, nu1, k", 1, {2.9}, {-2.35}},
+    {"tension, x = -b", 1, {-3.3}, {-0.75}},
+};
+
+static void write_sketch(xlsx *book)
+{
+    for (int i = 0; i < SKETCH_PARTS; i++) {
+        xlsx_text(book, CURVE_ROW - 1, CURVES_END + 2 * i, sketch[i].name, XLSX_NOTE);
+        for (int j = 0; j < sketch[i].points; j++) {
+            xlsx_number(book, CURVE_ROW + j, CURVES_END + 2 * i, sketch[i].x[j], XLSX_PLAIN);
+            xlsx_number(book, CURVE_ROW + j, CURVES_END + 2 * i + 1, sketch[i].y[j], XLSX_PLAIN);
+        }
+    }
+}
+
+static void write_legend(xlsx *book)
+{
+    static const char *const legend[LEGEND_END] = {"P/(bk), f = 0, nu = 0.3",
+                                                   "its depth y/b",
+                                                   "P/(bk), your f and nu1",
+                                                   "your case",
+                                                   "your a/b, nu1",
+                                                   "b sigma/(fP)",
+                                                   "a/b = 1.0",
+                                                   "0.9",
+                                                   "0.8",
+                                                   "0.7",
+                                                   "0.6",
+                                                   "0.5",
+                                                   "0.4",
+                                                   "0.3",
+                                                   "0.2",
+                                                   "0.1"};
+    for (int i = 0; i < LEGEND_END; i++)
+        xlsx_text(book, CURVE_ROW + i, LEGEND_COLUMN, legend[i], XLSX_NOTE);
+}
+
 void sheet_working(xlsx *book, const yield_table *table, const case_values *values)
 {
     xlsx_text(book, 0, 0, "Working cells: please do not edit", XLSX_HEADING);
     write_case(book, values);
     write_nodes(book, table);
     write_curves(book, table, values);
+    write_sketch(book);
+    write_legend(book);
     write_branch(book, SURFACE_ROW, "rwt_surface",
                  "(A sqrt(J2)/theta)^2 on the surface: a row for each t, 16 blocks of nu, f across",
                  table->surface);

@@ -23,6 +23,30 @@ enum {
 };
 #define WORKING_SHEET "Working"
 
+/* The calculator's sketch: lines, and names at single points. Its columns follow CURVES_END, x and
+ * y of each part. */
+enum { SKETCH_PARTS = 18, SKETCH_POINTS = 9 };
+typedef struct {
+    const char *name;
+    int points;
+    double x[SKETCH_POINTS], y[SKETCH_POINTS];
+} sketch_part;
+extern const sketch_part sketch[SKETCH_PARTS];
+
+/* The names of the curves, below each other in the column after the sketch's. LibreOffice loses
+ * names that are in no cell when a sheet is inserted in front. */
+enum {
+    LEGEND_NORMAL,
+    LEGEND_DEPTH,
+    LEGEND_TIP_CURVE,
+    LEGEND_CASE,
+    LEGEND_FRICTION_CURVE,
+    LEGEND_TENSION,
+    LEGEND_FAMILY, /* a/b = 1 to 0.1 */
+    LEGEND_END = LEGEND_FAMILY + 10,
+    LEGEND_COLUMN = CURVES_END + 2 * SKETCH_PARTS
+};
+
 void sheet_working(xlsx *book, const yield_table *table, const case_values *values);
 
 #endif

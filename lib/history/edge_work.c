@@ -72,21 +72,24 @@ static double panel_integral(const layer *l, double from, double to)
     return half * step * sum;
 }
 
+/* The part of the layer in which an edge that moves so far passes a distance; 1, which is all of
+ * it, where it does not move or moves away. */
+static double part_of(double distance, double move)
+{
+    return distance * move > 0 ? distance / move : 1;
+}
+
 /* Panels end where an edge passes the end of the rounding, and where the patch has four times the
  * width: there is a pole where it has none. */
 static double next_end(const layer *l, double t)
 {
     const rw_patch here = patch_at(l, t);
-    const double to_left = (-l->a - here.left) / (l->to.left - l->from.left),
-                 to_right = (l->a - here.right) / (l->to.right - l->from.right);
-    const double grown =
-        3 * rw_patch_half_width(here) / (rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
-    double way = 1 - t;
-    if (to_left > 0)
-        way = fmin(way, to_left);
-    if (to_right > 0)
-        way = fmin(way, to_right);
-    return fmin(way, grown) < 1 - t ? t + fmin(way, grown) : 1;
+    const double to_left = part_of(-l->a - here.left, l->to.left - l->from.left),
+                 to_right = part_of(l->a - here.right, l->to.right - l->from.right),
+                 grown = part_of(3 * rw_patch_half_width(here),
+                                 rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
+    const double way = fmin(fmin(to_left, to_right), grown);
+    return way < 1 - t ? t + way : 1;
 }
 
 static double layer_integral(const layer *l)

@@ -10,3 +10,9 @@ add_custom_command(OUTPUT ${RWEDGE_ONE_OBJECT}
     COMMAND_EXPAND_LISTS VERBATIM
     COMMENT "Joining the library in one object")
 set_source_files_properties(${RWEDGE_ONE_OBJECT} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+# The two libraries that hold it may be built at the same time: it is made before either.
+add_custom_target(rwedge_one_object DEPENDS ${RWEDGE_ONE_OBJECT})
+add_dependencies(rwedge_static rwedge_one_object)
+if(RWEDGE_PRIVATE_DEPS)
+    add_dependencies(rwedge rwedge_one_object)
+endif()

@@ -78,7 +78,18 @@ refuses "rwedge table: --a-over-b 1e-20: elastic-limit has no tip between 0 and 
     $limit --a-over-b 1e-20
 refuses "rwedge table: --a-over-b 0:1e-13:1e-15: elastic-limit has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on" \
     $limit --a-over-b 0:1e-13:1e-15 --friction 0
-refuses "rwedge table: --a-over-b -1e-300: a/b must be a number not below 0" $limit --a-over-b -1e-300
+refuses "rwedge table: --a-over-b -1e-30: a/b must be a number not below 0" $limit --a-over-b -1e-30
+# What has a size is 0, or 1e-60 to 1e60, in every range.
+size="must be 0, or 1e-60 to 1e60 in magnitude"
+for extreme in 1e-70 -1e-300 1e61 0.1,1e-70 1e-70:1:0.1 0:1e308:1e-308; do
+    refuses "rwedge table: --a-over-b $extreme: $size" table contact-law --a-over-b $extreme
+done
+refuses "rwedge table: --friction 1e-70: $size" table max-tension --friction 1e-70
+refuses "rwedge profile: --a-over-b 1e-70: $size" profile --a-over-b 1e-70 --f 0.3
+refuses "rwedge profile: --c-over-b 1e-70: $size" profile --a-over-b 0.3 --f 0.3 --c-over-b 1e-70
+refuses "rwedge profile: --x 1e-70: $size" profile --a-over-b 0.3 --x 1e-70
+refuses "rwedge field: --y 1e70: $size" field --a-over-b 0.3 --x 0 --y 1e70
+refuses "rwedge figure: --a-over-b 1e-70: $size" figure field --a-over-b 1e-70 --data
 refuses "rwedge table: --q-over-fp 1.1: Q/(fP) must be a number from 0 to 1" table stick-zone --q-over-fp 1.1
 
 # What is no number, no list and no range.
@@ -100,7 +111,7 @@ refuses "rwedge table: --a-over-b 1:0:0.1: the STEP of START:STOP:STEP must lead
 many="must not have more than 1000000000 values"
 refuses "rwedge table: --a-over-b 0:1:1e-9: $many" $limit --a-over-b 0:1:1e-9
 refuses "rwedge table: --a-over-b 0:1:1e-300: $many" $limit --a-over-b 0:1:1e-300
-refuses "rwedge table: --a-over-b 0:1e308:1e-308: $many" $limit --a-over-b 0:1e308:1e-308
+refuses "rwedge table: --a-over-b 0:1e60:1e-308: $many" $limit --a-over-b 0:1e60:1e-308
 refuses "rwedge table: --a-over-b 0:9007199254740992:1: $many" $limit --a-over-b 0:9007199254740992:1
 all="must not give the table more than 1000000000 rows in all"
 refuses "rwedge table: --friction 0:1:1e-5: $all" $limit --friction 0:1:1e-5 --a-over-b 0.0001:1:1e-4

@@ -261,10 +261,10 @@ synonym() { # ALLOWED HEADER OPTIONS...
     shift 2
     header "column '${names##*,}': allowed: $allowed, or another name if it is something else" "$names" "$@"
 }
-for name in mu Mu friction "friction coefficient" friction_coefficient "mu [-]" μ µ "μ [-]" Reibwert REIBWERT Reibungszahl; do
+for name in mu Mu friction "friction coefficient" friction_coefficient "mu [-]" μ µ "μ [-]" Reibwert REIBWERT Reibungszahl "coefficient de frottement" Attrito "Coeficiente de fricción"; do
     synonym f "P,a,$name" $fixed
 done
-for name in sigma_y yield "Sigma_Y [MPa]" σy σ_y Sy sy S_y Rp0.2 "Rp0.2 [MPa]" Re Streckgrenze Fließgrenze; do
+for name in sigma_y yield "Sigma_Y [MPa]" σy σ_y Sy sy S_y Rp0.2 "Rp0.2 [MPa]" Re Streckgrenze Fließgrenze "limite élastique" "Limite d'élasticité" Snervamento "límite elástico"; do
     synonym yield_stress "P,a,$name" $fixed
 done
 synonym P "a,load" $fixed

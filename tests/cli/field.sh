@@ -74,7 +74,7 @@ same "sign of txy under the contact after the reversal" "+" "$(awk -F, 'NR == 3 
 # Below the sharp wedge: mean stress -(2/pi) arsinh(1/y), half the difference (2/pi)/sqrt(1 + y^2).
 prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
 0,0,,,,,,,,,
-0,1,-0.1109,-1.011,0,0.8114,-0.1109,-0.3367,-1.011,0.4502,90" field --a-over-b 0 --x 0 --y 0,1 --digits 4
+0,1,-0.1109,-1.011,0,0.8114,-0.1109,-0.3367,-1.011,0.4502,90" field --a-over-b 0 --x 0 --y 0,1.0 --digits 4
 prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
 0,1,0,0,0,0,0,0,0,0,0" field $contact --load 300,20 --load 0,0 --x 0 --y 1
 
@@ -127,7 +127,7 @@ print(reader.GetOutput().GetNumberOfPoints())')"
 fi
 refuses "rwedge field: --x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
 refuses "rwedge field: --y 1:0:-0.1: must ascend; so the format vtk wants it" field --a-over-b 1 --y 1:0:-0.1 --format vtk
-refuses "rwedge field: --x 0,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 0,0 --format vtk
+refuses "rwedge field: --x 1,1: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,1 --format vtk
 refuses "rwedge field: --decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma
 refuses "rwedge field: --format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/claims.sh"
 
 stick="table stick-zone --a-over-b 0 --q-over-fp 0,0.25"
-law="table contact-law --a-over-b 0,1"
+law="table contact-law --a-over-b 0,1.0"
 
 prints "a_over_b,Q_over_fP,c_over_b
 0,0,1
@@ -57,23 +57,23 @@ same "table from its own a/b" "" "$(diff first out)"
 # Grids: a/b down, the second variable across, the quantity in the corner.
 prints "c_over_b,0,0.5,1
 0,1,0.5,0
-1,1,0.7071067811865476,0" table stick-zone --a-over-b 0,1 --q-over-fp 0:1:0.5 --layout grid
+1,1,0.7071067811865476,0" table stick-zone --a-over-b 0,1.0 --q-over-fp 0:1:0.5 --layout grid
 prints "b_sigma_over_P,0,1
-1,0,1.2732395447351628" table max-tension --a-over-b 1 --friction 0,1 --layout grid
+1,0,1.2732395447351628" table max-tension --a-over-b 1 --friction 0,1.0 --layout grid
 prints "b_sigma_over_fP,0,1
-1,1.27,1.27" table max-tension --a-over-b 1 --friction 0,1 --layout grid --quantity b_sigma_over_fP --digits 3
+1,1.27,1.27" table max-tension --a-over-b 1 --friction 0,1.0 --layout grid --quantity b_sigma_over_fP --digits 3
 prints "f_critical,0.3,0.35
 1,0.2628,0.3115" table critical-friction --a-over-b 1 --nu 0.3,0.35 --layout grid --digits 4
 prints "branch,0,0.8
 0,surface,surface
-1,subsurface,surface" table elastic-limit --a-over-b 0,1 --friction 0,0.8 --layout grid --quantity branch
+1,subsurface,surface" table elastic-limit --a-over-b 0,1.0 --friction 0,0.8 --layout grid --quantity branch
 prints "P_over_bk_subsurface,0,0.8
 0,,
-1,4.88," table elastic-limit --a-over-b 0,1 --friction 0,0.8 --layout grid --quantity P_over_bk_subsurface --digits 4
+1,4.88," table elastic-limit --a-over-b 0,1.0 --friction 0,0.8 --layout grid --quantity P_over_bk_subsurface --digits 4
 prints '[
 {"P_over_bk": 0, "0": 0, "0.8": 0},
 {"P_over_bk": 1, "0": 4.88, "0.8": 1.842}
-]' table elastic-limit --a-over-b 0,1 --friction 0,0.8 --layout grid --digits 4 --format json
+]' table elastic-limit --a-over-b 0,1.0 --friction 0,0.8 --layout grid --digits 4 --format json
 
 # A grid's columns stay apart however few digits its cells have.
 prints "c_over_b,0.25,0.254

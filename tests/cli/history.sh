@@ -149,5 +149,22 @@ printf 'x,z\n1,2\n' >bad.csv
 cannot "rwedge history: bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,-2\n' >bad.csv
 cannot "rwedge history: bad.csv: line 2: y is a depth, and must not be below 0" history loads.csv $specimen --points bad.csv
+# Nothing of a file of points is dropped or guessed.
+printf 'x,y,x\n1,2,3\n' >bad.csv
+cannot "rwedge history: bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
+printf 'x,y\n1,2\n1,2,5\n' >bad.csv
+cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header" history loads.csv $specimen --points bad.csv
+printf 'x,y\n1,"2\n1,2\n' >bad.csv
+cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
+refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \
+    history loads.csv $specimen --points points.csv -o points.csv
+run history loads.csv $specimen --points points.csv
+mv out wanted
+printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
+run history loads.csv $specimen --points latin.csv --encoding windows-1252
+same "points in another encoding" "" "$(diff wanted out)"
+run history loads.csv $specimen --x 0,5 --depth 0,5
+message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
+rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"
 
 finish

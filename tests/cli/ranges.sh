@@ -35,7 +35,7 @@ values "0.5" 0.5
 values "0.5 0.1 0.5" 0.5,0.1,0.5
 values "0" -0
 values "0 0.5" -0:0.5:0.5
-values "1e-300 1e+300" 1e-300,1e300
+values "1e-60 1e+60" 1e-60,1e60
 
 # A thousand steps, each the double nearest to its decimal.
 run table max-tension --a-over-b 1 --friction 0:1:0.001
@@ -63,5 +63,26 @@ run table elastic-limit
 same "rows of the paper's grid" 650 "$(column f out | wc -l | tr -d ' ')"
 run table stick-zone
 same "rows of the default" 210 "$(column Q_over_fP out | wc -l | tr -d ' ')"
+
+# A number with a decimal comma is a list of two. Where it looks so, a line says how it was understood.
+two() { # WORDS-BEFORE OPTION TEXT FIRST SECOND DECIMAL
+    run $1 $2 $3 --format csv
+    status_is 0
+    message_is "rwedge ${1%% *}: $2 $3: two values, $4 and $5; a decimal is written $6"
+}
+two "table max-tension --a-over-b 1" --friction 0,5 0 5 0.5
+two "table max-tension --a-over-b 1" --friction 0,05 0 05 0.05
+two "table max-tension --friction 1" --a-over-b 1,05 1 05 1.05
+two "profile --a-over-b 1" --x 0,5 0 5 0.5
+two "field --a-over-b 1 --y 1" --x 0,25 0 25 0.25
+two "field --a-over-b 1 --y 1" --x -0,5 -0 5 -0.5
+run figure 5 --data --a-over-b 0,5
+message_is "rwedge figure: --a-over-b 0,5: two values, 0 and 5; a decimal is written 0.5"
+for list in 1,5 0,0.5 0,1,2 0.0,1 5 0:1:0.5 10,20; do
+    run table max-tension --a-over-b 1 --friction $list
+    status_is 0
+    message_is ""
+done
+refuses "rwedge profile: --q-over-fp 0,1: must be one number" profile --a-over-b 1 --q-over-fp 0,1
 
 finish

@@ -60,7 +60,7 @@ with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w", zipfile.ZIP_DE
             text = changed
         new.writestr(item, text)
 EOF
-"$python" damage.py book.xlsx wrong-table.xlsx sheet8.xml '(<c r="[A-Z]+9[0-9]"[^>]*><v>)([0-9])' '\g<1>1\g<2>'
+"$python" damage.py book.xlsx wrong-table.xlsx sheet9.xml '(<c r="[A-Z]+9[0-9]"[^>]*><v>)([0-9])' '\g<1>1\g<2>'
 "$python" damage.py book.xlsx wrong-value.xlsx sheet1.xml '(<c r="C29"[^>]*><f>[^<]*</f><v>)' '\g<1>1'
 called="LibreOffice"
 "$python" "$here/workbook_recalculate.py" "$rwedge" "$scratch" book.xlsx wrong-table.xlsx wrong-value.xlsx

@@ -260,14 +260,14 @@ def yield_tip(case, row):
 class Calculator:
     def __init__(self, document):
         self.document = document
-        sheet = document.Sheets.getByName("Calculator")
         self.cells = {}
         for i in range(document.NamedRanges.Count):
             name = document.NamedRanges.getByIndex(i)
-            match = re.fullmatch(r"\$?'?(Calculator|Working)'?\.\$([A-Z]+)\$(\d+)", name.Content)
+            match = re.fullmatch(r"\$?'?(Calculator|Working|Look up)'?\.\$([A-Z]+)\$(\d+)", name.Content)
             if match and name.Name.startswith("rw_"):
                 self.cells[name.Name] = document.Sheets.getByName(match[1]).getCellRangeByName(match[2] + match[3])
-        sheet.unprotect("")
+        for name in "Calculator", "Look up":
+            document.Sheets.getByName(name).unprotect("")
 
     def enter(self, case):
         for name in INPUTS:
@@ -469,6 +469,60 @@ def check_fill_down(batch):
     same("a row filled down", abs(batch.result(ROWS, "b") / float(good["b"]) - 1) < 1e-12, (width, batch.result(ROWS, "b")))
 
 
+# ---- The sheet Look up ----
+
+
+def nodes(document, name):
+    match = re.fullmatch(r"\$?'?([^'.]+)'?\.(.*)", document.NamedRanges.getByName(name).Content)
+    return document.Sheets.getByName(match[1]).getCellRangeByName(match[2].replace("$", "")).getDataArray()
+
+
+def between(table, i, j, share_f, share_tip):
+    """None where a corner is missing."""
+    corners = [table[i + k][j + m] for k in (0, 1) for m in (0, 1)]
+    if "" in corners:
+        return math.inf
+    low, high = corners[0] + share_tip * (corners[1] - corners[0]), corners[2] + share_tip * (corners[3] - corners[2])
+    return low + share_f * (high - low)
+
+
+def check_look_up(document, calculator):
+    """The middles of all cells err as little as the sheet says; its formulas do the same arithmetic."""
+    tips, frictions = nodes(document, "rw_table_tips")[0], [row[0] for row in nodes(document, "rw_table_f")]
+    tables = [nodes(document, name) for name in ("rw_table_surface", "rw_table_below")]
+    middles = [[(low + high) / 2 for low, high in zip(values, values[1:])] for values in (tips, frictions)]
+    done = subprocess.run([RWEDGE, "table", "elastic-limit", "--nu", "0.3", "--a-over-b", ",".join(map(repr, middles[0])),
+                           "--friction", ",".join(map(repr, middles[1]))], stdout=subprocess.PIPE, universal_newlines=True)
+    worst = {"from 0.01": 0, "from 0.1": 0}
+    rows = list(csv.DictReader(done.stdout.splitlines()))
+    same("middles", len(rows) == len(middles[0]) * len(middles[1]), len(rows))
+    for n, row in enumerate(rows):
+        j, i = divmod(n, len(middles[1]))
+        got = min(between(table, i, j, 0.5, 0.5) for table in tables)
+        error = abs(got / float(row["P_over_bk"]) - 1)
+        worst["from 0.01"] = max(worst["from 0.01"], error)
+        worst["from 0.1"] = max(worst["from 0.1"], error if float(row["a_over_b"]) > 0.1 else 0)
+        if n % 157 == 0:
+            calculator.cells["rw_look_a_over_b"].Value, calculator.cells["rw_look_f"].Value = middles[0][j], middles[1][i]
+            document.calculate()
+            same("the sheet Look up", abs(calculator.result("rw_look_P_over_bk") / got - 1) < 1e-12, (row, got))
+    print("Look up: largest errors", worst)
+    same("errors of Look up", worst["from 0.01"] <= 1.2e-3 and worst["from 0.1"] <= 1e-3, worst)
+
+
+def check_legends(document):
+    """The curves keep their names when a sheet is inserted in front."""
+    document.Sheets.insertNewByName("Front", 0)
+    charts = document.Sheets.getByName("Calculator").Charts
+    names = []
+    for i in range(charts.Count):
+        diagram = charts.getByIndex(i).EmbeddedObject.FirstDiagram
+        for series in diagram.CoordinateSystems[0].ChartTypes[0].DataSeries:
+            label = series.DataSequences[0].Label
+            names += [label.Data[0]] if label is not None and label.SourceRangeRepresentation else []
+    same("legends", charts.Count == 4 and len(names) == 18 and names.count("your case") == 3 and "0.1" in names, names)
+
+
 def check_book(office):
     started = time.time()
     document = office.open(WORKBOOK)
@@ -483,6 +537,8 @@ def check_book(office):
         check_cases(document, calculator, batch, count, beside)
         check_messages(document, calculator, batch)
     check_fill_down(batch)
+    check_look_up(document, calculator)
+    check_legends(document)
     document.close(True)
 
 

@@ -111,6 +111,79 @@ static void outputs_may_be_the_inputs(void **state)
     assert_true(same_bits(y, s[0], N) && same_bits(x, s[1], N) && same_bits(txy, s[2], N));
 }
 
+/* Of the same size as the inputs: one load at many points, many loads at one. */
+static void outputs_of_a_contact_may_be_the_inputs(void **state)
+{
+    (void)state;
+    enum { M = 5 };
+    double P[M] = {2000, 2100, 2000, 1900, 2000}, moment[M] = {0}, Q[M] = {-600, 0, 300, -100, 50};
+    const double sigma[M] = {0};
+    double x[M] = {-0.4, -0.2, 0, 0.1, 0.3}, y[M] = {0, 0.1, 0.2, 0, 1}, at = 0.1, deep = 0.3;
+    double s[3][M], txy[M];
+    rwedge_contact *contact = NULL, *twin = NULL;
+    assert_int_equal(rwedge_contact_create(0.01, 0.5, 1.8e-5, 0.6, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 2000, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 2000, 300), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_copy(contact, &twin), RWEDGE_OK);
+
+    assert_int_equal(rwedge_contact_tractions(contact, M, x, s[0], s[1]), RWEDGE_OK);
+    memcpy(txy, x, sizeof x);
+    assert_int_equal(rwedge_contact_tractions(contact, M, txy, s[2], txy), RWEDGE_OK);
+    assert_true(same_bits(s[2], s[0], M) && same_bits(txy, s[1], M));
+    assert_int_equal(rwedge_contact_slip(contact, M, x, s[0]), RWEDGE_OK);
+    memcpy(txy, x, sizeof x);
+    assert_int_equal(rwedge_contact_slip(contact, M, txy, txy), RWEDGE_OK);
+    assert_true(same_bits(txy, s[0], M));
+
+    assert_int_equal(rwedge_contact_stress_history(contact, M, P, moment, Q, sigma, 1, &at, &deep,
+                                                   s[0], s[1], s[2]),
+                     RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_stress_history(twin, M, P, moment, Q, sigma, 1, &at, &deep, Q, P, moment),
+        RWEDGE_OK);
+    assert_true(same_bits(Q, s[0], M) && same_bits(P, s[1], M) && same_bits(moment, s[2], M));
+    const double load = 2100, none = 0;
+    assert_int_equal(rwedge_contact_stress_history(contact, 1, &load, &none, &none, &none, M, x, y,
+                                                   s[0], s[1], s[2]),
+                     RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_stress_history(twin, 1, &load, &none, &none, &none, M, x, y, y, x, txy),
+        RWEDGE_OK);
+    assert_true(same_bits(y, s[0], M) && same_bits(x, s[1], M) && same_bits(txy, s[2], M));
+    rwedge_contact_destroy(twin);
+    rwedge_contact_destroy(contact);
+}
+
+static void outputs_of_measures_may_be_the_inputs(void **state)
+{
+    (void)state;
+    enum { POINTS = 4 };
+    double sxx[POINTS] = {100, -50, 0, 1}, syy[POINTS] = {-20, 10, 3, 0},
+           txy[POINTS] = {5, 9, 0, 2};
+    double value[POINTS], angle[POINTS];
+    double(*const columns[])[POINTS] = {&sxx, &syy, &txy};
+    for (int k = 0; k < 3; k++) {
+        double before[POINTS];
+        memcpy(before, *columns[k], sizeof before);
+        assert_int_equal(
+            rwedge_smith_watson_topper_field(1, POINTS, sxx, syy, txy, 2e5, 0.3, value, angle),
+            RWEDGE_OK);
+        assert_int_equal(rwedge_smith_watson_topper_field(1, POINTS, sxx, syy, txy, 2e5, 0.3,
+                                                          *columns[k], angle),
+                         RWEDGE_OK);
+        assert_true(same_bits(*columns[k], value, POINTS));
+        memcpy(*columns[k], before, sizeof before);
+        assert_int_equal(
+            rwedge_fatemi_socie_field(1, POINTS, sxx, syy, txy, 2e5, 0.3, 1e-3, value, angle),
+            RWEDGE_OK);
+        assert_int_equal(
+            rwedge_fatemi_socie_field(1, POINTS, sxx, syy, txy, 2e5, 0.3, 1e-3, value, *columns[k]),
+            RWEDGE_OK);
+        assert_true(same_bits(*columns[k], angle, POINTS));
+        memcpy(*columns[k], before, sizeof before);
+    }
+}
+
 static void elastic_limits_are_those_of_single_calls(void **state)
 {
     (void)state;
@@ -134,6 +207,8 @@ int main(void)
         cmocka_unit_test(every_length_is_filled),
         cmocka_unit_test(neighbours_are_left_alone),
         cmocka_unit_test(outputs_may_be_the_inputs),
+        cmocka_unit_test(outputs_of_a_contact_may_be_the_inputs),
+        cmocka_unit_test(outputs_of_measures_may_be_the_inputs),
         cmocka_unit_test(elastic_limits_are_those_of_single_calls),
     };
     return RUN_CLAIMS("batches", tests);

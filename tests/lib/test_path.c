@@ -3,6 +3,7 @@
 #include "histories.h"
 #include "quadrature.h"
 
+#include <fenv.h>
 #include <string.h>
 
 static const double F = 0.5;
@@ -908,6 +909,23 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* So small a force moves one edge of the slip by less than the rounding of its place. */
+static void the_energy_of_an_edge_that_stays_divides_by_nothing(void **state)
+{
+    (void)state;
+    const double a = 1e-60, compliance = 0.9999, P = 1,
+                 M = 0.25 * P * rwedge_half_width(1, a, compliance, P);
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(1, a, compliance, 0.3, &contact), RWEDGE_OK);
+    apply(contact, P, M, 0, 0);
+    const double sigma = rwedge_contact_largest_tension_step(contact, 3e-9);
+    feclearexcept(FE_ALL_EXCEPT);
+    apply(contact, P, M, 3e-9, sigma);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) >= 0);
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -944,6 +962,7 @@ int main(void)
         cmocka_unit_test(slip_has_one_origin_or_none),
         cmocka_unit_test(slip_is_continuous_in_the_moment),
         cmocka_unit_test(energy_and_slip_say_where_they_are_not_known),
+        cmocka_unit_test(the_energy_of_an_edge_that_stays_divides_by_nothing),
     };
     return RUN_CLAIMS("path", tests);
 }

@@ -8,7 +8,7 @@ library_options='-std=c99 -ffp-contract=off -fno-math-errno'
 options_of()
 {
     case $1,$2 in
-    *clang*,*/batch.c | *clang*,*/plane_search.c) echo "$library_options" ;;
+    *clang*,*/batch.c | *clang*,*/eccentric_batch.c | *clang*,*/plane_search.c) echo "$library_options" ;;
     *clang*) echo "$library_options -ffp-exception-behavior=maytrap" ;;
     *) echo "$library_options" ;;
     esac

@@ -128,15 +128,16 @@ classdef rwedge_contact < handle
         %            where P is 0
         %     Q      |Q| <= f P, as for rwedge_contact.load()
         %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
-        %            surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only
-        %            adds: apply it before P to have it without slip
-        %   rwedge_contact.load() keeps M and sigma as they are, and drops M where P is 0. Exact without
-        %   moment and under one sigma, whatever P and Q do; under constant P and M, where both edges slip
-        %   one way: |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact; and where both edges
-        %   of the contact move outwards or both inwards, and slip one way or stick. Other loads have no
-        %   closed form, nor those that end with the front of slip between two patches of the memory at one
-        %   edge and between two others at the other, or with a part beyond the front that sticks:
-        %   lib/README.md, "Moment and bulk tension". Where |Q| = f P, and without friction, all are exact.
+        %            surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0
+        %            to have it without slip
+        %   rwedge_contact.load() keeps M and sigma as they are, and drops M where P is 0. The result is
+        %   exact without friction, and where |Q| = f P. It is exact without moment and under one sigma,
+        %   whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
+        %   |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact. It is exact where both edges
+        %   of the contact move outwards, or both inwards, and both slip the same way or stick. Other loads
+        %   have no closed form. Nor have loads that bring the front of slip between two patches of the
+        %   memory at one edge, and between two others at the other edge, or that leave a part beyond the
+        %   front that sticks: lib/README.md, "Moment and bulk tension".
         %   rwedge:path where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
         %   surface. The others as rwedge_contact.load(): rwedge:sliding; rwedge:range; rwedge:handle;
@@ -157,7 +158,7 @@ classdef rwedge_contact < handle
         %     P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
         %     M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0 where P is 0
         %     Q      |Q| <= f P, as for rwedge_contact_load()
-        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface by A sigma/4 beside the wedge's, and so makes it slip. Where P is 0 it only adds: apply it before P to have it without slip
+        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0 to have it without slip
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: value = contact.obstacle(P, M, Q, sigma)');
             end
@@ -282,8 +283,8 @@ classdef rwedge_contact < handle
         function [sxx, syy, txy] = stress_history(contact, P, M, Q, sigma, x, y)
         %STRESS_HISTORY  [sxx, syy, txy] = contact.stress_history(P, M, Q, sigma, x, y)
         %   Stresses at n points while the contact goes on through many loads: as rwedge_contact.apply() and
-        %   rwedge_contact.stresses() after each, to the same bits, and faster, for what one load leaves as
-        %   it was is not computed again.   new
+        %   rwedge_contact.stresses() after each, to the same bits. It is faster: what a load leaves as it
+        %   was is not computed again.   new
         %     P              0, or at least 1e-8 of the last P
         %     M, Q, sigma    finite: loads numbers each, as P
         %     x, y           length, finite, y >= 0: n numbers each
@@ -307,9 +308,9 @@ classdef rwedge_contact < handle
 
         function state = state(contact)
         %STATE  state = contact.state()
-        %   The contact as numbers, for restarts and for other processes: what is made of them again gives
-        %   the same bits for ever after. They are of no other use. Their form has a version: this library
-        %   reads what it and the older ones have written.   new
+        %   The contact as numbers, for restarts and for other processes. A contact that is made of them
+        %   gives the same bits from then on. They have no other use. Their form has a version: this library
+        %   reads its own and those of older libraries.   new
         %     n      rwedge_contact.state_size()
         %     state  receives n numbers
         %   rwedge:handle; rwedge:range for another n.

@@ -1,8 +1,8 @@
 function value = rwedge_critical_friction(alpha, nu)
 %RWEDGE_CRITICAL_FRICTION  value = rwedge_critical_friction(alpha, nu)
 %   Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
-%   at the surface without friction already. (Of such tips the smallest, a/b < 0.0026, yield below
-%   the surface again for an interval of f: lib/README.md.)   Fig. 4; new
+%   at the surface without friction already. (The smallest of these tips, a/b < 0.0026, yield
+%   below the surface again in an interval of f: lib/README.md.)   Fig. 4; new
 %     alpha  0, or at least 1e-14; the sharp wedge yields at its apex: 0
 %   NaN outside the domain. Error below 1e-11 f, or 1e-14/f next to its zero, from which it rises
 %   like a square root.

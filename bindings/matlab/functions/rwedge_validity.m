@@ -1,8 +1,8 @@
 function value = rwedge_validity(theta, alpha, beta, f, k_over_E, safety)
 %RWEDGE_VALIDITY  value = rwedge_validity(theta, alpha, beta, f, k_over_E, safety)
 %   What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
-%   says what each means. 0 where nothing does. Nothing follows from an argument that is NaN, as what
-%   is not known; nor from a 0, but of safety.   new
+%   says what each means. The sum is 0 where nothing does. What is not known is given as NaN; it adds
+%   no doubt. Nor does a 0, except as safety.   new
 %     theta     any number; the angle between flank and surface, rad
 %     alpha     any number; a/b under the load; 0 is the sharp wedge
 %     beta      any number; rwedge_dundurs_beta()

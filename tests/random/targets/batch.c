@@ -21,7 +21,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = {data, size};
     const uint8_t kind = take_byte(&in);
-    batch what = {.path = file_of(in.data, in.left), .wanted = {.yield_factor = kind >= 0xf8}, .threads = 1};
+    batch what = {
+        .path = file_of(in.data, in.left), .threads = 1, .wanted = {.yield_factor = kind >= 0xf8}};
     set_constants(kind, &what.constants);
     const bool comma = kind / 8 % 4 == 1;
     const output_options how = {.format = kind / 8 % 4 == 2 ? &json_format : &delimited_format,

@@ -21,15 +21,14 @@ cmake -S "$source" -B "$build" -DCMAKE_C_COMPILER=gcc -DCMAKE_BUILD_TYPE=None -D
     cmake --build "$build" --parallel 2 --target $programs >>"$log" 2>&1 || { cat "$log"; exit 1; }
 find "$build" -name '*.gcda' -delete
 
-for program in $programs; do
-    case $program in
+# shellcheck disable=SC2016
+printf '%s\n' $programs | xargs -P 2 -I {} sh -c '
+    case $1 in
     strength_survey) cases=300 ;;
     test_calls) cases=100 ;;
-    *) cases='' ;;
+    *) cases= ;;
     esac
-    # shellcheck disable=SC2086
-    "$(find "$build/tests" -type f -name "$program")" $cases >"$log" 2>&1 || { cat "$log"; echo "FAILED: $program"; exit 1; }
-done
+    "$(find "$2/tests" -type f -name "$1")" $cases >"$2/$1.log" 2>&1 || { cat "$2/$1.log"; echo "FAILED: $1"; exit 1; }' sh {} "$build"
 find "$build/lib" -name '*.gcda' -exec gcov --json-format --branch-probabilities --stdout {} + >"$build/gcov.json" 2>"$log" ||
     { cat "$log"; exit 1; }
 python3 "$source/tests/suite/coverage/branches.py" "$source/lib" "$build/gcov.json"

@@ -243,8 +243,8 @@ RWEDGE_API int32_t rwedge_validity(double theta, double alpha, double beta, doub
                                    double k_over_E, double safety);
 
 /* What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other
- * number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never
- * NULL.
+ * number. To list all bits, go through 1, 2, 4 ... until the text is empty.
+ * Static text, never NULL.
  *   doubt  any integer */
 RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
 

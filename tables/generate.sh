@@ -1,17 +1,24 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL]]
-# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built. What is missing on the machine
+# Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL [FORM]]]
+# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM, decimal-comma or xlsx, only
+# the tables, in that form. What is missing on the machine
 # is installed first, where that is possible. Status 3: all but the workbook is written, and what that needs is said.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/tests/support/install.sh"
 accept_path "$top"
 case $#${1:-} in
-[3-9]* | ?-*) echo "usage: $0 [FOLDER [TOOL]]" >&2; exit 2 ;;
+[4-9]* | ?-*) echo "usage: $0 [FOLDER [TOOL [FORM]]]" >&2; exit 2 ;;
 esac
 target=$(cd "${1:-$top/tables}" && pwd)
 tool=${2:-$top/build/cli/rwedge}
+case ${3:-csv} in
+csv) ending=csv as='' ;;
+decimal-comma) ending=csv as=--decimal-comma ;;
+xlsx) ending=xlsx as='' ;;
+*) echo "$0: $3: unknown form; allowed: decimal-comma, xlsx" >&2; exit 2 ;;
+esac
 
 if [ $# -lt 2 ]; then
     require_build_tools
@@ -26,8 +33,8 @@ table()
 {
     name=$1
     shift
-    "$tool" table "$@" --digits 10 --output "$target/$name.csv"
-    echo "$name.csv: $(($(wc -l <"$target/$name.csv") - 1)) rows"
+    "$tool" table "$@" --digits 10 $as --output "$target/$name.$ending"
+    [ $ending = xlsx ] || echo "$name.csv: $(($(wc -l <"$target/$name.csv") - 1)) rows"
 }
 
 fine=0.01:1:0.01
@@ -38,6 +45,8 @@ done
 table max-tension max-tension --a-over-b 0:1:0.01 --friction 0.1:0.8:0.1
 table contact-law contact-law --a-over-b 0.01:2:0.01
 table critical-friction critical-friction --a-over-b "$fine" --nu 0.2:0.5:0.025
+
+[ $# -lt 3 ] || exit 0
 
 # The README's pictures, where gnuplot is there. Another gnuplot than drew them writes other bytes, and leaves them alone.
 picture()

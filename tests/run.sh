@@ -45,6 +45,8 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
+# finite elements, for a worked case in Python
+wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
 wish command:clang=clang command:clang-format-14=clang-format-14
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
@@ -158,6 +160,7 @@ if [ $campaign = yes ]; then
     step "branches of lib/" sh tests/suite/coverage/coverage.sh . build
     step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 200 --jobs "$(processors)"
     step "survey of the strength" build/tests/proof/strength_survey 10000 2026
+    step "survey of the yield factor" build/tests/proof/yield_survey 2000 2026
     step "accuracy" build/tests/proof/accuracy/accuracy 10000
     step "certificate of the tables" build/tests/proof/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
     step "certificate of the whole range" \

@@ -742,8 +742,8 @@ Attribute RWEDGE_VALIDITY.VB_Description = "What makes the results for such a co
 End Function
 
 ' What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other
-' number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never
-' NULL.
+' number. To list all bits, go through 1, 2, 4 ... until the text is empty.
+' Static text, never NULL.
 '   doubt  any integer
 Public Function RWEDGE_VALIDITY_TEXT(ByVal doubt As Long) As Variant
 Attribute RWEDGE_VALIDITY_TEXT.VB_Description = "What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never NULL."

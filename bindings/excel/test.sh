@@ -72,23 +72,10 @@ grep -q addsd code || fail "the code cannot be read"
 x87=$(awk -F '\t' '$2 ~ /^f[a-z]/ { split($2, word, " "); print word[1] }' code | grep -v '^fninit$' | sort -u)
 [ -z "$x87" ] || fail "the DLL uses the x87:" "$x87"
 
-# Wine in a prefix of its own, without a display, never longer than a minute. Debian has it outside of the path.
-PATH=$PATH:/usr/lib/wine
-wine=$(command -v wine64 || command -v wine) || skip "wine64 is not here; the module and the DLL's code were checked"
-server=$(command -v wineserver || command -v wineserver64) || skip "wineserver is not here; the module and the DLL's code were checked"
-end_wine()
-{
-    WINEPREFIX=$work/wine "$server" -k 2>/dev/null || true
-    rm -rf "$work/wine"
-}
-on_windows()
-{
-    env -u DISPLAY HOME="$work" WINEPREFIX="$work/wine" WINEDEBUG=-all \
-        WINEDLLOVERRIDES='mscoree=;mshtml=;winemenubuilder.exe=' timeout -k 5 60 "$wine" "$@"
-}
-end_wine
+. "$top/packages/windows/wine.sh"
+[ -n "$wine" ] && [ -n "$server" ] || skip "wine64 is not here; the module and the DLL's code were checked"
 trap end_wine EXIT
-on_windows wineboot -i >log 2>&1 || fail "wine does not start: $(tail -n 1 log)"
+start_wine
 x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$top/bindings/interface" "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$here/test/errors.c" -o windows/bin/errors.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 "$here/test/declared_door.c" -o windows/bin/declared_door.exe -loleaut32

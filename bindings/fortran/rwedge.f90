@@ -1110,8 +1110,8 @@ contains
     end function
 
     !> What one bit of rwedge_validity() means, in English: a line for messages. Empty for any other
-    !> number. To list all bits, go through 1, 2, 4 ... until the text is empty. Static text, never
-    !> NULL.
+    !> number. To list all bits, go through 1, 2, 4 ... until the text is empty.
+    !> Static text, never NULL.
     !>   doubt  any integer
     function rwedge_validity_text(doubt) result(text)
         integer(c_int32_t), intent(in) :: doubt

@@ -3,7 +3,9 @@
 #ifndef CLI_PRINTF_LIKE_H
 #define CLI_PRINTF_LIKE_H
 
-#ifdef __GNUC__
+#ifdef __MINGW32__ /* C's formats, not those of Windows */
+#define PRINTF_LIKE(text, first) __attribute__((format(gnu_printf, text, first)))
+#elif defined(__GNUC__)
 #define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
 #else
 #define PRINTF_LIKE(text, first)

@@ -277,6 +277,9 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
 }
 
+#define TENSION_FROM_BEFORE                                                                        \
+    "; a tension from before the contact is a load of its own, sigma with P = M = Q = 0"
+
 static const char *text_of(rw_obstacle obstacle)
 {
     switch (obstacle) {
@@ -285,15 +288,14 @@ static const char *text_of(rw_obstacle obstacle)
                "that dM/dP stays within a quarter of the contact's width from its middle";
     case RW_SLIPS_BOTH_WAYS:
         return "the two edges would slip in opposite directions: change sigma by less, or Q by "
-               "more, or in a load of its own at constant P and M";
+               "more, or in a load of its own at constant P and M" TENSION_FROM_BEFORE;
     case RW_FRONTS_PART:
         return "slip or the edges would have passed a patch of the history at one side only, or "
                "leave a part between that sticks: go on until all has slipped, or separate the "
                "bodies first";
     case RW_GROWS_UNEVENLY:
         return "the contact would grow with a shear that does not keep to its tilt: change P and M "
-               "first, under constant Q and sigma, then Q and sigma; a tension from before the "
-               "contact is a load of its own, with P = M = Q = 0";
+               "first, under constant Q and sigma, then Q and sigma" TENSION_FROM_BEFORE;
     default:
         return "";
     }

@@ -87,8 +87,7 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
         return 0;
     const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
                             .count = contact->origins.all[0].corners};
-    double w;
-    rw_path_displacement(&contact->memory, &base, contact->geometry.a, 1, &x, &w);
+    const double w = rw_path_displacement(&contact->memory, &base, contact->geometry.a, x);
     return contact->f > 1 ? contact->f * w * contact->geometry.theta
                           : contact->geometry.theta * w * contact->f;
 }

@@ -254,6 +254,26 @@ static void climb_to(climb *c, double last_span)
     }
 }
 
+/* To the highest place at any radius. A ridge lies beside the angles of the grid: along it J2 may
+ * rise where the grid falls, by as much as the angle from one to the other changes. */
+static void climb_ridge(climb *c)
+{
+    const double angle = c->top.angle, step = log(1 / FALL);
+    double log_radius = log(c->innermost);
+    while (log_radius < log(c->outermost)) {
+        polar at[LINE];
+        double J2[LINE];
+        for (int i = 0; i < LINE; i++, log_radius += step)
+            at[i] = (polar){angle, log_radius};
+        evaluate_places(c, LINE, at, J2);
+        for (int i = 0; i < LINE; i++)
+            if (J2[i] > c->J2) {
+                c->top = at[i];
+                c->J2 = J2[i];
+            }
+    }
+}
+
 /* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
  * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
 static void climb_to_top(climb *c)
@@ -265,11 +285,12 @@ static void climb_to_top(climb *c)
         hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
     if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
         return;
+    climb_ridge(c);
     climb_to(c, LAST_SPAN);
     if (c->J2 >= s->J2) {
         s->top_x = s->x;
         s->top_y = s->y;
-        s->top_radius = r;
+        s->top_radius = exp(c->top.log_radius);
     }
 }
 
@@ -345,7 +366,8 @@ static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest
 
 /* A top between the points of a grid with the step h is at most h/2 away. A parabola falls 8 times
  * as far to the neighbour on the other side as it rises to its top: so the rise that is allowed is
- * 8 times that. */
+ * 8 times that. This is an estimate, not a bound; tests/proof/yield_survey.c, which leaves nothing
+ * out on grids three times as fine, found no higher J2 in 8000 random histories. */
 static void note_feet(search *s, const polar_grid *grid, int side)
 {
     const double *J2 = grid->J2[side];

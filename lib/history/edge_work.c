@@ -72,24 +72,28 @@ static double panel_integral(const layer *l, double from, double to)
     return half * step * sum;
 }
 
-/* The part of the layer in which an edge that moves so far passes a distance; 1, which is all of
- * it, where it does not move or moves away. */
-static double part_of(double distance, double move)
+/* Of the way through a layer: a root so close to the end of a panel is as good as at it. */
+static const double CLOSE = 1e-6;
+
+/* How far on the way something that goes evenly passes a place; 1 where it does not. */
+static double passing(double from, double to, double place)
 {
-    return distance * move > 0 ? distance / move : 1;
+    return (from < place) != (to < place) ? (place - from) / (to - from) : 1;
 }
 
 /* Panels end where an edge passes the end of the rounding, and where the patch has four times the
  * width: there is a pole where it has none. */
 static double next_end(const layer *l, double t)
 {
-    const rw_patch here = patch_at(l, t);
-    const double to_left = part_of(-l->a - here.left, l->to.left - l->from.left),
-                 to_right = part_of(l->a - here.right, l->to.right - l->from.right),
-                 grown = part_of(3 * rw_patch_half_width(here),
-                                 rw_patch_half_width(l->to) - rw_patch_half_width(l->from));
-    const double way = fmin(fmin(to_left, to_right), grown);
-    return way < 1 - t ? t + way : 1;
+    const double from = rw_patch_half_width(l->from), to = rw_patch_half_width(l->to);
+    const double ends[] = {passing(l->from.left, l->to.left, -l->a),
+                           passing(l->from.right, l->to.right, l->a),
+                           passing(from, to, 4 * (from + t * (to - from)))};
+    double next = 1;
+    for (int i = 0; i < 3; i++)
+        if (ends[i] > t + CLOSE && ends[i] < next)
+            next = ends[i];
+    return next;
 }
 
 static double layer_integral(const layer *l)

@@ -168,52 +168,35 @@ static double right_gap(const outside *o, double x)
     return o->s * gap;
 }
 
-/* Adds the gaps at n > 0 points that ascend, times a weight. */
-static void add_gaps(double a, rw_patch patch, double weight, size_t n, const double x[],
-                     double sum[])
-{
-    if (x[0] < patch.left) {
-        const outside left = outside_of(a, (rw_patch){-patch.right, -patch.left});
-        for (size_t i = 0; i < n && x[i] < patch.left; i++)
-            sum[i] += weight * right_gap(&left, -x[i]);
-    }
-    if (x[n - 1] > patch.right) {
-        const outside right = outside_of(a, patch);
-        for (size_t i = n; i-- > 0 && x[i] > patch.right;)
-            sum[i] += weight * right_gap(&right, x[i]);
-    }
-}
-
 double rw_patch_gap(double a, rw_patch patch, double x)
 {
-    double gap = 0;
-    add_gaps(a, patch, 1, 1, &x, &gap);
-    return gap;
+    if (x >= patch.left && x <= patch.right)
+        return 0;
+    const bool is_right = x > patch.right;
+    const outside o = outside_of(a, is_right ? patch : (rw_patch){-patch.right, -patch.left});
+    return right_gap(&o, is_right ? x : -x);
 }
 
 /* ---- Displacement ---- */
 
 /* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
-static void add_displacement(const rw_memory *path, size_t first, double sign, double a, size_t n,
-                             const double x[], double sum[])
+static double displacement(const rw_memory *path, size_t first, double a, double x)
 {
+    double sum = 0;
     for (size_t i = first; i < path->count; i++) {
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
-        add_gaps(a, path->corners[i].patch, sign * (path->corners[i].ratio - beyond), n, x, sum);
+        sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
     }
     if (first > 1)
-        add_gaps(a, path->corners[first - 1].patch, -sign * path->corners[first].ratio, n, x, sum);
+        sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
+    return sum;
 }
 
-void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
-                          const double x[], double displacement[])
+double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x)
 {
     /* they differ before one of them ends, because one has slipped where the other has not: at a
      * front inside a layer of the other, or by the slope of a layer */
     const rw_trail other = rw_memory_trail(beyond);
     const size_t common = rw_memory_common(path, &other);
-    for (size_t i = 0; i < n; i++)
-        displacement[i] = 0;
-    add_displacement(path, common, 1, a, n, x, displacement);
-    add_displacement(beyond, common, -1, a, n, x, displacement);
+    return displacement(path, common, a, x) - displacement(beyond, common, a, x);
 }

@@ -10,9 +10,8 @@
  * over 1 - |delta|. */
 double rw_patch_gap(double a, rw_patch patch, double x);
 
-/* The tangential displacement at n > 0 points that ascend, over f theta, that one path has beyond
- * another of the same slope in its first layer. What both paths have in common is left out. */
-void rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, size_t n,
-                          const double x[], double displacement[]);
+/* The tangential displacement at x, over f theta, that one path has beyond another of the same
+ * slope in its first layer. What both paths have in common is left out. */
+double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x);
 
 #endif

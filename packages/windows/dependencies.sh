@@ -19,10 +19,10 @@ cp "$sources"/gsl/gsl_*.h "$sources"/gsl/*/gsl_*.h include/gsl
 sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' "$sources/gsl/config.h.in" >include/config.h
 for file in "$sources"/gsl/roots/*.c "$sources"/gsl/sys/*.c; do
     case ${file##*/} in test*) continue ;; esac
-    $tool-gcc -O2 -ffp-contract=off -Iinclude -I"$sources/gsl" \
+    $tool-gcc -O2 -ffp-contract=off -ffile-prefix-map="$sources"=. -Iinclude -I"$sources/gsl" \
         -c "$file" -o "gsl-objects/$(basename "$(dirname "$file")")-$(basename "$file" .c).o"
 done
-$tool-ar rcs libgsl.a gsl-objects/*.o
+$tool-ar rcsD libgsl.a gsl-objects/*.o
 
 # LAPACK: dgelsd, then what that calls, and so on; a routine's file has its name. What has no file (Fortran's run-time, libm) is
 # for the linker to find. xerbla is the library's own.
@@ -51,5 +51,5 @@ while [ "$now" -gt "$before" ]; do
     done
     now=$(find lapack-objects -name '*.o' | wc -l)
 done
-$tool-ar rcs liblapack.tmp lapack-objects/*.o
+$tool-ar rcsD liblapack.tmp lapack-objects/*.o
 mv liblapack.tmp liblapack.a # last: it stands for all of them

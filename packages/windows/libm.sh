@@ -28,4 +28,4 @@ for file in "$math"/*.c "$math"/x86_64/sqrt.c; do
         -I"$math/../internal" -idirafter "$math/../../arch/generic" -idirafter libm-objects/headers \
         -c "$file" -o "libm-objects/$(basename "$file" .c).o"
 done
-"${prefix}ar" rcs libm.a libm-objects/*.o
+"${prefix}ar" rcsD libm.a libm-objects/*.o

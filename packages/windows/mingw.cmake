@@ -8,5 +8,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 string(APPEND CMAKE_C_FLAGS_INIT " -Wno-float-conversion ") # its isnan() and the like would each say so
-string(APPEND CMAKE_SHARED_LINKER_FLAGS_INIT " -static-libgcc -s \"-L${RWEDGE_LIBM_FOLDER}\" ") # whose libm.a is found for -lm
-string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -static -s \"-L${RWEDGE_LIBM_FOLDER}\" ")
+string(APPEND CMAKE_SHARED_LINKER_FLAGS_INIT " -static-libgcc -s -Wl,--no-insert-timestamp \"-L${RWEDGE_LIBM_FOLDER}\" ") # whose libm.a is found for -lm
+string(APPEND CMAKE_EXE_LINKER_FLAGS_INIT " -static -s -Wl,--no-insert-timestamp \"-L${RWEDGE_LIBM_FOLDER}\" ")

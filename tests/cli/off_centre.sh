@@ -135,7 +135,7 @@ same "left edges" "-0.206698 -0.133033 - - -" \
     "$(column left out | awk '$1 == "-" { print; next } { printf "%.6f\n", $1 }' | paste -s -d ' ' -)"
 same "errors" "--
 --
-sigma 1000: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; sigma may change by 238.697 with this Q
+sigma 1000: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; a tension from before the contact is a load of its own, sigma with P = M = Q = 0; sigma may change by 238.697 with this Q
 Q 50: must not exceed f P = 40.725: there is no equilibrium
 M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
     "$(tail -n +2 out | sed 's/.*,"\{0,1\}\([sQM][^,"]*[^"]*\)"\{0,1\}$/\1/; /^[0-9]/s/.*/--/; s/below [0-9.e+]* in/below 6.4e+10 in/')"

@@ -54,26 +54,13 @@ def same(what, good, detail):
 # ---- LibreOffice ----
 
 
-def profile():
-    """LibreOffice's settings: it is not to compile its programs for a graphics processor, which takes half a minute once."""
-    folder = os.path.join(os.path.abspath(FOLDER), "profile", "user")
-    os.makedirs(folder)
-    with open(os.path.join(folder, "registrymodifications.xcu"), "w") as file:
-        file.write('''<?xml version="1.0" encoding="UTF-8"?>
-<oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
- xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
-<item oor:path="/org.openoffice.Office.Common/Misc"><prop oor:name="UseOpenCL" oor:op="fuse"><value>false</value></prop></item>
-</oor:items>
-''')
-    return "file://" + os.path.dirname(folder)
-
-
 class Office:
     def __init__(self):
         pipe = "rwedge%d" % os.getpid()
         self.process = subprocess.Popen(
-            ["soffice", "-env:UserInstallation=" + profile(), "--headless", "--norestore", "--nologo", "--accept=pipe,name=%s;urp;" % pipe], stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
+            ["soffice", "-env:UserInstallation=file://" + os.path.join(os.path.abspath(FOLDER), "profile"), "--headless",
+             "--norestore", "--nologo", "--accept=pipe,name=%s;urp;" % pipe],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         local = uno.getComponentContext()
         resolver = local.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", local)
         self.context = None

@@ -340,6 +340,23 @@ static void a_maximum_next_to_the_edge_is_not_missed(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
+ * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
+ * search is another. */
+static void a_ridge_beside_the_grid_is_followed(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    const double P = 0.98755269117723787, M = -0.16595399389051149;
+    assert_int_equal(rwedge_contact_create(0.1, 0, 0.1, 0.01043908085530201, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(contact, P, M, 0, 0), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669),
+        RWEDGE_OK);
+    assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
+    rwedge_contact_destroy(contact);
+}
+
 /* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
  * off; the grids of other marks find the same top. With nu a little below 0.5 there is less of a
  * plateau, and J2 differs by less than 1e-13. */
@@ -451,6 +468,7 @@ int main(void)
         cmocka_unit_test(no_scale_hides_a_higher_point),
         cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
         cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
+        cmocka_unit_test(a_ridge_beside_the_grid_is_followed),
         cmocka_unit_test(a_long_climb_is_broken_off_without_harm),
         cmocka_unit_test(many_corners_hide_no_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),

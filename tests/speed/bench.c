@@ -246,6 +246,22 @@ static double fatemi_socie(long n)
     return out[0][0] + out[1][n - 1];
 }
 
+/* The same by calls: what one call takes less. */
+static double history_by_calls(long n)
+{
+    rwedge_contact *contact;
+    if (rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact) != RWEDGE_OK)
+        return NAN;
+    rwedge_contact_load(contact, 20000, 0);
+    const size_t points = (size_t)n / LOADS;
+    for (int i = 0; i < LOADS; i++) {
+        rwedge_contact_load(contact, 20000, 9000 * sin(TURN * i / LOADS));
+        rwedge_contact_stresses(contact, points, xs, ys, out[0], out[1], out[2]);
+    }
+    rwedge_contact_destroy(contact);
+    return out[0][0] + out[2][points - 1];
+}
+
 /* The yield factor of a contact that remembers as many reversals, each smaller than all before. */
 static double yield_factors(int corners, long n)
 {
@@ -266,6 +282,11 @@ static double yield_factors(int corners, long n)
 }
 
 static double yield_factors_of_one_load(long n)
+{
+    return yield_factors(1, n);
+}
+
+static double yield_factors_of_two(long n)
 {
     return yield_factors(2, n);
 }
@@ -295,7 +316,9 @@ static void print_calls(double series, double search)
         {"pressure", pressures, POINTS, 0},
         {"load step and 100 stress points", load_steps, 1000, 0},
         {"yield factor, one load", yield_factors_of_one_load, 100, 0},
+        {"yield factor, P and then Q", yield_factors_of_two, 100, 0},
         {"yield factor, 251 corners", yield_factors_of_251, 1, 0},
+        {"stresses through a cycle, by calls", history_by_calls, LOADS * CYCLES, 0},
         {"stresses through a cycle of Q", centred_history, LOADS * CYCLES, 0},
         {"and of Q and sigma, under M", history_off_centre, LOADS * CYCLES, 0},
         {"Smith-Watson-Topper of 40 loads", smith_watson_topper, CYCLES, 0},

@@ -54,11 +54,22 @@ def microseconds(call):
     return min(timeit.repeat(call, number=20_000, repeat=5)) / 20_000 * 1e6
 
 
+def case_study():
+    """Seconds for 48 loads at 20000 points, and for Smith, Watson and Topper's parameter there with its plane."""
+    start = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+    start.load(2000)
+    x, y = start.half_width * np.linspace(-2, 2, 200), start.half_width * np.linspace(0, 1, 100)[:, None]
+    Q, found = 900 * np.cos(np.linspace(0, 2 * np.pi, 48)), []
+    stresses = min(cpu_time(lambda: found.append(start.copy().cycle({"Q": Q}, x, y))) for _ in range(5))
+    return stresses, min(cpu_time(lambda: rwedge.smith_watson_topper(*found[0], 72e3, 0.33, axis=0)) for _ in range(5))
+
+
 def main(points=1_000_000):
     loops = c_loops()
     for name in ARGUMENTS:
         over_c, each = ratio(loops, name, points, 3 if name == "elastic_limit" else 9)
         print(f"{name} over {points} points: {each:.1f} ns each, {over_c:.3f} of C's loop")
+    print("48 loads at 20000 points: stresses {:.3f} s, Smith-Watson-Topper {:.3f} s".format(*case_study()))
     load, contact = function("load"), rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
     contact.load(2000, 300)
     calls = {"rwedge.load(0.25)": lambda: rwedge.load(0.25), "the same by plain ctypes": lambda: load(0.25),

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples run, and their pictures are those that they draw; the sweep by two processes stores the bits of the serial
-result; the README's session is as printed."""
+"""The examples run, and their pictures are those that they draw; the README's session is as printed."""
 import doctest
 import re
 import runpy
+import shutil
 import struct
 import subprocess
 import sys
@@ -19,8 +19,10 @@ PICTURES = EXAMPLES / "pictures"
 DRAWN = {  # what each must print
     "fretting": r"sxx/p0 +1\.8193 +published +1\.8193[^$]*p0 +3585\.36 +published +3585\.36[^$]*MPa at x = -1\.0000 b, plane 90\.0 ",
     "dovetail": r"the pad tests the dovetail's edge to 1\.\d %",
+    "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
     "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
 }
+OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}  # a small one; the numbers of its picture are the same
 
 
 @pytest.fixture
@@ -29,28 +31,72 @@ def drawn(tmp_path, monkeypatch, capsys):
     monkeypatch.syspath_prepend(str(EXAMPLES))
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
 
-    def draw(name):
-        monkeypatch.setattr(sys, "argv", [name, str(tmp_path / f"{name}.svg")])
-        runpy.run_path(str(EXAMPLES / f"{name}.py"), run_name="__main__")
+    def draw(name, options=""):
+        monkeypatch.setattr(sys, "argv", [name, str(tmp_path / f"{name}.svg"), *options.split()])
+        try:
+            runpy.run_path(str(EXAMPLES / f"{name}.py"), run_name="__main__")
+        except SystemExit as end:
+            assert not end.code
         return capsys.readouterr().out, tmp_path / f"{name}.svg"
 
     return draw
 
 
+def renewed_by(name):
+    return f"renew it: python bindings/python/examples/{name}.py bindings/python/examples/pictures/{name}.svg"
+
+
+def numbers_agree(name, picture, tolerance, of_largest):
+    """Of a new picture and of the one that is shipped: relative tolerance, and that in the column's largest number."""
+    new, shipped = (np.genfromtxt(folder / f"{name}.csv", delimiter=",", names=True) for folder in (picture.parent, PICTURES))
+    assert new.dtype.names == shipped.dtype.names and new.shape == shipped.shape, renewed_by(name)
+    for column in new.dtype.names:
+        np.testing.assert_allclose(new[column], shipped[column], rtol=tolerance, atol=of_largest * np.nanmax(abs(shipped[column])),
+                                   err_msg=f"{column}: {renewed_by(name)}")
+
+
 @pytest.mark.parametrize("name", DRAWN)
 def test_an_example_draws_the_picture_that_is_shipped(drawn, name):
-    printed, picture = drawn(name)
+    printed, picture = drawn(name, OPTIONS.get(name, ""))
     assert re.search(DRAWN[name], printed), printed
-    renew = f"renew it: python bindings/python/examples/{name}.py bindings/python/examples/pictures/{name}.svg"
-    new, shipped = (np.genfromtxt(folder / f"{name}.csv", delimiter=",", names=True) for folder in (picture.parent, PICTURES))
-    assert new.dtype.names == shipped.dtype.names and new.shape == shipped.shape, renew
-    for column in new.dtype.names:
-        np.testing.assert_allclose(new[column], shipped[column], rtol=1e-7, atol=1e-8 * np.nanmax(abs(shipped[column])),
-                                   err_msg=f"{column}: {renew}")
+    numbers_agree(name, picture, 1e-7, 1e-8)
+
+
+@pytest.mark.parametrize("name", [*DRAWN, "calculix"])
+def test_a_shipped_picture_is_of_its_script_and_numbers(monkeypatch, name):
+    monkeypatch.syspath_prepend(str(EXAMPLES))
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
     import shown
 
     made_of = shown.fingerprint(EXAMPLES / f"{name}.py", PICTURES / f"{name}.csv")
-    assert made_of in (PICTURES / f"{name}.svg").read_text(), f"drawn by another script or style, or of other numbers; {renew}"
+    assert made_of in (PICTURES / f"{name}.svg").read_text(), f"another script or style drew it, or other numbers: {renewed_by(name)}"
+
+
+needs_ccx = pytest.mark.skipif(not shutil.which("ccx"), reason="ccx is not installed (Debian: calculix-ccx)")
+
+
+def errors_of(printed):
+    """Rows of pressure, shear, stresses; one for each mesh."""
+    return np.array([[float(word) for word in line.split()[1:4]] for line in printed.splitlines()[2:]])
+
+
+@needs_ccx
+def test_finite_elements_agree_with_the_closed_form(drawn):
+    """To what sixteen elements across the contact can show."""
+    (pressure, shear, stresses), = errors_of(drawn("calculix")[0])
+    assert pressure < 0.03 and shear < 0.03 and stresses < 0.01
+
+
+@needs_ccx
+@pytest.mark.long
+def test_finite_elements_approach_the_closed_form(drawn):
+    """As the mesh is refined twice; the picture is of the finest one. On the mesh between, CalculiX's shear stays below
+    friction's limit in the slip zone of the leading edge: the shear is compared from the first to the last."""
+    printed, picture = drawn("calculix", "--refine 2")
+    errors = errors_of(printed)
+    assert errors.shape == (3, 3) and (np.diff(errors[:, [0, 2]], axis=0) < 0).all(), printed
+    assert (errors[-1] < 0.5 * errors[0]).all(), printed
+    numbers_agree("calculix", picture, 0, 1e-3)  # another version of ccx stops its iterations elsewhere
 
 
 def test_published_cases_are_met(drawn):
@@ -60,14 +106,12 @@ def test_published_cases_are_met(drawn):
 
 
 @pytest.mark.long
-def test_the_sweep_stores_the_bits_of_the_serial_result(tmp_path, run):
-    printed = run(PACKAGE / "examples/sweep.py", tmp_path / "limit.zarr", "--rows", 200, "--columns", 100, "--check")
-    assert printed.startswith("20000 points in ")
-    assert "\n0 differ from the serial result" in printed
+def test_a_sweep_on_a_cluster_stores_the_bits_of_the_serial_result(tmp_path, run):
+    printed = run(EXAMPLES / "design.py", tmp_path / "design.svg", "--rows", 200, "--columns", 100, "--check", 1)
+    assert printed.startswith("20000 pads in ") and "\n0 differ from the serial result" in printed
     zarr = pytest.importorskip("zarr")
-    stored = zarr.open_array(tmp_path / "limit.zarr", mode="r")
+    stored = zarr.open_array(tmp_path / "design.zarr", mode="r")
     assert stored.shape == (200, 100) and stored.chunks == (50, 100)
-    assert stored[199, 99] == rwedge.elastic_limit(np.geomspace(1e-3, 1, 200)[199], 0.8, 0.3)
 
 
 def test_dask_takes_the_ufuncs_as_they_are():
@@ -95,7 +139,7 @@ def test_the_figure_is_drawn(tmp_path, run):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("example", ["figure4.py", "sweep.py", "fretting.py"])
+@pytest.mark.parametrize("example", ["figure4.py", "design.py", "fretting.py"])
 def test_without_its_argument_an_example_says_how_it_is_called(example):
     done = subprocess.run([sys.executable, PACKAGE / "examples" / example], capture_output=True, text=True)
     assert done.returncode == 2

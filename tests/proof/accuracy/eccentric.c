@@ -5,18 +5,10 @@
 #include <float.h>
 #include <math.h>
 
+#include "eccentric.h"
 #include "rows.h"
-#include "rwedge.h"
 
 /* ---- One patch in balls; lengths, loads in theta/A, tilts in theta ---- */
-
-typedef struct {
-    arb_ptr left, right;
-} ball_edges;
-
-/* What a patch carries, and how fast it changes with the edges: dP = u dr - v dl, pi s d delta =
- * u dr + v dl. */
-enum { P_OF, M_OF, TILT_OF, U_OF, V_OF, M_MIDDLE, S_HALF, CARRIED };
 
 static void clipped(arb_t x, slong prec)
 {
@@ -76,7 +68,7 @@ static void carried_by_sharp(arb_ptr c, const ball_edges *e, slong prec)
     arb_clear(root), arb_clear(u);
 }
 
-static void carried_by(arb_ptr c, const arb_t a, const ball_edges *e, slong prec)
+void carried_by(arb_ptr c, const arb_t a, const ball_edges *e, slong prec)
 {
     arb_add(c + M_MIDDLE, e->left, e->right, prec);
     arb_mul_2exp_si(c + M_MIDDLE, c + M_MIDDLE, -1);
@@ -291,8 +283,6 @@ static void some_patch(probe *call, bool is_sharp, double *left, double *right)
     }
 }
 
-enum { THETA, ROUNDING, COMPLIANCE, LOAD, MOMENT, FRICTION, SHEAR, TENSION };
-
 /* theta, a, A, P, M of a contact; false where they leave the domain. */
 static bool some_pressing(probe *call)
 {
@@ -478,8 +468,7 @@ static void judge_asymptotes(arb_t error, const probe *call, slong prec)
 
 /* ---- Stick zones ---- */
 
-/* Q and sigma, in one step; sigma up to its limit. */
-static bool draw_stick_zone(probe *call)
+bool draw_slipping(probe *call, rwedge_contact **made)
 {
     if (!some_pressing(call))
         return false;
@@ -499,8 +488,16 @@ static bool draw_stick_zone(probe *call)
         rwedge_contact_stick_zone(contact, &r[0], &r[1]) != RWEDGE_OK)
         r[0] = NAN;
     r[4] = most;
-    rwedge_contact_destroy(contact);
+    if (made)
+        *made = contact;
+    else
+        rwedge_contact_destroy(contact);
     return true;
+}
+
+static bool draw_stick_zone(probe *call)
+{
+    return draw_slipping(call, NULL);
 }
 
 /* |T| = (|Q|/f A/theta, -+A sigma/(4 theta f)), the sign that of Q. */

@@ -1,0 +1,44 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The zip for Windows: tool, DLL, module for Excel, workbook and tables, with the licences and a list of what is linked in.
+#     make.sh BUILD PACKAGES TESTED
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 packages=$2 tested=$3
+version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+name=rwedge-$version-windows-x64
+work=$build/excel # as the test of the module has it: one DLL
+epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
+for command in x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran dpkg-source python3; do
+    command -v "$command" >/dev/null || { echo "not made: the zip for Windows, for lack of $command" | tee -a "$tested"; exit 77; }
+done
+
+sh "$here/build.sh" --tool "$work"
+made=$work/windows
+folder=$work/$name
+rm -rf "$folder"
+mkdir -p "$folder/c" "$folder/licences" "$folder/tables/decimal-comma" "$folder/tables/xlsx"
+cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$top/bindings/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" "$folder"
+sed "s/@VERSION@/$version/" "$here/start-here.html" >"$folder/start-here.html"
+cp "$top/include/rwedge.h" "$made/lib/librwedge.dll.a" "$folder/c"
+cp "$top"/tables/*.csv "$folder/tables"
+cmake -S "$top" -B "$build" -DRWEDGE_BUILD_CLI=ON >/dev/null
+cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge_cli >/dev/null
+for form in decimal-comma xlsx; do
+    sh "$top/tables/generate.sh" "$folder/tables/$form" "$build/cli/rwedge" $form >/dev/null
+done
+
+# The licences of all that is inside, and what it is.
+cp "$top/LICENSE" "$folder/licences/rwedge.txt"
+licence() { cp "$2" "$folder/licences/$1.txt"; }
+for package in gsl:COPYING lapack:LICENSE musl:COPYRIGHT popt:COPYING jansson:LICENSE libcsv:COPYING.LESSER libxlsxwriter:License.txt \
+    zlib:LICENSE; do
+    licence "${package%:*}" "$work/sources/${package%:*}/${package#*:}"
+done
+licence mingw-w64 /usr/share/doc/mingw-w64-common/copyright
+licence gcc /usr/share/doc/gcc-mingw-w64-base/copyright
+python3 -B "$here/../sbom.py" "$version" "$epoch" "$work/sources" >"$folder/sbom.spdx.json"
+python3 -B "$here/../zip.py" "$packages/$name.zip" "$epoch" "$folder"
+
+sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

@@ -22,10 +22,11 @@ struct poptOption state_option_table[] = {
 void state_describe(FILE *stream)
 {
     fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
-          "(default 0.3), and --q-over-fp or --c-over-b: lengths are then in b, stresses in\n"
-          "theta/A, slip in theta b. A history runs in straight steps from load to load;\n"
-          "without one, Q and sigma grow from 0 under constant P and M. x > 0 is the side\n"
-          "that the friction on the half-plane, with Q > 0, points to; y is the depth.\n",
+          "(default 0.3), --M, --sigma, and --q-over-fp or --c-over-b: lengths are in b,\n"
+          "stresses in theta/A, slip in theta b, a moment in theta b^2/A; b is that without\n"
+          "the moment. A history runs in straight steps from load to load; without one, Q\n"
+          "and sigma grow from 0 under constant P and M. x > 0 is the side that the friction\n"
+          "on the half-plane, with Q > 0, points to; y is the depth.\n",
           stream);
 }
 
@@ -41,9 +42,10 @@ static int refuse_dimensional(const arguments *given, const input_texts *texts)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
-        if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1)
-            return usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, "
-                               "--q-over-fp, --c-over-b",
+        if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1 && i != INPUT_M &&
+            i != INPUT_SIGMA)
+            return usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, --M, "
+                               "--sigma, --q-over-fp, --c-over-b",
                                input_name(texts, i, name), texts->text[i]);
     }
     if (given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL)
@@ -53,13 +55,12 @@ static int refuse_dimensional(const arguments *given, const input_texts *texts)
     return STATUS_DONE;
 }
 
-static int read_f_and_nu(const input_texts *texts, double *f, double *nu)
+/* Reads an input that may be left out. */
+static int read_input(const input_texts *texts, int input, double usual, double *value)
 {
     char complaint[COMPLAINT_SIZE];
-    *f = 0;
-    *nu = NATURAL_NU;
-    if ((texts->text[INPUT_F] != NULL && !input_read(texts, INPUT_F, f, complaint)) ||
-        (texts->text[INPUT_NU1] != NULL && !input_read(texts, INPUT_NU1, nu, complaint)))
+    *value = usual;
+    if (texts->text[input] != NULL && !input_read(texts, input, value, complaint))
         return usage_error("%s", complaint);
     return STATUS_DONE;
 }
@@ -79,14 +80,6 @@ static int read_shear_ratio(const arguments *given, double alpha, double *ratio)
     return status;
 }
 
-static int load_monotonic(load to, contact_state *state)
-{
-    const int32_t status = loads_apply_monotonic(to, state->contact);
-    return status == RWEDGE_OK
-               ? STATUS_DONE
-               : failure("the loads cannot be applied: %s", rwedge_strerror(status));
-}
-
 static int create(double theta, double a, double A, double f, contact_state *state)
 {
     const int32_t status = rwedge_contact_create(theta, a, A, f, &state->contact);
@@ -94,27 +87,70 @@ static int create(double theta, double a, double A, double f, contact_state *sta
     return status == RWEDGE_OK ? STATUS_DONE : failure("the contact: %s", rwedge_strerror(status));
 }
 
+/* b is the half-width that P has without a moment. */
+static int read_natural_load(const arguments *given, const input_texts *texts, double alpha,
+                             double f, load *to)
+{
+    double ratio;
+    to->P = rwedge_load(alpha);
+    int status = read_input(texts, INPUT_M, 0, &to->M);
+    if (status == STATUS_DONE)
+        status = read_input(texts, INPUT_SIGMA, 0, &to->sigma);
+    if (status == STATUS_DONE && given->value[OPTION_C_OVER_B] != NULL &&
+        (to->M != 0 || to->sigma != 0))
+        status = usage_error("--c-over-b %s: not with --M or --sigma, which move the stick zone; "
+                             "allowed: --q-over-fp",
+                             given->value[OPTION_C_OVER_B]);
+    if (status == STATUS_DONE)
+        status = read_shear_ratio(given, alpha, &ratio);
+    if (status == STATUS_DONE)
+        to->Q = ratio * f * to->P;
+    return status;
+}
+
+static int apply_natural(const input_texts *texts, double f, load to, contact_state *state)
+{
+    const int32_t status = loads_apply_monotonic(to, state->contact);
+    if (status == RWEDGE_OK)
+        return STATUS_DONE;
+    char name[INPUT_NAME_SIZE];
+    const load_fault fault = loads_fault(status, to, f, state->contact);
+    const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
+    return usage_error("%s%s%s: %s", named ? input_name(texts, fault.input, name) : "the loads",
+                       named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
+}
+
+/* Without a moment the half-width is 1 to rounding, and the edges are at 1 exactly. */
+static void measure_natural(bool centred, contact_state *state)
+{
+    const zone contact = state_contact_zone(state);
+    const double b = rwedge_contact_half_width(state->contact);
+    state->b = centred ? 1 : b;
+    state->left = centred ? -1 : contact.left;
+    state->right = centred ? 1 : contact.right;
+    state->length_unit = centred ? b : 1;
+    state->slip_unit = NATURAL_THETA * state->length_unit;
+}
+
 static int read_natural(const arguments *given, const input_texts *texts, contact_state *state)
 {
-    double alpha, f, ratio;
+    double alpha, f;
+    load to;
     int status = refuse_dimensional(given, texts);
     if (status == STATUS_DONE)
         status = variable_read_one(&variables[A_OVER_B], given->value[OPTION_A_OVER_B], &alpha);
     if (status == STATUS_DONE)
-        status = read_f_and_nu(texts, &f, &state->nu);
+        status = read_input(texts, INPUT_F, 0, &f);
     if (status == STATUS_DONE)
-        status = read_shear_ratio(given, alpha, &ratio);
+        status = read_input(texts, INPUT_NU1, NATURAL_NU, &state->nu);
+    if (status == STATUS_DONE)
+        status = read_natural_load(given, texts, alpha, f, &to);
     if (status == STATUS_DONE)
         status = create(NATURAL_THETA, alpha, NATURAL_A, f, state);
-    if (status != STATUS_DONE)
-        return status;
-    const double P = rwedge_load(alpha);
-    status = load_monotonic((load){.P = P, .Q = ratio * f * P}, state);
-    state->b = state->right = 1;
-    state->left = -1;
-    /* 1 to rounding: the edge is at 1 exactly */
-    state->length_unit = rwedge_contact_half_width(state->contact);
-    state->slip_unit = NATURAL_THETA * state->length_unit;
+    if (status == STATUS_DONE)
+        status = apply_natural(texts, f, to, state);
+    if (status == STATUS_DONE)
+        measure_natural(to.M == 0, state);
     return status;
 }
 
@@ -132,6 +168,14 @@ static int apply_table(const load_source *from, char decimal_sign, double f, con
         header_name_unused(&loads.names, loads.name);
     load_table_free(&loads);
     return status;
+}
+
+static int apply_case(const contact_case *what, contact_state *state)
+{
+    const int32_t status = loads_apply_monotonic(case_load(what), state->contact);
+    return status == RWEDGE_OK
+               ? STATUS_DONE
+               : failure("the loads cannot be applied: %s", rwedge_strerror(status));
 }
 
 static int refuse_natural(const arguments *given)
@@ -167,7 +211,7 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
         status = create(what.theta, what.a, what.A, what.f, state);
     if (status == STATUS_DONE)
         status = has_history ? apply_table(&from, decimal_sign, what.f, state)
-                             : load_monotonic(case_load(&what), state);
+                             : apply_case(&what, state);
     if (status != STATUS_DONE)
         return status;
     state->nu = what.nu1;

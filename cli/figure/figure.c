@@ -4,6 +4,7 @@
 #include "figure_eccentric.h"
 #include "figure_field.h"
 #include "figure_loop.h"
+#include "figures_course.h"
 #include "figures_strength.h"
 #include "figures_traction.h"
 #include "picture/gnuplot.h"
@@ -11,18 +12,20 @@
 #include "text/message.h"
 #include "rows/output_options.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <rwedge.h>
 
-enum { FIGURE_COUNT = 9 };
+enum { FIGURE_COUNT = 11 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure, &figure_normal, &figure_sliding, &figure_yield_point, &figure_tension,
-    &figure_shear,    &figure_field,  &figure_loop,    &figure_eccentric};
+    &figure_pressure,  &figure_normal,  &figure_sliding, &figure_yield_point,
+    &figure_tension,   &figure_shear,   &figure_field,   &figure_loop,
+    &figure_eccentric, &figure_history, &figure_fretting};
 
 enum {
-    OPTION_FIGURE_VARIABLE = OPTION_OWN,
+    OPTION_FIGURE_VARIABLE = OPTION_AFTER_PLACES,
     OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES,
     OPTION_NO_TITLE
 };
@@ -31,6 +34,22 @@ static const table_variable stick_width = {
     "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
 static const table_variable tension = {
     "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
+
+#define BODY(option, input) option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input)
+
+/* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
+static struct poptOption course_figure_option_table[] = {
+    {BODY("E1", INPUT_E1), "Young's modulus of body 1", "STRESS"},
+    {BODY("E2", INPUT_E2), "Young's modulus of body 2 (default: as body 1)", "STRESS"},
+    {BODY("nu2", INPUT_NU2), "Poisson's ratio of body 2 (default: as body 1)", "NUMBER"},
+    {BODY("theta", INPUT_THETA), "Angle between flank and surface, in radians", "ANGLE"},
+    {BODY("theta-deg", INPUT_THETA_DEG), "The same in degrees", "ANGLE"},
+    {BODY("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
+    {BODY("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, NULL, NULL},
+    {"at", '\0', POPT_ARG_STRING, NULL, OPTION_AT, "The point of figure history", "x,y"},
+    POPT_TABLEEND,
+};
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + A_OVER_B,
@@ -48,6 +67,8 @@ static const struct poptOption options[] = {
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
     {"sigma-over-max", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX,
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_figure_option_table, 0,
+     "A contact and its loads, for history, fretting, and the loop of any history:", NULL},
     {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA,
      "Write the numbers behind the figure instead of a picture", NULL},
     {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture",
@@ -160,6 +181,64 @@ static int read_case(const arguments *given, const figure *which, figure_case *o
     return STATUS_DONE;
 }
 
+/* ---- A contact and its loads ---- */
+
+static bool has_loads(const arguments *given)
+{
+    return given->value[OPTION_HISTORY] != NULL || given->value[OPTION_LOAD] != NULL;
+}
+
+/* Without a table of loads there is nothing for its options to say. */
+static int refuse_course(const arguments *given, const figure *which)
+{
+    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
+        if (given->value[i] != NULL)
+            return usage_error(
+                "figure %s: a contact and its loads are for history, fretting, and loop with "
+                "--history or --load",
+                which->name);
+    return STATUS_DONE;
+}
+
+static double largest_half_width(const course *whole)
+{
+    const contact_case *what = &whole->what;
+    double most = 0;
+    for (size_t i = 0; i < whole->loads.count; i++)
+        most = fmax(most, rwedge_half_width(what->theta, what->a, what->A, whole->loads.load[i].P));
+    return most;
+}
+
+/* Friction and Poisson's ratio are variables of other figures. */
+static arguments with_bodies(const arguments *given)
+{
+    arguments as = *given;
+    as.value[OPTION_INPUT + INPUT_F] = given->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    as.value[OPTION_INPUT + INPUT_NU1] = given->value[OPTION_FIGURE_VARIABLE + NU];
+    as.operand = NULL;
+    return as;
+}
+
+static int read_course(const arguments *given, const figure *which, char decimal_sign,
+                       course *whole, places *at, figure_case *of)
+{
+    const arguments as = with_bodies(given);
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (i != FRICTION && i != NU && given->value[OPTION_FIGURE_VARIABLE + i] != NULL)
+            return refuse_variable(which, i, given->value[OPTION_FIGURE_VARIABLE + i]);
+    if (which->needs_point && as.value[OPTION_AT] == NULL)
+        return usage_error("--at: missing; figure %s needs a point x,y", which->name);
+    int status = places_read(&as, decimal_sign, at);
+    if (status == STATUS_DONE && at->count > 1)
+        status = usage_error("--at %s: must be one point", as.value[OPTION_AT]);
+    if (status == STATUS_DONE)
+        status = course_read(&as, decimal_sign, which->cycles, whole);
+    if (status != STATUS_DONE)
+        return status;
+    *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
+    return STATUS_DONE;
+}
+
 static const picture_format *format_named(const char *name)
 {
     for (int i = 0; i < PICTURE_FORMATS; i++)
@@ -190,6 +269,8 @@ typedef struct {
     figure_case of;
     const picture_format *format; /* NULL for the numbers */
     bool no_title;
+    course whole;
+    places at;
     dataset rows;
 } work;
 
@@ -240,12 +321,22 @@ static int write_work(const arguments *given, work *what)
 {
     output_options how;
     int status = choose_figure(given, &what->which);
-    if (status == STATUS_DONE)
-        status = read_case(given, what->which, &what->of);
+    if (status == STATUS_DONE && what->which == &figure_loop && has_loads(given))
+        what->which = &figure_any_loop;
     if (status == STATUS_DONE)
         status = given->value[OPTION_DATA] != NULL
                      ? output_options_read(given, &how)
                      : read_picture_format(given, &what->format, &how);
+    if (status == STATUS_DONE && what->which->of_course)
+        status =
+            read_course(given, what->which, how.decimal_sign, &what->whole, &what->at, &what->of);
+    else if (status == STATUS_DONE) {
+        status = refuse_course(given, what->which);
+        if (status == STATUS_DONE)
+            status = read_case(given, what->which, &what->of);
+    }
+    if (status == STATUS_DONE)
+        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
     if (status == STATUS_DONE)
         status = output_options_write(&how, write_figure, what);
     return status;
@@ -256,6 +347,8 @@ static int write_command(const arguments *given)
     work what = {.no_title = given->value[OPTION_NO_TITLE] != NULL};
     const int status = write_work(given, &what);
     dataset_free(&what.rows);
+    course_free(&what.whole);
+    places_free(&what.at);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         range_free(&what.of.value[i]);
     return status;
@@ -266,7 +359,7 @@ static const char *figure_name(int i)
     return i < FIGURE_COUNT ? figures[i]->name : NULL;
 }
 
-static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, 0};
+static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, OPTION_LOAD};
 
 const command figure_command = {
     "figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",

@@ -61,12 +61,12 @@ enum { LOOP_STEPS = 100 };
 /* From one turning point, or the origin, to the next; factor 2 after a turn. */
 static int32_t add_part(const cycle *of, double from, double to, double start, const char *what)
 {
-    const double load = rwedge_load(of->alpha), factor = from == 0 ? 1 : 2;
+    const double normal = rwedge_load(of->alpha), factor = from == 0 ? 1 : 2;
     int32_t status = RWEDGE_OK;
     for (int i = 0; status == RWEDGE_OK && i <= LOOP_STEPS; i++) {
         const double part = sin(0.5 * PI * i / LOOP_STEPS), Q = from + (to - from) * part;
         const double moved = start + factor * displacement(of->alpha, (to - from) / factor * part);
-        status = rwedge_contact_load(of->contact, load, Q * load);
+        status = rwedge_contact_load(of->contact, normal, Q * normal);
         dataset_add(of->rows,
                     (data_row){.curve = of->number,
                                .text = what,

@@ -35,8 +35,8 @@ static int fine_places(const figure_case *of)
     static const double WITHIN = 8;
     enum { FARTHER = 2 * FINE_PER_DECADE };
     const double scale = smallest(&of->value[A_OVER_B], smallest(&of->value[C_OVER_B], 1));
-    const double places = ceil(FINE_PER_DECADE * log10(WITHIN * coarse_x(1) / scale));
-    return places > 0 ? (int)fmin(places + FARTHER, FINE_MAX) : 0;
+    const double wanted = ceil(FINE_PER_DECADE * log10(WITHIN * coarse_x(1) / scale));
+    return wanted > 0 ? (int)fmin(wanted + FARTHER, FINE_MAX) : 0;
 }
 
 /* The place i, -fine - TRACTION_STEPS <= i <= fine + TRACTION_STEPS. */

@@ -3,6 +3,7 @@
 #ifndef CLI_KIND_H
 #define CLI_KIND_H
 
+#include "history/places.h"
 #include "picture/drawing.h"
 #include "options/variable.h"
 
@@ -21,6 +22,9 @@ enum { FIGURE_CURVES_MAX = 12 };
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
     range value[FIGURE_VARIABLES];
+    const course *whole; /* of a figure of a course; NULL otherwise */
+    const places *at;
+    double half_width; /* the largest of the contact, in the course */
 } figure_case;
 
 double case_value(const figure_case *of, int variable);
@@ -31,6 +35,9 @@ void case_text(const figure_case *of, int variable, int64_t i, char text[NUMBER_
 typedef struct {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
+    bool of_course;   /* it needs a contact and a table of loads in place of variables */
+    bool needs_point; /* and one point */
+    int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;
     int32_t (*compute)(const figure_case *of, dataset *rows);

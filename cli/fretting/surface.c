@@ -182,3 +182,14 @@ int surface_places(const arguments *given, char decimal_sign, const last_cycle *
     places_free(&points);
     return status;
 }
+
+bool surface_usual(const last_cycle *of, measured *all)
+{
+    const range surface = {.count = 1};
+    stops along = {0};
+    *all = (measured){0};
+    const bool done = add_usual(of, &along) == STATUS_DONE && !along.failed &&
+                      fill_lines(&along, &surface, all) == STATUS_DONE;
+    free(along.stop);
+    return done;
+}

@@ -12,4 +12,7 @@
  * either case. */
 int surface_places(const arguments *given, char decimal_sign, const last_cycle *of, measured *all);
 
+/* The places by default, on the surface. False where there are none, or memory is short. */
+bool surface_usual(const last_cycle *of, measured *all);
+
 #endif

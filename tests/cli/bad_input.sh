@@ -251,8 +251,8 @@ refuses "rwedge solve: --Q -1e70: the tangential force must be $size, or 0" solv
 
 # Natural units and dimensional ones do not mix, nor do two histories.
 natural="given together with --a-over-b"
-refuses "rwedge profile: --P 1: $natural; allowed: --f, --nu1, --q-over-fp, --c-over-b" profile --a-over-b 1 --P 1
-refuses "rwedge field: --E1 1: $natural; allowed: --f, --nu1, --q-over-fp, --c-over-b" field --a-over-b 1 --E1 1
+refuses "rwedge profile: --P 1: $natural; allowed: --f, --nu1, --M, --sigma, --q-over-fp, --c-over-b" profile --a-over-b 1 --P 1
+refuses "rwedge field: --E1 1: $natural; allowed: --f, --nu1, --M, --sigma, --q-over-fp, --c-over-b" field --a-over-b 1 --E1 1
 refuses "rwedge profile: --load: $natural; allowed: --q-over-fp or --c-over-b" profile --a-over-b 1 --load 1,0
 refuses "rwedge profile: --history: $natural; allowed: --q-over-fp or --c-over-b" profile --a-over-b 1 --history x
 refuses "rwedge profile: --c-over-b 0.5: given together with --q-over-fp; allowed: one of the two" \

@@ -165,7 +165,7 @@ run figure 6 --data -o old.csv
 same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
 
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting"
 refuses "rwedge figure: which figure must follow; allowed: $all" figure
 refuses "rwedge figure: 1: unknown figure; allowed: $all" figure 1
 refuses "rwedge figure: 3: unexpected; allowed: one figure, and options" figure 2 3
@@ -195,5 +195,33 @@ for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,);
     same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../cli/README.md" |
         grep -q -e "\`$word[\` ]" && echo yes)"
 done
+
+# Figures of a contact and its loads. The loop: its area is the energy of the cycle, it closes, and its end on first loading is that
+# of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
+run figure loop --history loads.csv $specimen --data
+status_is 0
+awk -F, 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }
+    $1 == 2 { print end, $6 } $1 == 3 { print -end, $6 } $1 == 4 { print end, $6 }
+    NR > 1 && $1 >= 2 { if (n++) area += ($4 + q) / 2 * ($6 - d); else first = $7; q = $4; d = $6; last = $7 }
+    END { print last - first, area }' out >both
+close_rows "loop of a history" 3e-3 0
+run figure history --history loads.csv $specimen --at -0.2,0.01 --data
+status_is 0
+awk -F, -v OFS=, 'NR > 1 && $1 == int($1) { print $2, $3, $4, $5, $6, $7 }' out >drawn
+run history loads.csv $specimen --at -0.2,0.01
+same "stresses of history" "$(tail -n +2 out | cut -d , -f 2-7)" "$(cat drawn)"
+run figure fretting --history loads.csv $specimen --data --cycles 2
+status_is 0
+cut -d , -f 1-2 out | tail -n +2 >drawn
+run fretting loads.csv $specimen --cycles 2
+same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
+refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
+refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
+    figure fretting --history loads.csv --a-over-b 1
+cannot "rwedge figure: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+    figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 
 finish

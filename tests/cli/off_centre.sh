@@ -86,6 +86,18 @@ sxx=$(column sxx out)
 run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --x 0.1
 close_to "field and profile" "$(column sxx out)" "$sxx" 1e-12
 
+# Natural units with a moment and tension: the same contact in units of its own, b = 0.2 without the moment.
+run profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
+status_is 0
+cp out natural
+run table contact-law --a-over-b 0.5
+set -- $(awk -F, 'NR == 2 { A = 4 * (1 - 0.33 ^ 2) / 72100; u = 0.05 / A; P = $2 * u * 0.2
+    printf "%.17g %.17g %.17g %.17g", P, 0.3 * 0.5 * P, 0.3 * u * 0.04, 0.1 * u }' out)
+run profile --E1 72100 --nu1 0.33 --theta 0.05 --a 0.1 --f 0.3 --P "$1" --Q "$2" --M "$3" --sigma "$4" --points 41
+paste -d , natural out | awk -F, 'NR > 1 { u = 0.05 * 72100 / (4 * (1 - 0.33 ^ 2)); printf "%s %.17g\n%s %.17g\n%s %.17g\n%s %.17g\n%s %.17g\n",
+    $1, $7 / 0.2, $2, $8 / u, $3, $9 / u, $5, $11 / u, $6, $12 / (0.05 * 0.2) }' >both
+close_rows "natural units" 1e-9 1e-9
+
 # A history by options and from a file; two numbers keep moment and tension, a file without their columns has none.
 run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,-10 --points 21
 cp out listed
@@ -139,8 +151,10 @@ refuses "rwedge profile: --load 100,40,0,0: no closed form: one edge of the cont
     profile $specimen --load 100,5,0,0 --load 100,40,0,0
 refuses "rwedge profile: --sigma 3: given together with --load, which has the loads; allowed: one of the two" \
     profile $specimen --sigma 3 --load 100,0
-refuses "rwedge field: --M 3: given together with --a-over-b; allowed: --f, --nu1, --q-over-fp, --c-over-b" \
-    field --a-over-b 0.5 --M 3
+refuses "rwedge field: --c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
+    field --a-over-b 0.5 --f 0.3 --c-over-b 0.5 --M 3
+refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; sigma may change by 0.365399 with this Q" \
+    field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3
 # The limit that the message names is the limit.
 run profile $specimen --load 10,1e20,0,0
 limit=$(sed -n 's/.*M must be below \([0-9.e+]*\) in magnitude: more lays a flank on the surface$/\1/p' err)

@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "figures_course.h"
+
+#include "contact/tensor.h"
+#include "fretting/worst.h"
+#include "fretting/surface.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- Along the loads ---- */
+
+enum { STEPS = 24 }; /* from load to load, for smooth curves */
+
+/* Adds what is to be seen of a state; the number of the load counts on in between. */
+typedef int32_t visitor(const figure_case *of, double number, const rwedge_contact *contact,
+                        dataset *rows);
+
+static double part_of(double from, double to, int i)
+{
+    return i == STEPS ? to : from + (to - from) * i / STEPS;
+}
+
+/* The states before a load. Where one has no closed form, the curve is straight from there. */
+static int32_t visit_between(const figure_case *of, size_t step, rwedge_contact *contact,
+                             visitor *visit, dataset *rows)
+{
+    rwedge_contact *trial = NULL;
+    load from, to = course_load(of->whole, step);
+    rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
+    int32_t status = rwedge_contact_copy(contact, &trial);
+    for (int i = 1; i < STEPS && status == RWEDGE_OK && from.P > 0; i++) {
+        if (rwedge_contact_apply(trial, part_of(from.P, to.P, i), part_of(from.M, to.M, i),
+                                 part_of(from.Q, to.Q, i),
+                                 part_of(from.sigma, to.sigma, i)) != RWEDGE_OK)
+            break;
+        status = visit(of, (double)step + (double)i / STEPS, trial, rows);
+    }
+    rwedge_contact_destroy(trial);
+    return status;
+}
+
+/* Of the loads from the first on. */
+static int32_t visit_all(const figure_case *of, size_t first, visitor *visit, dataset *rows)
+{
+    rwedge_contact *contact = NULL;
+    int32_t status = case_contact(&of->whole->what, &contact);
+    for (size_t step = 0; step < of->whole->steps && status == RWEDGE_OK; step++) {
+        const load to = course_load(of->whole, step);
+        if (step > first)
+            status = visit_between(of, step, contact, visit, rows);
+        if (status == RWEDGE_OK)
+            status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+        if (status == RWEDGE_OK && step >= first)
+            status = visit(of, (double)step + 1, contact, rows);
+    }
+    rwedge_contact_destroy(contact);
+    return status;
+}
+
+static double extreme(const dataset *rows, int column, double sign)
+{
+    double most = 0;
+    for (size_t i = 0; i < rows->count; i++)
+        most = fmax(most, sign * rows->row[i].number[column]);
+    return most;
+}
+
+/* Along x the numbers of the tics stand side by side: long ones get two or three. */
+static double tic_along_x(double span)
+{
+    char text[NUMBER_SIZE];
+    const double tic = drawing_tic(span), decade = pow(10, floor(log10(span / 2)));
+    if (number_write(tic, DRAWING_DIGITS, '.', text) <= 4)
+        return tic;
+    return decade * (span / 2 < 2 * decade ? 1 : span / 2 < 5 * decade ? 2 : 5);
+}
+
+/* With a minus sign, not a hyphen. */
+static void write_number(double value, int digits, char text[NUMBER_SIZE])
+{
+    char size[NUMBER_SIZE];
+    drawing_number(fabs(value), digits, size);
+    snprintf(text, NUMBER_SIZE, "%s%.20s", value < 0 ? "−" : "", size);
+}
+
+static axis axis_around_0(const dataset *rows, int column, const char *text)
+{
+    const double most = fmax(extreme(rows, column, 1), extreme(rows, column, -1));
+    axis found = {.from = -1.1 * most, .to = 1.1 * most, .tic = drawing_tic(2.2 * most)};
+    snprintf(found.text, sizeof found.text, "%s", text);
+    return found;
+}
+
+/* ---- The stress at a point ---- */
+
+enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
+
+static int32_t add_stress(const figure_case *of, double number, const rwedge_contact *contact,
+                          dataset *rows)
+{
+    const double x = of->at->x[0], y = of->at->y[0];
+    double sxx, syy, txy;
+    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
+    if (status != RWEDGE_OK)
+        return status;
+    const tensor at = tensor_of(sxx, syy, txy, of->whole->what.nu1);
+    dataset_add(rows, (data_row){.number = {number, x, y, sxx, syy, at.value[TENSOR_SZZ], txy}});
+    return RWEDGE_OK;
+}
+
+/* The last cycle, from the load before it. */
+static int32_t compute_history(const figure_case *of, dataset *rows)
+{
+    const size_t loads = of->whole->loads.count, steps = of->whole->steps;
+    return visit_all(of, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
+}
+
+static const char *draw_history(const figure_case *of, const dataset *rows, drawing *on)
+{
+    static const char *const names[] = {"*σ*_x", "*σ*_y", "*τ*_x_y"};
+    static const int columns[] = {H_SXX, H_SYY, H_TXY};
+    char x[NUMBER_SIZE], y[NUMBER_SIZE];
+    double top = 0, bottom = 0;
+    for (int i = 0; i < 3; i++) {
+        top = fmax(top, extreme(rows, columns[i], 1));
+        bottom = fmax(bottom, extreme(rows, columns[i], -1));
+    }
+    if (top == 0 && bottom == 0)
+        return "there is no stress";
+    write_number(of->at->x[0], DRAWING_DIGITS, x);
+    write_number(of->at->y[0], DRAWING_DIGITS, y);
+    snprintf(on->title, sizeof on->title, "Stresses at *x* = %s, *y* = %s", x, y);
+    const double first = rows->row[0].number[H_LOAD],
+                 last = rows->row[rows->count - 1].number[H_LOAD], room = 0.05 * (top + bottom);
+    on->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
+    if (last - first > 10)
+        on->x.tic = fmax(1, drawing_tic(last - first));
+    on->y = (axis){"stress", -bottom - room, top + room, drawing_tic(top + bottom), 0};
+    on->height = 0.75;
+    for (int i = 0; i < 3; i++) {
+        curve *one = drawing_curve(on, rows, 0, H_LOAD, columns[i]);
+        style_of_family(one, i);
+        one->width = 1.3;
+        snprintf(one->legend, sizeof one->legend, "%s", names[i]);
+    }
+    return NULL;
+}
+
+static const char *const history_columns[] = {"load", "x", "y", "sxx", "syy", "szz", "txy", NULL};
+
+const figure figure_history = {.name = "history",
+                               .summary = "stresses at a point, --at, in the last cycle of loads",
+                               .of_course = true,
+                               .needs_point = true,
+                               .cycles = 1,
+                               .column = history_columns,
+                               .compute = compute_history,
+                               .draw = draw_history};
+
+/* ---- The loop of Q over the displacement ---- */
+
+enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
+
+/* (1/pi) times the integral of -q(t) ln(unit/(2 |t - x|)) from x to the edge. t goes like sin^2, so
+ * that neither the logarithm nor the edge is a kink. */
+static int32_t add_side(const rwedge_contact *contact, double x, double edge, double unit,
+                        double *sum)
+{
+    enum { POINTS = 600 };
+    double t[POINTS], p[POINTS], q[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        const double s = sin(0.5 * PI * (i + 0.5) / POINTS);
+        t[i] = x + (edge - x) * s * s;
+    }
+    const int32_t status = rwedge_contact_tractions(contact, POINTS, t, p, q);
+    for (int i = 0; i < POINTS && status == RWEDGE_OK; i++) {
+        const double dt = fabs(edge - x) * 0.5 * PI / POINTS * sin(PI * (i + 0.5) / POINTS);
+        *sum -= q[i] * log(unit / (2 * fabs(t[i] - x))) * dt / PI;
+    }
+    return status;
+}
+
+/* How far the bodies have moved beyond what they would if a contact of the half-width unit were
+ * bonded: the slip in the middle, and what the tractions do there. */
+static int32_t displacement(const contact_case *what, const rwedge_contact *contact, double unit,
+                            double sigma, double *moved)
+{
+    double left, right, slip, sum = 0;
+    int32_t status = rwedge_contact_edges(contact, &left, &right);
+    const double middle = (left + right) / 2;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_slip(contact, 1, &middle, &slip);
+    if (status == RWEDGE_OK)
+        status = add_side(contact, middle, left, unit, &sum);
+    if (status == RWEDGE_OK)
+        status = add_side(contact, middle, right, unit, &sum);
+    *moved = what->A * (sum + sigma * middle / 4) - slip;
+    return status;
+}
+
+static int32_t add_displacement(const figure_case *of, double number, const rwedge_contact *contact,
+                                dataset *rows)
+{
+    load now;
+    double moved = NAN;
+    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    const int32_t status =
+        displacement(&of->whole->what, contact, of->half_width, now.sigma, &moved);
+    if (status != RWEDGE_OK && status != RWEDGE_EPATH && status != RWEDGE_EABSENT)
+        return status;
+    if (status != RWEDGE_OK)
+        moved = NAN;
+    dataset_add(rows, (data_row){.number = {number, now.P, now.M, now.Q, now.sigma, moved,
+                                            rwedge_contact_dissipated_energy(contact)}});
+    return RWEDGE_OK;
+}
+
+static int32_t compute_any_loop(const figure_case *of, dataset *rows)
+{
+    return visit_all(of, 0, add_displacement, rows);
+}
+
+static const char *draw_any_loop(const figure_case *of, const dataset *rows, drawing *on)
+{
+    (void)of;
+    if (extreme(rows, L_DISPLACEMENT, 1) == 0 && extreme(rows, L_DISPLACEMENT, -1) == 0)
+        return "nothing slips, or the slip has no closed form";
+    snprintf(on->title, sizeof on->title, "*Q* through the history of loads");
+    on->x = axis_around_0(rows, L_DISPLACEMENT, "displacement by slip");
+    on->x.tic = tic_along_x(on->x.to - on->x.from);
+    on->y = axis_around_0(rows, L_Q, "*Q*");
+    on->height = 0.85;
+    drawing_curve(on, rows, 0, L_DISPLACEMENT, L_Q)->width = 1.2;
+    return NULL;
+}
+
+static const char *const any_loop_columns[] = {"load",         "P",      "M", "Q", "sigma",
+                                               "displacement", "energy", NULL};
+
+const figure figure_any_loop = {.name = "loop",
+                                .summary = "Q over the displacement by slip",
+                                .of_course = true,
+                                .cycles = 1,
+                                .column = any_loop_columns,
+                                .compute = compute_any_loop,
+                                .draw = draw_any_loop};
+
+/* ---- Smith, Watson and Topper's parameter along the surface ---- */
+
+enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
+
+static int32_t add_places(const last_cycle *of, const measured *all, dataset *rows)
+{
+    int32_t status = RWEDGE_OK;
+    for (size_t i = 0; i < all->count && status == RWEDGE_OK; i++) {
+        const double x = all->place[i].x, y = 0;
+        measures found;
+        status = last_cycle_measure(of, 1, &x, &y, &found);
+        const double *v = found.value;
+        dataset_add(rows, (data_row){.number = {x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
+                                                v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
+                                                v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
+    }
+    return status;
+}
+
+static int32_t compute_fretting(const figure_case *of, dataset *rows)
+{
+    last_cycle last;
+    measured all = {0};
+    int32_t status = RWEDGE_ENOMEM;
+    if (last_cycle_begin(of->whole, NAN, CYCLE_PARTS, &last))
+        status = surface_usual(&last, &all) ? add_places(&last, &all, rows) : RWEDGE_EABSENT;
+    free(all.place);
+    last_cycle_free(&last);
+    return status;
+}
+
+/* The contact is where there is slip to speak of. */
+static void draw_contact(const dataset *rows, double height, drawing *on)
+{
+    double left = NAN, right = NAN;
+    for (size_t i = 0; i < rows->count; i++)
+        if (!isnan(rows->row[i].number[F_SLIP])) {
+            left = fmin(left, rows->row[i].number[F_X]);
+            right = fmax(right, rows->row[i].number[F_X]);
+        }
+    if (left < right)
+        drawing_bar(on, left, right, 0, -height)->width = 0.8;
+}
+
+static const char *draw_fretting(const figure_case *of, const dataset *rows, drawing *on)
+{
+    (void)of;
+    size_t best = 0;
+    char x[NUMBER_SIZE];
+    for (size_t i = 0; i < rows->count; i++)
+        if (rows->row[i].number[F_SWT] > rows->row[best].number[F_SWT])
+            best = i;
+    const double *worst = rows->row[best].number, from = rows->row[0].number[F_X],
+                 to = rows->row[rows->count - 1].number[F_X];
+    if (!(worst[F_SWT] > 0))
+        return "there is no tension in the cycle";
+    snprintf(on->title, sizeof on->title, "Smith–Watson–Topper along the surface");
+    write_number(worst[F_X], 4, x);
+    snprintf(on->caption, sizeof on->caption, "bar: contact; worst: %.4g at *x* = %s", worst[F_SWT],
+             x);
+    on->x = (axis){"*x*", from, to, tic_along_x(to - from), 0};
+    on->y = drawing_axis(1.05 * worst[F_SWT], "SWT parameter");
+    on->y.from = -0.06 * worst[F_SWT];
+    on->height = 0.75;
+    drawing_curve(on, rows, 0, F_X, F_SWT)->width = 1.3;
+    draw_contact(rows, 0.03 * worst[F_SWT], on);
+    return NULL;
+}
+
+static const char *const fretting_columns[] = {
+    "x", "swt", "swt_angle", "slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area", NULL};
+
+const figure figure_fretting = {.name = "fretting",
+                                .summary = "Smith-Watson-Topper along the surface, last cycle",
+                                .of_course = true,
+                                .cycles = 3,
+                                .column = fretting_columns,
+                                .compute = compute_fretting,
+                                .draw = draw_fretting};

@@ -44,8 +44,7 @@ static void describe(FILE *stream)
         fprintf(stream, "  %-15s %s\n", measure_kinds[i].column, measure_kinds[i].meaning);
     fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
           "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
-          "tension * shear * slip, F2 shear * slip (Ruiz, Boddington and Chen, 1984; some\n"
-          "number them the other way round).\n",
+          "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n",
           stream);
 }
 

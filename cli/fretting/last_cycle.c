@@ -15,9 +15,8 @@ const measure_kind measure_kinds[MEASURE_COUNT] = {
     [MEASURE_FATEMI_SOCIE] = {"fatemi_socie", "Fatemi and Socie's; needs a yield stress", false},
     [MEASURE_FS_ANGLE] = {"fs_angle", "that of its plane", true},
     [MEASURE_SLIP_RANGE] = {"slip_range", "largest less smallest slip", false},
-    [MEASURE_RUIZ_F1] = {"ruiz_f1", "largest sxx * largest |q| * slip range; 0 in compression",
-                         false},
-    [MEASURE_RUIZ_F2] = {"ruiz_f2", "largest |q| * slip range", false},
+    [MEASURE_RUIZ_F1] = {"ruiz_f1", "largest |q| * slip range", false},
+    [MEASURE_RUIZ_F2] = {"ruiz_f2", "F1 * largest sxx; 0 in compression", false},
     [MEASURE_ENERGY_PER_AREA] = {"energy_per_area", "dissipated by friction, integral of q d(slip)",
                                  false},
 };
@@ -255,8 +254,8 @@ static int32_t friction(const last_cycle *of, double x, double tension, measures
         return status;
     const double range = at.most - at.least;
     found->value[MEASURE_SLIP_RANGE] = range;
-    found->value[MEASURE_RUIZ_F2] = at.shear * range;
-    found->value[MEASURE_RUIZ_F1] = fmax(tension, 0) * at.shear * range;
+    found->value[MEASURE_RUIZ_F1] = at.shear * range;
+    found->value[MEASURE_RUIZ_F2] = fmax(tension, 0) * at.shear * range;
     found->value[MEASURE_ENERGY_PER_AREA] = at.energy;
     return RWEDGE_OK;
 }

@@ -68,23 +68,23 @@ awk -F, -v E=72100 -v nu=0.33 -v sy=500 -v k=0.5 '
 close_rows "critical planes by scanning" 2e-6 1e-12
 
 # Slip of a cylinder under a cycle of Q: the range is 2 f/R times the integral of sqrt(t^2 - c^2) from c to x (Cattaneo, Mindlin).
-# At each place the shear is f p where it slips, so the energy is 2 f p times the range, and Ruiz' F2 is f p times it.
+# At each place the shear is f p where it slips, so the energy is 2 f p times the range, and Ruiz' F1 is f p times it.
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n' >cycle.csv
 run fretting cycle.csv $specimen
 awk -F, 'BEGIN { nu = 0.33; pi = 3.14159265358979324; f = 0.3; R = 10; P = 135.75; A = 4 * (1 - nu * nu) / 72100
         b = sqrt(2 * A * P * R / pi); c = b * sqrt(1 - 30 / (f * P)); p0 = 2 * P / (pi * b) }
     NR > 1 && $8 != "" { x = $1 < 0 ? -$1 : $1; if (x > b) x = b; s = 0; p = p0 * sqrt(1 - x * x / (b * b))
         if (x > c) { w = sqrt(x * x - c * c); s = f / R * (x * w - c * c * log((x + w) / c)) }
-        printf "%.17g %s\n%.17g %s\n", s, $8, 2 * f * p * s, $11; if (x > c) printf "%.17g %s\n", f * p * s, $10 }' out >both
-close_rows "slip range, energy, F2" 1e-6 1e-10
+        printf "%.17g %s\n%.17g %s\n", s, $8, 2 * f * p * s, $11; if (x > c) printf "%.17g %s\n", f * p * s, $9 }' out >both
+close_rows "slip range, energy, F1" 1e-6 1e-10
 same "places in contact" yes "$(awk -F, 'NR > 1 && $8 != "" { n++ } END { if (n > 200) print "yes" }' out)"
 
-# F1 is F2 times the largest tension, 0 where there is none.
+# F2 is F1 times the largest tension, 0 where there is none.
 run history cycle.csv $specimen --cycles 2 --at -0.2,0
 tension=$(tail -n 3 out | cut -d , -f 4 | sort -g | tail -n 1)
 run fretting cycle.csv $specimen --at '-0.2,0;0,0'
-close_to "F1" "$(awk -F, -v s="$tension" 'NR == 2 { printf "%.17g", s * $10 }' out)" "$(sed -n 2p out | cut -d , -f 9)" 1e-12
-same "F1 in compression" 0 "$(sed -n 3p out | cut -d , -f 9)"
+close_to "F2" "$(awk -F, -v s="$tension" 'NR == 2 { printf "%.17g", s * $9 }' out)" "$(sed -n 2p out | cut -d , -f 10)" 1e-12
+same "F2 in compression" 0 "$(sed -n 3p out | cut -d , -f 10)"
 
 # The energy per area over the contact is the energy that a cycle dissipates, as history has it.
 balance() { # TOLERANCE SHAPE: of cycle.csv

@@ -153,7 +153,7 @@ refuses "rwedge profile: --sigma 3: given together with --load, which has the lo
     profile $specimen --sigma 3 --load 100,0
 refuses "rwedge field: --c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
     field --a-over-b 0.5 --f 0.3 --c-over-b 0.5 --M 3
-refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; sigma may change by 0.365399 with this Q" \
+refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; a tension from before the contact is a load of its own, sigma with P = M = Q = 0; sigma may change by 0.365399 with this Q" \
     field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3
 # The limit that the message names is the limit.
 run profile $specimen --load 10,1e20,0,0

@@ -189,7 +189,7 @@ static int32_t add_side(const rwedge_contact *contact, double x, double edge, do
 static int32_t displacement(const contact_case *what, const rwedge_contact *contact, double unit,
                             double sigma, double *moved)
 {
-    double left, right, slip, sum = 0;
+    double left = 0, right = 0, slip = 0, sum = 0;
     int32_t status = rwedge_contact_edges(contact, &left, &right);
     const double middle = (left + right) / 2;
     if (status == RWEDGE_OK)

@@ -252,7 +252,15 @@ static csv_event next_row(const run *r)
     return misfit && csv_input_take_line(r->in) ? CSV_MALFORMED : event;
 }
 
-/* Reads rows until there are enough for the threads; the event is that of the row that is none. */
+static void release_held(run *r)
+{
+    for (int64_t i = 0; i < r->held_count; i++)
+        csv_row_free(&r->held[i]);
+    r->held_count = 0;
+}
+
+/* Reads rows until there are enough for the threads; the event is that of the row that is none.
+ * Without memory for a row, the threads would have none either. */
 static csv_event hold_rows(run *r)
 {
     size_t bytes = 0;
@@ -263,6 +271,7 @@ static csv_event hold_rows(run *r)
             return event;
         csv_row *row = &r->held[r->held_count];
         if (!csv_row_keep(r->in, event == CSV_MALFORMED, row)) {
+            release_held(r);
             failure("out of memory");
             return CSV_FAILED;
         }
@@ -273,12 +282,13 @@ static csv_event hold_rows(run *r)
 
 static bool write_held(run *r)
 {
+    if (r->held_count == 0)
+        return true;
     ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
     for (int64_t i = 0; i < r->held_count && work != NULL && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], ahead_next(work));
     ahead_stop(work);
-    for (int64_t i = 0; i < r->held_count; i++)
-        csv_row_free(&r->held[i]);
+    release_held(r);
     return work != NULL;
 }
 

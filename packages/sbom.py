@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""sbom.py VERSION SECONDS SOURCES: what is linked into the programs for Windows, as SPDX 2.3."""
+"""What a package is linked with, as SPDX 2.3.
+    sbom.py VERSION SECONDS             the source archive: what it is built with, of any version
+    sbom.py VERSION SECONDS SOURCES     the programs for Windows: what is inside
+"""
 import json
 import pathlib
 import subprocess
 import sys
 import time
 
-version, seconds, sources = sys.argv[1], int(sys.argv[2]), pathlib.Path(sys.argv[3])
+version, seconds = sys.argv[1], int(sys.argv[2])
+sources = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+kind = "windows-x64" if sources else "source"
 LICENCES = {
     "gsl": "GPL-3.0-or-later",
     "lapack": "BSD-3-Clause",
@@ -17,6 +22,7 @@ LICENCES = {
     "libxlsxwriter": "BSD-2-Clause",
     "zlib": "Zlib",
 }
+OF_WINDOWS_ALONE = {"musl", "zlib"}  # elsewhere they are the system's
 RUN_TIMES = {  # Debian's packages of the compilers, whose run-time libraries are linked in
     "mingw-w64-x86-64-dev": "ZPL-2.1 AND MIT AND LicenseRef-Public-Domain",
     "gcc-mingw-w64-x86-64": "GPL-3.0-or-later WITH GCC-exception-3.1",
@@ -37,7 +43,7 @@ def package(name, number, licence):
     return {
         "SPDXID": f"SPDXRef-{name}",
         "name": name,
-        "versionInfo": number,
+        **({"versionInfo": number} if number else {}),
         "downloadLocation": "NOASSERTION",
         "filesAnalyzed": False,
         "licenseConcluded": licence,
@@ -46,26 +52,30 @@ def package(name, number, licence):
     }
 
 
-inside = [package(name, first_version(name), licence) for name, licence in LICENCES.items()]
-inside += [package(name, installed_version(name), licence) for name, licence in RUN_TIMES.items()]
 own = package("rwedge", version, "GPL-3.0-or-later")
+if sources:
+    parts = [package(name, first_version(name), licence) for name, licence in LICENCES.items()]
+    parts += [package(name, installed_version(name), licence) for name, licence in RUN_TIMES.items()]
+else:
+    parts = [package(name, None, licence) for name, licence in LICENCES.items() if name not in OF_WINDOWS_ALONE]
 print(json.dumps({
     "spdxVersion": "SPDX-2.3",
     "dataLicense": "CC0-1.0",
     "SPDXID": "SPDXRef-DOCUMENT",
-    "name": f"rwedge-{version}-windows-x64",
-    "documentNamespace": f"urn:rwedge:sbom:windows-x64:{version}",
+    "name": f"rwedge-{version}-{kind}",
+    "documentNamespace": f"urn:rwedge:sbom:{kind}:{version}",
     "creationInfo": {
         "created": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds)),
         "creators": ["Organization: The rwedge maintainers"],
     },
-    "packages": [own] + inside,
-    "hasExtractedLicensingInfos": [
+    "packages": [own] + parts,
+    **({"hasExtractedLicensingInfos": [
         {"licenseId": "LicenseRef-Public-Domain", "extractedText": "This file has no copyright assigned and is placed in the Public Domain."}
-    ],
+    ]} if sources else {}),
     "relationships": [
         {"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": own["SPDXID"]}
     ] + [
-        {"spdxElementId": own["SPDXID"], "relationshipType": "STATIC_LINK", "relatedSpdxElement": part["SPDXID"]} for part in inside
+        {"spdxElementId": own["SPDXID"], "relationshipType": "STATIC_LINK" if sources else "DYNAMIC_LINK",
+         "relatedSpdxElement": part["SPDXID"]} for part in parts
     ],
 }, indent=1))

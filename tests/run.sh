@@ -165,6 +165,7 @@ if [ $campaign = yes ]; then
     step "certificate of the tables" build/tests/proof/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
+    step "the DLL and the module for Excel" sh bindings/excel/test.sh build
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
     step "every C file compiles alone" sh tests/package/alone.sh .
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all

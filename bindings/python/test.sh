@@ -56,9 +56,9 @@ pytest_of()
 cd "$folder"
 export PATH="$folder/venv/bin:$PATH"
 pytest_of "$source/tests" "$@"
-command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/calculix.py did not run"
 
 [ $long = yes ] || exit 0
+command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/calculix.py did not run"
 
 # An editable install is found.
 rm -rf editable

@@ -254,7 +254,8 @@ static int run(const arguments *given, plan *what)
         return status;
     say_what_is_doubtful(what);
     write_worst(what, worst, line, sizeof line);
-    notice("worst: %s", line[0] != '\0' ? line : "none; nothing changes in this cycle");
+    notice("worst: %s",
+           line[0] != '\0' ? line : "none; every measure is 0 or empty at these places");
     return status;
 }
 

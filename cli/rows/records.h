@@ -39,6 +39,11 @@ static inline cell cell_empty(void)
 
 typedef struct records records;
 
+/* What a column holds, and in which unit. */
+typedef struct {
+    const char *name, *meaning, *unit;
+} column_kind;
+
 /* What a format does. All cells of a row have been named in the header, in the same order. */
 typedef struct {
     void (*begin)(records *rows);
@@ -57,11 +62,20 @@ struct records {
     char decimal_sign, separator;
     bool mark; /* of Unicode, in front of a text file */
     bool no_formulas;
+    const column_kind *kinds; /* for a format that has room to say it; NULL for none */
+    int kind_count;
     bool row_begun, any_row;
     const char *problem; /* what a format could not write */
     struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */
-    int row, column, last_column;
+    int row, column, last_column, described;
 };
+
+/* Before the rows begin: what is known of columns by their names. */
+static inline void records_describe(records *rows, const column_kind kinds[], int count)
+{
+    rows->kinds = kinds;
+    rows->kind_count = count;
+}
 
 /* Whether to write on: an output that fails is given up at the next row. */
 bool records_go_on(const records *rows);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* XLSX. One sheet has the rows, below a header that does not scroll. Another says how they were
- * made. */
+/* XLSX. One sheet has the rows, below a header that does not scroll. Another says what the columns
+ * mean, where that is known; the last, how the rows were made. */
 #include "spreadsheet.h"
 
 #include "text/invocation.h"
@@ -13,7 +13,7 @@
 
 #include <rwedge.h>
 
-enum { SHEET_ROWS, SHEET_ABOUT_ROWS, WIDTH_LEAST = 11, WIDTH_MOST = 40 };
+enum { SHEET_ROWS, SHEET_COLUMNS, WIDTH_LEAST = 13, WIDTH_MOST = 40 };
 
 static void write_about(xlsx *book)
 {
@@ -37,12 +37,45 @@ static void write_about(xlsx *book)
     xlsx_print(book, (xlsx_page){7, 0, -1, true, 1});
 }
 
+static void begin_columns(xlsx *book)
+{
+    static const struct {
+        const char *name;
+        double width;
+    } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
+    xlsx_sheet(book, "Columns");
+    for (int i = 0; i < 3; i++) {
+        xlsx_text(book, 0, i, headers[i].name, XLSX_HEADING);
+        xlsx_width(book, i, i, headers[i].width);
+    }
+    xlsx_freeze(book, 1, 0);
+}
+
+/* The next row of the sheet Columns, for a name that is known. */
+static void describe(records *rows, const char *name)
+{
+    for (int i = 0; i < rows->kind_count; i++) {
+        const column_kind *kind = &rows->kinds[i];
+        if (strcmp(kind->name, name) != 0)
+            continue;
+        const char *const texts[] = {name, kind->meaning, kind->unit};
+        rows->described++;
+        xlsx_turn_to(rows->book, SHEET_COLUMNS);
+        for (int j = 0; j < 3; j++)
+            xlsx_text(rows->book, rows->described, j, texts[j], XLSX_PLAIN);
+        xlsx_turn_to(rows->book, SHEET_ROWS);
+        return;
+    }
+}
+
 static void begin(records *rows)
 {
     rows->book = xlsx_begin(message_speaker(), true, &rows->problem);
     if (rows->book == NULL)
         return;
     xlsx_sheet(rows->book, "Rows");
+    if (rows->kinds != NULL)
+        begin_columns(rows->book);
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
     xlsx_turn_to(rows->book, SHEET_ROWS);
@@ -73,6 +106,7 @@ static void put_name(records *rows, const char *name)
         xlsx_number(rows->book, rows->row, rows->column, number, XLSX_HEADER);
     else
         xlsx_text(rows->book, rows->row, rows->column, name, XLSX_HEADER);
+    describe(rows, name);
     rows->column++;
 }
 
@@ -87,12 +121,15 @@ static double with_digits(double value, int digits)
     return rounded;
 }
 
+/* Six to nine digits are shown; the cell holds them all. */
 static xlsx_style style_for(double value)
 {
     const double size = fabs(value);
     if (value == floor(value) && size < 1e9)
         return XLSX_PLAIN;
-    return size < 1e-3 || size >= 1e6 ? XLSX_POWER : XLSX_NUMBER;
+    if (size < 1e-3 || size >= 1e6)
+        return XLSX_POWER;
+    return size < 0.1 ? XLSX_SMALL : size < 100 ? XLSX_NUMBER : XLSX_LARGE;
 }
 
 static void put_value(records *rows, const char *name, cell value)
@@ -133,6 +170,10 @@ static void end(records *rows)
         return;
     xlsx_print(rows->book,
                (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, 1});
+    if (rows->kinds != NULL) {
+        xlsx_turn_to(rows->book, SHEET_COLUMNS);
+        xlsx_print(rows->book, (xlsx_page){rows->described, 2, -1, false, 1});
+    }
     rows->problem = xlsx_finish(rows->book, rows->out);
     rows->book = NULL;
 }

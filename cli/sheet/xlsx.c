@@ -105,6 +105,8 @@ static void style_cells(lxw_format *const style[])
     format_set_bold(style[XLSX_STATUS]);
     format_set_indent(style[XLSX_UNIT], 1);
     format_set_num_format(style[XLSX_NUMBER], "0.0#####");
+    format_set_num_format(style[XLSX_SMALL], "0.0#######");
+    format_set_num_format(style[XLSX_LARGE], "0.0##");
     format_set_num_format(style[XLSX_FIXED_4], "0.0000");
     format_set_num_format(style[XLSX_FIXED_6], "0.000000");
     format_set_num_format(style[XLSX_LIMIT], "[>=1000000]\"infinite\";0.0000");

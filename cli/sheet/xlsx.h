@@ -23,6 +23,8 @@ typedef enum {
     XLSX_UNIT,    /* a text after a number */
     XLSX_CHECK,   /* a text that appears where something is wrong */
     XLSX_NUMBER,  /* up to six decimals */
+    XLSX_SMALL,   /* up to eight */
+    XLSX_LARGE,   /* up to three */
     XLSX_FIXED_4, /* four decimals */
     XLSX_FIXED_6,
     XLSX_LIMIT,   /* four decimals, and a word for XLSX_INFINITE */

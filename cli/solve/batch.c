@@ -112,7 +112,7 @@ static int choose_results(run *r)
     results_wanted wanted = r->what->wanted;
     wanted.edges = wanted.edges || has_column(r, INPUT_M) || has_column(r, INPUT_SIGMA);
     for (int i = 0; i < RESULT_COUNT; i++) {
-        const char *name = result_kinds[i].column;
+        const char *name = result_kinds[i].name;
         const bool is_input = (i == RESULT_ROUNDING && has_column(r, INPUT_A)) ||
                               (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
         r->shown[i] = !is_input && results_include(wanted, i);
@@ -130,12 +130,13 @@ static void write_header(run *r)
 {
     const record_format *format = r->rows->format;
     r->rows->mark = csv_input_has_mark(r->in);
+    records_describe(r->rows, result_kinds, RESULT_COUNT);
     format->begin(r->rows);
     for (size_t i = 0; i < r->names.count; i++)
         format->name(r->rows, r->names.name[i]);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->shown[i])
-            format->name(r->rows, result_kinds[i].column);
+            format->name(r->rows, result_kinds[i].name);
     format->name(r->rows, error_column);
     format->end_header(r->rows);
 }
@@ -218,7 +219,7 @@ static void write_row(run *r, const csv_row *row, const answer *one)
         r->rows->format->value(r->rows, r->names.name[i], cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->shown[i])
-            r->rows->format->value(r->rows, result_kinds[i].column,
+            r->rows->format->value(r->rows, result_kinds[i].name,
                                    one->solved ? one->found.value[i] : cell_empty());
     write_error(r, row, one->complaint);
     r->rows->format->end_row(r->rows);
@@ -237,7 +238,7 @@ static void write_broken_end(run *r)
         r->rows->format->value(r->rows, r->names.name[i], cell_empty());
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->shown[i])
-            r->rows->format->value(r->rows, result_kinds[i].column, cell_empty());
+            r->rows->format->value(r->rows, result_kinds[i].name, cell_empty());
     r->rows->format->value(r->rows, error_column,
                            cell_text("the file could not be read beyond this row"));
     r->rows->format->end_row(r->rows);

@@ -40,11 +40,7 @@ enum {
     RESULT_COUNT
 };
 
-typedef struct {
-    const char *column, *meaning;
-} result_kind;
-
-extern const result_kind result_kinds[RESULT_COUNT];
+extern const column_kind result_kinds[RESULT_COUNT];
 
 /* Which results that not everybody asks for are wanted. */
 typedef struct {

@@ -47,7 +47,7 @@ static void describe_results(FILE *stream)
           "that cannot be solved says why in the column error.\n\nResults:\n",
           stream);
     for (int i = 0; i < RESULT_COUNT; i++)
-        fprintf(stream, "  %-20s %s\n", result_kinds[i].column, result_kinds[i].meaning);
+        fprintf(stream, "  %-20s %s\n", result_kinds[i].name, result_kinds[i].meaning);
     fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M.\n"
           "left to tilt come with --M or --sigma; what holds only without them is empty.\n",
           stream);
@@ -70,7 +70,7 @@ static void write_list(const answer *one, records *rows)
     for (int i = 0; i < RESULT_COUNT; i++) {
         if (!results_include(one->wanted, i))
             continue;
-        rows->format->value(rows, columns[0], cell_text(result_kinds[i].column));
+        rows->format->value(rows, columns[0], cell_text(result_kinds[i].name));
         rows->format->value(rows, columns[1], one->found.value[i]);
         rows->format->value(rows, columns[2], cell_text(result_kinds[i].meaning));
         rows->format->end_row(rows);
@@ -81,11 +81,11 @@ static void write_row(const answer *one, records *rows)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(one->wanted, i))
-            rows->format->name(rows, result_kinds[i].column);
+            rows->format->name(rows, result_kinds[i].name);
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(one->wanted, i))
-            rows->format->value(rows, result_kinds[i].column, one->found.value[i]);
+            rows->format->value(rows, result_kinds[i].name, one->found.value[i]);
     rows->format->end_row(rows);
 }
 
@@ -93,6 +93,8 @@ static bool write_answer(void *of_answer, records *rows, bool show_progress)
 {
     (void)show_progress;
     const answer *one = of_answer;
+    if (one->row)
+        records_describe(rows, result_kinds, RESULT_COUNT);
     rows->format->begin(rows);
     if (one->row)
         write_row(one, rows);

@@ -147,6 +147,7 @@ bool plan_write(void *plan_to_write, records *rows, bool show_progress)
     if (work == NULL)
         return false;
     progress_start(show_progress, plan_size(what), what->grid ? "values" : "rows");
+    records_describe(rows, table_columns, COLUMN_KINDS);
     rows->format->begin(rows);
     if (what->grid)
         write_grid_header(what, rows);

@@ -167,6 +167,27 @@ const table tables[TABLE_COUNT] = {
      stick_zone},
 };
 
+const column_kind table_columns[COLUMN_KINDS] = {
+    {"a_over_b", "rounding over contact; 1 and more is Hertz' contact", "none"},
+    {"f", "coefficient of friction", "none"},
+    {"nu", "Poisson's ratio of the half-plane, plane strain", "none"},
+    {"P_over_bk", "elastic limit P/(bk) in full sliding", "none"},
+    {"x_over_b", "where it yields first; x > 0 is towards the leading edge", "b"},
+    {"y_over_b", "and how deep", "b"},
+    {"branch", "surface or subsurface: where that point is", "text"},
+    {"P_over_bk_subsurface", "the limit of the point below the surface alone", "none"},
+    {"P_over_bk_surface", "the limit of the surface alone", "none"},
+    {"b_sigma_over_P", "tension at the trailing edge b sigma/P in full sliding", "none"},
+    {"b_sigma_over_fP", "the same over f, b sigma/(fP)", "none"},
+    {"AP_over_theta_b", "load A P/(theta b)", "none"},
+    {"AP_over_theta_a", "load A P/(theta a)", "none"},
+    {"peak_pressure", "pressure at x = 0", "theta/A"},
+    {"transition_pressure", "pressure where the rounding meets the flank, x = a", "theta/A"},
+    {"f_critical", "friction from which on yield starts at the surface", "none"},
+    {"Q_over_fP", "tangential force over its sliding value", "none"},
+    {"c_over_b", "half-width of the stick zone; 0 slides", "b"},
+};
+
 const table *table_named(const char *name)
 {
     for (int i = 0; i < TABLE_COUNT; i++)

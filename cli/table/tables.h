@@ -6,7 +6,7 @@
 #include "rows/records.h"
 #include "options/variable.h"
 
-enum { AXES_MAX = 3, COLUMNS_MAX = 10 };
+enum { AXES_MAX = 3, COLUMNS_MAX = 10, COLUMN_KINDS = 18 };
 
 typedef struct {
     const char *name;
@@ -25,6 +25,9 @@ typedef struct {
 
 enum { TABLE_COUNT = 5 };
 extern const table tables[TABLE_COUNT];
+
+/* Of all tables. */
+extern const column_kind table_columns[COLUMN_KINDS];
 
 /* By its name; NULL where there is none. */
 const table *table_named(const char *name);

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The source archive of what is committed: the same bytes for the same commit.
+# The source archive of what is committed, and the list of what it is built with: the same bytes for the same commit.
 #     make.sh BUILD PACKAGES TESTED
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
@@ -11,6 +11,7 @@ if ! git -C "$top" rev-parse HEAD >/dev/null 2>&1; then
     exit 77
 fi
 archive=$packages/rwedge-$version.tar.gz
+python3 -B "$top/packages/sbom.py" "$version" "$(git -C "$top" log -1 --format=%ct)" >"$packages/rwedge-$version.spdx.json"
 git -C "$top" archive --format=tar --prefix="rwedge-$version/" HEAD | gzip -9n >"$archive"
 
 # It builds and passes tests without git.

@@ -22,11 +22,12 @@ cd "$folder"
 trap end_wine EXIT
 start_wine
 
-# It needs nothing that Windows lacks, and no mathematics of Windows' own.
+# It needs nothing that Windows lacks, no mathematics of Windows' own, and is the same whatever folder it was made in.
 for file in rwedge.exe rwedge.dll; do
     x86_64-w64-mingw32-objdump -p $file >"$work/$file.tables"
     others=$(sed -n 's/.*DLL Name: //p' "$work/$file.tables" | grep -vixE 'kernel32.dll|msvcrt.dll|shell32.dll' || true)
     [ -z "$others" ] || fail "$file needs $others"
+    ! grep -aqF "$build" $file || fail "$file names $build"
 done
 sed -n '/DLL Name: msvcrt/,/^$/s/^.*[0-9]  *_*\([a-z0-9]*\)$/\1/p' "$work/rwedge.exe.tables" | sort >"$work/imported"
 x86_64-w64-mingw32-nm "$build/excel/dependencies/libm.a" | sed -n 's/.* T //p' | sort >"$work/mathematics"

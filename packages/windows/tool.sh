@@ -15,7 +15,7 @@ archive()
 {
     name=$1 objects=''
     shift
-    options='-std=gnu99 -O2 -w -D__USE_MINGW_ANSI_STDIO=1 -Iinclude'
+    options="-std=gnu99 -O2 -w -D__USE_MINGW_ANSI_STDIO=1 -ffile-prefix-map=$sources=. -Iinclude" # no path of this machine
     for word; do
         case $word in
         *.c)

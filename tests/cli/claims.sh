@@ -76,13 +76,15 @@ refuses() {
     output_is ""
 }
 
-# close_rows WHAT RELATIVE ABSOLUTE: whether the two columns of the file "both", expected and got, agree row by row.
+# close_rows WHAT RELATIVE ABSOLUTE: whether the two columns of the file "both", expected and got, agree row by row. Without
+# rows, what the program said last tells why.
 close_rows() {
     worst=$(awk -v relative="$2" -v absolute="$3" '
         function abs(v) { return v < 0 ? -v : v }
         NF != 2 || $1 == "-" || $2 == "-" { print "row " NR ": not two numbers: " $0; bad = 1; exit }
         !(abs($2 - $1) <= relative * abs($1) + absolute) { print "row " NR ": expected " $1 ", got " $2; bad = 1; exit }
         END { if (!bad) print (NR > 0 ? "close" : "no rows") }' "$scratch/both")
+    [ "$worst" != "no rows" ] || worst="no rows; exit status ${status-}, stderr: $(head -n 1 "$scratch/err")"
     same "$1" close "$worst"
 }
 

@@ -79,6 +79,14 @@ awk -F, 'BEGIN { nu = 0.33; pi = 3.14159265358979324; f = 0.3; R = 10; P = 135.7
 close_rows "slip range, energy, F1" 1e-6 1e-10
 same "places in contact" yes "$(awk -F, 'NR > 1 && $8 != "" { n++ } END { if (n > 200) print "yes" }' out)"
 
+# Where it sticks and stays compressed, shear alone changes: only Fatemi and Socie's sees it, and the line does not say that nothing changes.
+run history cycle.csv $specimen --cycles 1 --at 0,0
+same "txy changes" 3 "$(column txy out | sort -u | wc -l | tr -d ' ')"
+run fretting cycle.csv $specimen --at 0,0
+message_is "rwedge fretting: worst: none; every measure is 0 or empty at these places"
+run fretting cycle.csv $specimen --at 0,0 --yield-stress 500
+message_has "rwedge fretting: worst: fatemi_socie "
+
 # F2 is F1 times the largest tension, 0 where there is none.
 run history cycle.csv $specimen --cycles 2 --at -0.2,0
 tension=$(tail -n 3 out | cut -d , -f 4 | sort -g | tail -n 1)

@@ -88,8 +88,55 @@ text() { python3 -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).rea
 run table elastic-limit --format xlsx --digits 6 -o "$scratch/book.xlsx"
 same "frozen header" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'state="frozen"')"
 same "fit to the page" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'fitToHeight="0"')"
+same "one page of columns" 1 "$(text xl/worksheets/sheet2.xml | grep -c 'fitToPage="1"')"
 same "column widths" 1 "$(text xl/worksheets/sheet1.xml | grep -c '<cols>')"
 same "the command, without folders" 1 \
-    "$(text xl/worksheets/sheet2.xml | grep -c 'rwedge table elastic-limit --format xlsx --digits 6 -o book.xlsx')"
+    "$(text xl/worksheets/sheet3.xml | grep -c 'rwedge table elastic-limit --format xlsx --digits 6 -o book.xlsx')"
+
+# What the columns mean, and their units, on a sheet of its own; at least six digits show, in cells that are wide enough.
+cat >shown.py <<'EOF'
+# One line: columns without meaning or unit; numbers of which fewer than six digits show; what does not fit its column.
+import sys, zipfile
+import xml.etree.ElementTree as ET
+M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+archive = zipfile.ZipFile(sys.argv[1])
+part = lambda name: ET.fromstring(archive.read("xl/" + name))
+texts = lambda row: ["".join(c.itertext()) for c in row.iter(M + "c")]
+rows = list(part("worksheets/sheet1.xml").iter(M + "row"))
+described = {t[0]: t[1:] for t in map(texts, list(part("worksheets/sheet2.xml").iter(M + "row"))[1:]) if len(t) == 3 and all(t)}
+unknown = [name for name in texts(rows[0]) if name not in described and name not in sys.argv[2:]]
+styles = part("styles.xml")
+code = {f.get("numFmtId"): f.get("formatCode") for f in styles.iter(M + "numFmt")}
+style = [code.get(x.get("numFmtId"), "") for x in styles.find(M + "cellXfs")]
+widths = [float(c.get("width")) for c in part("worksheets/sheet1.xml").iter(M + "col")]
+blurred, cut = [], []
+for row in rows[1:]:
+    for cell in row.iter(M + "c"):
+        if cell.find(M + "v") is None:
+            continue
+        value, form = float(cell.find(M + "v").text), style[int(cell.get("s", 0))]
+        decimals = len(form.split("E")[0].partition(".")[2])
+        shown = "%.*E" % (decimals, value) if "E" in form else "%.*f" % (decimals, value) if form else "%.15g" % value
+        if abs(float(shown) - value) > 5e-6 * abs(value):
+            blurred.append(shown)
+        if len(shown) > min(widths):
+            cut.append(shown)
+print(len(described), unknown, blurred, cut)
+EOF
+shows() { # COUNT COLUMNS-OF-THE-FILE COMMAND...
+    count=$1 own=$2
+    shift 2
+    run "$@" --format xlsx -o book.xlsx
+    status_is 0
+    same "columns and digits of $*" "$count [] [] []" "$(python3 shown.py book.xlsx $own)"
+}
+shows 9 "" table elastic-limit --a-over-b 0.001,0.5
+shows 4 "" table max-tension --a-over-b 0:1:0.1
+shows 5 "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
+shows 4 "" table critical-friction
+shows 3 "" table stick-zone
+printf 'E1,nu1,theta,a,P,M,f,k\n210000,0.3,0.03,0.3,300,10,0.3,500\n21e9,0.31,0.003,0.3e-5,123456.789,0,0.3,5e8\n' >cases.csv
+shows 30 "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
+shows 29 "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
 
 finish

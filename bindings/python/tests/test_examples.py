@@ -81,13 +81,6 @@ def errors_of(printed):
 
 
 @needs_ccx
-def test_finite_elements_agree_with_the_closed_form(drawn):
-    """To what sixteen elements across the contact can show."""
-    (pressure, shear, stresses), = errors_of(drawn("calculix")[0])
-    assert pressure < 0.03 and shear < 0.03 and stresses < 0.01
-
-
-@needs_ccx
 @pytest.mark.long
 def test_finite_elements_approach_the_closed_form(drawn):
     """As the mesh is refined twice; the picture is of the finest one. On the mesh between, CalculiX's shear stays below
@@ -95,6 +88,7 @@ def test_finite_elements_approach_the_closed_form(drawn):
     printed, picture = drawn("calculix", "--refine 2")
     errors = errors_of(printed)
     assert errors.shape == (3, 3) and (np.diff(errors[:, [0, 2]], axis=0) < 0).all(), printed
+    assert (errors[0] < (0.03, 0.03, 0.01)).all(), printed  # what sixteen elements across the contact can show
     assert (errors[-1] < 0.5 * errors[0]).all(), printed
     numbers_agree("calculix", picture, 0, 1e-3)  # another version of ccx stops its iterations elsewhere
 

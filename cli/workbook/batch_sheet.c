@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { HEADER_ROW, FIRST_ROW, CASE_COLUMN = 0, CELLS_COLUMN };
 
@@ -23,6 +24,16 @@ static void write_header(xlsx *book)
         xlsx_text(book, HEADER_ROW, column_of(cell),
                   cell < RESULTS_END ? case_cells[cell].column : case_cells[cell].name,
                   XLSX_HEADER);
+}
+
+/* A name is not broken. */
+static void set_widths(xlsx *book)
+{
+    xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 24);
+    for (int cell = 0; cell < RESULTS_END; cell++)
+        xlsx_width(book, column_of(cell), column_of(cell),
+                   fmax(12, (double)strlen(case_cells[cell].column) + 2));
+    xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 40);
 }
 
 static void write_row(xlsx *book, int row, const case_values *values)
@@ -84,9 +95,7 @@ void sheet_batch(xlsx *book, const yield_table *table)
                   XLSX_INPUT);
         write_row(book, FIRST_ROW + i, &values);
     }
-    xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 24);
-    xlsx_width(book, CELLS_COLUMN, column_of(RESULTS_END) - 1, 12);
-    xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 40);
+    set_widths(book);
     xlsx_freeze(book, FIRST_ROW, 1);
     xlsx_print(book, (xlsx_page){FIRST_ROW + BATCH_ROWS - 1, column_of(RESULTS_END) - 1, HEADER_ROW,
                                  true, 3});

@@ -3,9 +3,11 @@
 
 #include "formula.h"
 
+#include <string.h>
+
 #include <rwedge.h>
 
-enum { LABEL, NAME, VALUE, TEXT, FIRST_ROW = 4 };
+enum { LABEL, NAME, VALUE, TEXT, FIRST_ROW = 4, TEXT_WIDTH = 110, LINE_LENGTH = 120 };
 
 /* At an entry of the table, the formulas give that entry: the example is one. */
 static const double example_tip = 0.3, example_f = 0.1;
@@ -23,12 +25,21 @@ typedef struct {
     double value;
 } step;
 
+/* To be copied; a long one is wrapped, or a page would cut it. */
+static void write_formula_text(xlsx *book, int row, const char *text)
+{
+    const int lines = 1 + (int)strlen(text) / LINE_LENGTH;
+    if (lines > 1)
+        xlsx_lines(book, row, lines);
+    xlsx_text(book, row, TEXT, text, lines > 1 ? XLSX_WRAPPED : XLSX_NOTE);
+}
+
 static void write_step(xlsx *book, int row, const step *what)
 {
     xlsx_text(book, row, LABEL, what->what, XLSX_PLAIN);
     xlsx_text(book, row, NAME, what->name, XLSX_NOTE);
     formula_cell(book, row, VALUE, what->formula, what->value, XLSX_RESULT);
-    xlsx_text(book, row, TEXT, what->formula + 1, XLSX_NOTE); /* to be copied */
+    write_formula_text(book, row, what->formula + 1);
     xlsx_name(book, what->name, row, VALUE);
 }
 
@@ -98,7 +109,7 @@ void sheet_look_up(xlsx *book)
     xlsx_width(book, LABEL, LABEL, 32);
     xlsx_width(book, NAME, NAME, 18);
     xlsx_width(book, VALUE, VALUE, 12);
-    xlsx_width(book, TEXT, TEXT, 110);
+    xlsx_width(book, TEXT, TEXT, TEXT_WIDTH);
     xlsx_protect(book);
     xlsx_print(book, (xlsx_page){FIRST_ROW + 11, TEXT, -1, true, 1});
 }

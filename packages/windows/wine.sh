@@ -18,5 +18,8 @@ on_windows()
 start_wine()
 {
     end_wine
+    # The server stays: it would leave after three idle seconds, and a program that starts in that moment loses it.
+    mkdir -p "$work/wine"
+    WINEPREFIX=$work/wine "$server" -p
     on_windows wineboot -i >"$work/wine.log" 2>&1 || { echo "FAILED: wine does not start: $(tail -n 1 "$work/wine.log")"; exit 1; }
 }

@@ -515,7 +515,9 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * loop of Q over the rigid displacement.                                                        new
  * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
  * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
- * the change of Q/f where that slip reaches an older layer. */
+ * the change of Q/f where that slip reaches an older layer. Off the centre it is below 1e-12 and
+ * 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the
+ * edges over the width where that is above 1. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

@@ -8,8 +8,10 @@
 
 #include "ball_potential.h"
 #ifdef BALLS_IN_FLINT
+#include <flint/acb_calc.h>
 #include <flint/arb_mat.h>
 #else
+#include <acb_calc.h>
 #include <arb_mat.h>
 #endif
 

@@ -538,16 +538,34 @@ static void judge_front(arb_t error, const double found[2], arb_ptr c, const arb
     _arb_vec_clear(w, 4);
 }
 
-static void judge_stick_zone(arb_t error, const probe *call, slong prec)
+/* Load and tilt of what sticks; c as of ball_pressed(). */
+static void ball_sticking(arb_ptr c, arb_t load, arb_t tilt, const probe *call, slong prec)
 {
     const double *v = call->value, *r = call->result;
-    arb_ptr c = _arb_vec_init(PRESSED + 2);
-    arb_ptr load = c + PRESSED, tilt = c + PRESSED + 1;
     ball_pressed(c, v, v[LOAD], v[MOMENT], r[2], r[3], prec);
     ball_tangential(load, tilt, c + PER_STRESS, v[FRICTION], v[SHEAR], v[TENSION], prec);
     arb_sub(load, c + P_OF, load, prec);
     arb_sub(tilt, c + TILT_OF, tilt, prec);
-    judge_front(error, r, c, load, tilt, prec);
+}
+
+void ball_slipping(const ball_edges *stick, const ball_edges *whole, const probe *call, slong prec)
+{
+    arb_ptr c = _arb_vec_init(PRESSED + 2);
+    arb_ptr load = c + PRESSED, tilt = c + PRESSED + 1;
+    ball_sticking(c, load, tilt, call, prec);
+    const wanted to = {c + A_ROUND, load, tilt, false};
+    ball_patch_of(stick, &to, call->result[0], call->result[1], prec);
+    arb_set(whole->left, c + LEFT);
+    arb_set(whole->right, c + RIGHT);
+    _arb_vec_clear(c, PRESSED + 2);
+}
+
+static void judge_stick_zone(arb_t error, const probe *call, slong prec)
+{
+    arb_ptr c = _arb_vec_init(PRESSED + 2);
+    arb_ptr load = c + PRESSED, tilt = c + PRESSED + 1;
+    ball_sticking(c, load, tilt, call, prec);
+    judge_front(error, call->result, c, load, tilt, prec);
     _arb_vec_clear(c, PRESSED + 2);
 }
 

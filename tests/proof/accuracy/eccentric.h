@@ -21,4 +21,7 @@ void carried_by(arb_ptr c, const arb_t a, const ball_edges *e, slong prec);
 enum { THETA, ROUNDING, COMPLIANCE, LOAD, MOMENT, FRICTION, SHEAR, TENSION };
 bool draw_slipping(probe *call, rwedge_contact **made);
 
+/* Both patches of such a call, of the drawn loads; indeterminate where none is proved. */
+void ball_slipping(const ball_edges *stick, const ball_edges *whole, const probe *call, slong prec);
+
 #endif

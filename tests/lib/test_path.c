@@ -821,8 +821,8 @@ static void energy_is_friction_times_slip(void **state)
     }
 }
 
-/* The slip begins in the outer of two rings with shear, so that the inner one is common to before and
- * after. */
+/* The slip begins in the outer of two rings with shear, so that the inner one is common to before
+ * and after. */
 static void slip_may_leave_an_inner_ring_alone(void **state)
 {
     (void)state;

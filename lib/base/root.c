@@ -19,12 +19,18 @@ enum { MAX_STEPS = 200 };
 typedef struct {
     rw_function f;
     const void *context;
+    int broken; /* the function was not finite somewhere */
 } problem;
 
+/* GSL's handler would be told of a value that is not finite. */
 static double evaluate(double x, void *params)
 {
-    const problem *p = params;
-    return p->f(x, p->context);
+    problem *p = params;
+    const double value = p->f(x, p->context);
+    if (isfinite(value))
+        return value;
+    p->broken = 1;
+    return 0;
 }
 
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest)
@@ -37,7 +43,7 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
         return lo;
     if (at_hi == 0)
         return hi;
-    problem p = {f, context};
+    problem p = {f, context, 0};
     gsl_function function = {evaluate, &p};
     /* Brent's state is 12 doubles; a GSL that needs more is refused, and the state not overrun */
     double state[32];
@@ -53,7 +59,7 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
             return NAN;
         if (gsl_root_test_interval(solver.x_lower, solver.x_upper, nearest, 2 * DBL_EPSILON) ==
             GSL_SUCCESS)
-            return solver.root;
+            return p.broken ? NAN : solver.root;
     }
     return NAN;
 }

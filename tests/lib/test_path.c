@@ -821,6 +821,23 @@ static void energy_is_friction_times_slip(void **state)
     }
 }
 
+/* The slip begins in the outer of two rings with shear, so that the inner one is common to before
+ * and after. */
+static void slip_may_leave_an_inner_ring_alone(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.3, 0, 0.05, 0);
+    apply(contact, 0.5, 0, 0.09, 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) == 0);
+    apply(contact, 0.5, 0, 0.11, 0.004);
+    double points[64];
+    const size_t n = marks(contact, points);
+    assert_close(rwedge_contact_dissipated_energy(contact),
+                 integral(friction_times_slip, contact, n, points), 1e-10);
+    rwedge_contact_destroy(contact);
+}
+
 /* Its two halves are those of the histories of P and Q. */
 static void slip_is_continuous_in_the_moment(void **state)
 {
@@ -958,6 +975,7 @@ int main(void)
         cmocka_unit_test(what_never_slips_is_the_same_on_the_way_back),
         cmocka_unit_test(cycles_without_a_permanent_stick_zone_say_why),
         cmocka_unit_test(energy_is_friction_times_slip),
+        cmocka_unit_test(slip_may_leave_an_inner_ring_alone),
         cmocka_unit_test(slip_is_proportional_to_friction),
         cmocka_unit_test(slip_has_one_origin_or_none),
         cmocka_unit_test(slip_is_continuous_in_the_moment),

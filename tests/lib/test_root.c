@@ -56,6 +56,19 @@ static void what_brackets_no_root_is_refused(void **state)
     assert_nan(rw_root(line, &not_a_number, lo, hi, 0));
 }
 
+static double line_with_a_hole(double x, const void *root)
+{
+    return fabs(line(x, root)) < 0.5 ? NAN : line(x, root);
+}
+
+/* GSL's handler would end the host. */
+static void a_function_that_is_not_finite_inside_is_refused(void **state)
+{
+    (void)state;
+    const double root = 0.3;
+    assert_nan(rw_root(line_with_a_hole, &root, -1, 2, 0));
+}
+
 static double jump(double x, const void *context)
 {
     (void)context;
@@ -144,6 +157,7 @@ int main(void)
         cmocka_unit_test(roots_are_found_to_the_last_bits),
         cmocka_unit_test(a_root_may_be_at_an_end),
         cmocka_unit_test(what_brackets_no_root_is_refused),
+        cmocka_unit_test(a_function_that_is_not_finite_inside_is_refused),
         cmocka_unit_test(a_search_ends),
         cmocka_unit_test(the_rule_is_exact_to_degree_31),
         cmocka_unit_test(a_parabola_is_fitted),

@@ -466,7 +466,7 @@ static void judge_slip(arb_t error, const probe *call, slong prec)
     patch_clear(&stick);
 }
 
-/* ---- Energy: what slips does so at f p from zero, with the work (f theta)^2/A int p gap dx ---- */
+/* ---- Energy: slip at f p from zero does the work (f theta)^2/A int p gap dx ---- */
 
 /* A part of the slip zone on the right, with the ends of the rounding only at its own ends. */
 typedef struct {

@@ -46,7 +46,7 @@ class Program:
         self.command = shlex.split(link.read_text())
         self.output = self.command.index("-o") + 1
         traced = run([*self.command, "-Wl,-t,-t"], self.folder).stdout.decode()
-        self.units = set(re.findall(r"librwedge\.a\)(\w+\.c)\.o", traced))
+        self.units = set(re.findall(r"librwedge\w*\.a\)(\w+\.c)\.o", traced))
         self.limit = 60
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         if self.notices(self.folder / name, self.folder):
@@ -247,6 +247,8 @@ def main():
     start = time.monotonic()
     programs = [Program(name, given.build) for name in given.programs if re.search(given.tests, name)]
     programs = [program for program in programs if program.units]  # not of headers alone
+    if not programs:
+        sys.exit("FAILED: no test program links a unit of the library, as far as the linker's trace tells")
     library = Library(given.lib, given.build)
     first = Judge(given.build / "judge0", library, {})
     originals = {unit: library.compile(unit, first.folder).read_bytes() for unit in library.commands}

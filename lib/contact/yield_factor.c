@@ -89,6 +89,13 @@ static double J2_of(search *s, rw_field normal, rw_field shear, double x, double
     return J2;
 }
 
+/* The depth at which a place at the distance r from its mark is looked at. By rounding the place may
+ * be the apex of a sharp wedge, which has no stress. Beside it J2 is not high. */
+static double off_apex(const search *s, double x, double y, double r)
+{
+    return s->contact->geometry.a == 0 && fabs(x) + y == 0 ? 1e-3 * r : y;
+}
+
 /* At n <= RW_BATCH points, and at their mirror images if `mirrored` is not NULL. */
 static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[],
                      double mirrored[])
@@ -200,10 +207,7 @@ static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
                      angle = at[i].angle;
         x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
         y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
-        /* by rounding: the place is the apex of a sharp wedge, which has no stress; beside it,
-         * J2 is not high */
-        if (c->s->contact->geometry.a == 0 && fabs(x[i]) + y[i] == 0)
-            y[i] = 1e-3 * r;
+        y[i] = off_apex(c->s, x[i], y[i], r);
     }
     evaluate(c->s, n, x, y, J2, NULL);
 }
@@ -344,7 +348,7 @@ static void fill(search *s, polar_grid *grid, double outermost, double innermost
         for (int i = 0; i < n; i++) {
             const double r = grid->radius[(first + i) / ANGLES];
             x[i] = grid->centre + r * grid->cosine[(first + i) % ANGLES];
-            y[i] = r * grid->sine[(first + i) % ANGLES];
+            y[i] = off_apex(s, x[i], r * grid->sine[(first + i) % ANGLES], r);
         }
         evaluate(s, (size_t)n, x, y, grid->J2[0] + first, both ? grid->J2[1] + first : NULL);
     }

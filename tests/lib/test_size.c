@@ -2,6 +2,8 @@
 /* Quantities with units of one contact; how far a contact with a history is from yield. */
 #include "histories.h"
 
+#include <fenv.h>
+
 static void a_cylinder_gives_the_formulas_of_hertz(void **state)
 {
     (void)state;
@@ -419,6 +421,21 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* A place of the search's grid around another mark is the apex itself, to the last bit. */
+static void a_grid_that_meets_the_apex_raises_nothing(void **state)
+{
+    (void)state;
+    const double P = 0.001, f = 0.3;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.3, 0, 0.001, f, &contact), RWEDGE_OK);
+    load(contact, P, 0);
+    load(contact, P, -0.3 * (f * P));
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
+    rwedge_contact_destroy(contact);
+}
+
 /* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
 static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
 {
@@ -473,6 +490,7 @@ int main(void)
         cmocka_unit_test(many_corners_hide_no_higher_point),
         cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
         cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
+        cmocka_unit_test(a_grid_that_meets_the_apex_raises_nothing),
         cmocka_unit_test(nothing_has_no_size),
         cmocka_unit_test(sizes_end_with_the_domain),
         cmocka_unit_test(a_factor_beyond_the_domain_is_refused),

@@ -82,5 +82,6 @@ SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation
 
 [ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
 export PYTHONPATH="$folder/older"
+# but for what needs pandas, which has a newer NumPy here
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \
-    "$source/tests/test_series.py" "$@"
+    "$source/tests/test_series.py" -k "not other_packages and not by_place" "$@"

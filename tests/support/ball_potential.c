@@ -178,8 +178,7 @@ static void times_l(acb_t product, const factor *by, const ball_patch *patch, co
     acb_clear(rest), acb_clear(plus);
 }
 
-/* z * i/pi. */
-static void times_i_over_pi(acb_t z, slong prec)
+void ball_times_i_over_pi(acb_t z, slong prec)
 {
     arb_t pi;
     arb_init(pi);
@@ -204,7 +203,7 @@ static void sharp_potential(acb_t G, const place *at, slong prec)
     acb_log(G, G, prec);
     ball_logarithm(ln_z, at->z, prec);
     acb_sub(G, G, ln_z, prec);
-    times_i_over_pi(G, prec);
+    ball_times_i_over_pi(G, prec);
     acb_mul_si(G, G, -2, prec);
     acb_add_ui(G, G, 1, prec); /* ln i */
     acb_clear(ln_z);
@@ -226,7 +225,7 @@ static void rounded_potential(acb_t G, const ball_patch *patch, const place *at,
     acb_sub(term, ln_S, term, prec);
     acb_mul_2exp_si(term, term, 1);
     acb_sub(G, term, G, prec);
-    times_i_over_pi(G, prec);
+    ball_times_i_over_pi(G, prec);
     acb_add_ui(G, G, 1, prec);
     acb_clear(ln_S), acb_clear(term), acb_clear(before.value);
 }
@@ -262,7 +261,7 @@ static void times_slope(acb_t product, const factor *by, const ball_patch *patch
     } else if (is_sharp(patch)) { /* G' = (2 i/pi)/(z C) */
         acb_div(product, edge, at->z, prec);
         acb_mul_2exp_si(product, product, 1);
-        times_i_over_pi(product, prec);
+        ball_times_i_over_pi(product, prec);
     } else {
         acb_mul(edge, edge, at->z, prec);
         acb_mul_arb(edge, edge, patch->phi0, prec);
@@ -271,7 +270,7 @@ static void times_slope(acb_t product, const factor *by, const ball_patch *patch
         times_l(product, by, patch, at, ln_S, prec);
         acb_sub(product, edge, product, prec);
         acb_div_arb(product, product, patch->alpha, prec);
-        times_i_over_pi(product, prec);
+        ball_times_i_over_pi(product, prec);
     }
     acb_clear(edge), acb_clear(ln_S);
 }

@@ -39,5 +39,6 @@ void ball_potential_slope_by_depth(acb_t H, const ball_patch *patch, const acb_t
  * but for 0, cut downwards. */
 void ball_root(acb_t root, const acb_t z, slong prec);
 void ball_logarithm(acb_t logarithm, const acb_t z, slong prec);
+void ball_times_i_over_pi(acb_t z, slong prec);
 
 #endif

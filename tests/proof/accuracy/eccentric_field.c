@@ -163,17 +163,6 @@ static void end_of(acb_t L, acb_t product, arb_ptr w, const patch *p, int j, con
     acb_clear(turn), acb_clear(other);
 }
 
-/* times i/pi */
-static void over_pi(acb_t z, slong prec)
-{
-    arb_t pi;
-    arb_init(pi);
-    arb_const_pi(pi, prec);
-    acb_mul_onei(z, z);
-    acb_div_arb(z, z, pi, prec);
-    arb_clear(pi);
-}
-
 /* (cos phi - psi sin phi)/pi */
 static void constant_of(arb_t constant, arb_srcptr w, slong prec)
 {
@@ -208,7 +197,7 @@ static void field_at(acb_t G, acb_ptr H, const patch *p, const acb_t z, slong pr
     for (int j = 0; j < p->ends; j++) {
         end_of(L, term, w, p, j, &at, prec);
         acb_submul_arb(term, at.cosine, w, prec);
-        over_pi(term, prec);
+        ball_times_i_over_pi(term, prec);
         constant_of(w + 3, w, prec);
         acb_sub_arb(term, term, w + 3, prec);
         acb_mul_arb(term, term, p->half, prec);
@@ -219,7 +208,7 @@ static void field_at(acb_t G, acb_ptr H, const patch *p, const acb_t z, slong pr
         acb_add_arb(term, term, w + 1, prec);
         acb_div(term, term, at.cosine, prec);
         acb_add(term, term, L, prec);
-        over_pi(term, prec);
+        ball_times_i_over_pi(term, prec);
         acb_addmul_arb(H, term, &p->k[j], prec);
     }
     if (H && arb_is_zero(acb_imagref(z)))
@@ -255,7 +244,7 @@ static void primitive(acb_t sum, const patch *p, const acb_t z, slong prec)
         acb_addmul_arb(term, L, w + 1, prec);
         acb_submul_arb(term, zeta_and, w, prec);
         acb_mul_2exp_si(term, term, -1);
-        over_pi(term, prec);
+        ball_times_i_over_pi(term, prec);
         constant_of(w + 3, w, prec);
         acb_submul_arb(term, at.sine, w + 3, prec);
         acb_addmul_arb(sum, term, &p->k[j], prec);

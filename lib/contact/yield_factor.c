@@ -89,8 +89,8 @@ static double J2_of(search *s, rw_field normal, rw_field shear, double x, double
     return J2;
 }
 
-/* The depth at which a place at the distance r from its mark is looked at. By rounding the place may
- * be the apex of a sharp wedge, which has no stress. Beside it J2 is not high. */
+/* The depth at which a place at the distance r from its mark is looked at. By rounding the place
+ * may be the apex of a sharp wedge, which has no stress. Beside it J2 is not high. */
 static double off_apex(const search *s, double x, double y, double r)
 {
     return s->contact->geometry.a == 0 && fabs(x) + y == 0 ? 1e-3 * r : y;

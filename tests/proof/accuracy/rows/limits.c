@@ -2,10 +2,10 @@
 /* Elastic limits, and the points that yield. */
 #include <math.h>
 
-#include "absence.h"
-#include "rows.h"
+#include "references/absence.h"
+#include "rows/rows.h"
 #include "rwedge.h"
-#include "strength.h"
+#include "references/strength.h"
 
 static double some_tip(probe *call)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "strength.h"
+#include "references/strength.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "rows.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 static const double EPSILON = DBL_EPSILON;

@@ -17,8 +17,8 @@
  * library found: its rows judge them. */
 #include <math.h>
 
-#include "eccentric.h"
-#include "rows.h"
+#include "rows/eccentric.h"
+#include "rows/rows.h"
 
 typedef struct {
     arb_t middle, half, a, tilt;

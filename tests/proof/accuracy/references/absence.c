@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* J2 is evaluated on a grid of the half-plane, polar and logarithmic in the radius. Next to a
  * maximum of the grid a stationary point is enclosed, and then the Hessian over the enclosure. */
-#include "absence.h"
+#include "references/absence.h"
 
 #include <math.h>
 
 #include "rwedge.h"
-#include "strength.h"
+#include "references/strength.h"
 
 enum { RADII = 64, ANGLES = 33, NODES = RADII * ANGLES, PROOF_BITS = 192 };
 

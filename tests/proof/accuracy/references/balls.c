@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "balls.h"
+#include "references/balls.h"
 
 #include <math.h>
 

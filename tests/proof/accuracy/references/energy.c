@@ -5,7 +5,7 @@
  *     B(u) = int max(P(s) - u, 0) ds over s1 < s < min(s0, u).
  * B is a polynomial of the second degree between its corners s0, s1, p0, p1; the integrals of
  * u^k d ln(eta) are elementary on either side of the load at the end of the rounding. */
-#include "energy.h"
+#include "references/energy.h"
 
 #include <math.h>
 

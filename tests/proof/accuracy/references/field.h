@@ -4,7 +4,7 @@
 #ifndef FIELD_H
 #define FIELD_H
 
-#include "balls.h"
+#include "references/balls.h"
 
 enum { PATCHES_MAX = 32 };
 

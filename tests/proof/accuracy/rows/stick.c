@@ -2,7 +2,7 @@
 /* Partial slip, and the maximum tension. */
 #include <math.h>
 
-#include "rows.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 /* a, 1 and c as balls. */

@@ -5,7 +5,7 @@
 #ifndef STRENGTH_H
 #define STRENGTH_H
 
-#include "field.h"
+#include "references/field.h"
 
 /* The contact of half-width 1 in full sliding. */
 void ball_contact(traction *t, const arb_t alpha, const arb_t f, double nu, slong prec);

@@ -5,8 +5,8 @@
 #include <float.h>
 #include <math.h>
 
-#include "eccentric.h"
-#include "rows.h"
+#include "rows/eccentric.h"
+#include "rows/rows.h"
 
 /* ---- One patch in balls; lengths, loads in theta/A, tilts in theta ---- */
 

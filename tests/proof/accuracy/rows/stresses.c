@@ -2,8 +2,8 @@
 /* Stresses in full sliding and in partial slip, one point at a time and many. */
 #include <math.h>
 
-#include "field.h"
-#include "rows.h"
+#include "references/field.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 /* alpha, f, c, x, y */

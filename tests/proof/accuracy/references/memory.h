@@ -5,7 +5,7 @@
 #ifndef MEMORY_H
 #define MEMORY_H
 
-#include "balls.h"
+#include "references/balls.h"
 
 enum { CORNERS_MAX = 30 };
 

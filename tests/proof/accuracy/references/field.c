@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "field.h"
+#include "references/field.h"
 
 #include <math.h>
 

@@ -4,10 +4,10 @@
 #include <float.h>
 #include <math.h>
 
-#include "energy.h"
-#include "field.h"
-#include "memory.h"
-#include "rows.h"
+#include "references/energy.h"
+#include "references/field.h"
+#include "references/memory.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 /* ---- Random histories ---- */

@@ -3,9 +3,9 @@
 #include <float.h>
 #include <math.h>
 
-#include "rows.h"
+#include "rows/rows.h"
 #include "rwedge.h"
-#include "strength.h"
+#include "references/strength.h"
 
 static double some_unit(probe *call)
 {

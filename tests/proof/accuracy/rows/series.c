@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "balls.h"
-#include "rows.h"
+#include "references/balls.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 static void destroy(void *series)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "memory.h"
+#include "references/memory.h"
 
 static void corner_init(corner *c)
 {

@@ -4,7 +4,7 @@
 #ifndef ENERGY_H
 #define ENERGY_H
 
-#include "memory.h"
+#include "references/memory.h"
 
 /* In a straight line from the path's end to (load, shear), over A f^2/pi; unit is theta/A. ahead
  * receives by how much Q/f gets ahead of what sticks. */

@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "rows.h"
+#include "rows/rows.h"
 #include "rwedge.h"
 
 static const double EPSILON = DBL_EPSILON;

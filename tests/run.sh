@@ -158,7 +158,7 @@ if [ $campaign = yes ]; then
     step "commands of the READMEs" python3 tests/shipped/commands.py . --run
     # every branch of lib/ reached; then what lib/ is checked by
     step "branches of lib/" sh tests/suite/coverage/coverage.sh . build
-    step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 200 --jobs "$(processors)"
+    step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 60 --jobs "$(processors)"
     step "survey of the strength" build/tests/proof/strength_survey 10000 2026
     step "survey of the yield factor" build/tests/proof/yield_survey 2000 2026
     step "accuracy" build/tests/proof/accuracy/accuracy 10000

@@ -46,9 +46,9 @@ static void describe_results(FILE *stream)
           stream);
     for (int i = 0; i < RESULT_COUNT; i++)
         fprintf(stream, "  %-20s %s\n", result_kinds[i].name, result_kinds[i].meaning);
-    fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M.\n"
-          "With --load or --history they are those after the last load. left to tilt come with\n"
-          "these, --M or --sigma; what holds only without M and sigma is empty.\n",
+    fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M;\n"
+          "with --load or --history, results are those after the last load. left to tilt\n"
+          "come with these, --M or --sigma. What holds only without M and sigma is empty.\n",
           stream);
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from pathlib import Path
 
 import write_excel
@@ -71,7 +72,8 @@ class C:
 
     def signature(self, f: Function) -> str:
         parameters = ", ".join(p.declared for p in f.parameters) or "void"
-        return f"{f.returns} rwedge_{f.name}({parameters});".replace("* rwedge", "*rwedge")
+        text = f"{f.returns} rwedge_{f.name}({parameters});".replace("* rwedge", "*rwedge")
+        return "\n".join(textwrap.wrap(text, 88, subsequent_indent="        "))
 
     def call(self, f: Function, given: dict) -> str:
         """With the variables that it needs."""

@@ -19,7 +19,7 @@ const labels = {
     E1: "Young\u2019s modulus E\u2081", nu1: "Poisson\u2019s ratio \u03bd\u2081", E2: "Young\u2019s modulus E\u2082", nu2: "Poisson\u2019s ratio \u03bd\u2082",
     k: "Yield stress in shear k", yield_stress: "Yield stress in tension Y",
 };
-const choiceTexts = { theta: "rad", theta_deg: "degrees", a: "a", radius: "R", k: "k", yield_stress: "Y" };
+const choiceTexts = { theta: "rad", theta_deg: "deg", a: "a", radius: "R", k: "k", yield_stress: "Y" };
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
 
 /** The same input the other way, to 15 digits: radians or degrees, a or radius, k or Y. Empty where it cannot be told. */

@@ -18,8 +18,8 @@ function range(values) {
         if (values[i] < lowest) lowest = values[i];
         if (values[i] > highest) highest = values[i];
     }
-    const inner = some[1495] - some[4];
-    return [Math.max(lowest, some[4] - inner), Math.min(highest, some[1495] + inner)];
+    const inner = some[1480] - some[20];
+    return [Math.max(lowest, some[20] - inner), Math.min(highest, some[1480] + inner)];
 }
 
 /** Grid coordinates of d3-contour count half a cell more than ours; a digit is a tenth of a pixel. */

@@ -5,8 +5,8 @@ import plotStyle from "../plot.css";
 
 /** The style with its colours written out: few programs that open an SVG know variables. */
 function styleOfFile() {
-    const light = Object.fromEntries([...plotStyle.matchAll(/(--[\w-]+):\s*([^;]+);/g)].reverse().map((m) => [m[1], m[2]]));
-    const rules = plotStyle.replace(/:root[^{]*\{[^}]*\}|@media[^{]*\{\s*:root[^{]*\{[^}]*\}\s*\}/g, "");
+    const light = Object.fromEntries([...plotStyle.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map((m) => [m[1], m[2]]));
+    const rules = plotStyle.replace(/\/\*.*?\*\/|:root\s*\{[^}]*\}/g, "");
     return rules.replace(/var\((--[\w-]+)\)/g, (_, name) => light[name]);
 }
 

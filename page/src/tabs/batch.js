@@ -24,10 +24,14 @@ export function makeBatch(state, changed) {
     let solved = null, model;
     const tools = element("p", { class: "tools" }, copyButton("Copy the solved rows", () => asText(solved)),
         element("button", { type: "button", onclick: () => download("solved.csv", new Blob([csvOf(solved)], { type: "text/csv" })) }, "Save as CSV"));
+    const faults = () => {
+        const found = solved.rows.map((row, i) => [i + 1, row.at(-1)]).filter(([, error]) => error !== "");
+        return found.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`).join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "");
+    };
     const words = () => {
         if (solved.complaint !== undefined) return solved.complaint;
         const from = Object.entries(solved.constants).map(([name, text]) => `${name} = ${text}`).join(", ");
-        return `${solved.rows.length} rows, ${solved.errors} could not be solved${solved.errors ? ": see the column error" : ""}.` +
+        return `${solved.rows.length} rows, ${solved.errors} could not be solved. ${faults()}` +
             (from ? ` From the case at the left: ${from}.` : "") + (solved.rows.length > SHOWN ? ` The first ${SHOWN} are drawn; all are copied.` : "");
     };
     const show = (present) => {

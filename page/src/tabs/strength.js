@@ -49,6 +49,7 @@ export function makeStrength() {
         const reason = !model.results ? noResults : model.results.a_over_b === 0 ? "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>"
             : model.results.a_over_b < 1e-14 ? "<p>a/b must be 0 or at least 1e-14 here.</p>" : "";
         numbers.textContent = remark.textContent = "";
+        panel.classList.toggle("empty", reason !== "");
         if (reason) {
             plot.innerHTML = reason;
             return;

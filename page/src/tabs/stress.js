@@ -104,6 +104,7 @@ export function makeStress(state, changed) {
     };
     const show = (present) => {
         model = present;
+        panel.classList.toggle("empty", !model.results);
         choice.value = state.measure;
         fields.forEach((input, i) => (input.value = [state.probe_x, state.probe_y][i]));
         if (!model.results) {

@@ -23,7 +23,6 @@ esac
 if [ $# -lt 2 ]; then
     require_build_tools
     wish header:xlsxwriter.h=libxlsxwriter-dev # for the workbook
-    wish command:node=nodejs command:npm=npm command:python3=python3 python:ensurepip=python3-venv command:dpkg-source=dpkg-dev # for the page
     echo "Building $tool ..."
     cmake -S "$top" -B "$top/build" -DCMAKE_BUILD_TYPE=Release -DRWEDGE_BUILD_CLI=ON >/dev/null
     cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli >/dev/null

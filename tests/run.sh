@@ -45,6 +45,9 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
+# clang is below
+wish command:node=nodejs command:npm=npm command:wasm-ld=lld file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
+    file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
@@ -166,6 +169,7 @@ if [ $campaign = yes ]; then
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "the DLL and the module for Excel" sh bindings/excel/test.sh build
+    step "JavaScript: the same bits as in C with the same libm, and times" sh bindings/web/test.sh --long build
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
     step "every C file compiles alone" sh tests/package/alone.sh .
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* XLSX. One sheet has the rows, or several have, below a header that does not scroll. Another says what the columns
- * mean, where that is known; the last, how the rows were made. */
+/* XLSX. One sheet has the rows, or several have, below a header that does not scroll. Another says
+ * what the columns mean, where that is known; the last, how the rows were made. */
 #include "spreadsheet.h"
 
 #include "text/invocation.h"

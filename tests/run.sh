@@ -187,7 +187,7 @@ fi
 
 # Good reasons to skip: the processor, the rights that this machine gives, what its distribution has no package of, or no longer.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
-beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it"
+beyond_us="$beyond_us|the sources of .* cannot be fetched|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it"
 for need in $not_in_distribution; do
     beyond_us="$beyond_us|$(basename "${need#*:}")"
 done

@@ -43,7 +43,7 @@ if ! {
         cmake --build library --target rwedge_objects &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
         # shellcheck disable=SC2046,SC2086
-        compile -Iinclude "$here/dgelsd.c" $(find library/lib -name '*.c.obj') gsl/*.o $exports -mexec-model=reactor \
+        compile -Iinclude "$here/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports -mexec-model=reactor \
             -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
 } >log 2>&1; then
     cat log >&2

@@ -177,9 +177,9 @@ if [ $campaign = yes ]; then
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
     step "Python: types, a sweep on a cluster, the source distribution, an older NumPy" sh bindings/python/test.sh --long build
     step "edges of all arguments" build/tests/host/test_calls 5000
-    step "a file of 100000 rows" sh tests/cli/batch.sh build/cli/rwedge tests/data 100000
-    step "a spreadsheet of too many rows" sh tests/cli/spreadsheet.sh build/cli/rwedge tests/data all
-    step "failing system calls" sh tests/cli/faults.sh build/cli/rwedge tests/data 0
+    step "a file of 100000 rows" sh tests/cli/results/batch.sh build/cli/rwedge tests/data 100000
+    step "a spreadsheet of too many rows" sh tests/cli/files/spreadsheet.sh build/cli/rwedge tests/data all
+    step "failing system calls" sh tests/cli/system/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
     step "fuzzing" sh tests/random/long.sh
 fi

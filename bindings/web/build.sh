@@ -8,10 +8,16 @@ here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 mkdir -p "$1/web/gsl"
 cd "$1/web"
+# several tests may ask for it at a time
+exec 9>lock
+flock 9
+export LC_ALL=C # the same order of files everywhere, and so the same bytes
 skip() { echo "SKIPPED: $*"; exit 77; }
 
 # compile ARGUMENTS... - with vectors of two numbers, which every browser has since 2023
-compile() { clang --target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off "$@"; }
+options='--target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off'
+# shellcheck disable=SC2086
+compile() { clang $options "$@"; }
 
 for command in clang wasm-ld python3 cmake dpkg-source; do
     command -v $command >/dev/null || skip "$command is not here"
@@ -30,11 +36,11 @@ gsl()
         cblas/dgemv matrix/matrix matrix/view matrix/rowcol matrix/init vector/vector vector/view vector/oper vector/init; do
         compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" -o "gsl/$(echo $name | tr / -).o" || return 1
     done
-    touch gsl/made
+    echo "$options" >gsl/made # last: it stands for all of them
 }
 
 if ! {
-    { [ -f gsl/made ] || gsl; } &&
+    { [ "$(cat gsl/made 2>/dev/null)" = "$options" ] || gsl; } &&
         # the library's objects, with the options that it is always built with
         cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
             -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \
@@ -50,15 +56,21 @@ if ! {
     exit 1
 fi
 
-rm -rf package
-mkdir package
-python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" package
+made=$PWD/made
+rm -rf "$made"
+mkdir "$made"
+python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" "$made"
 {
     echo '// SPDX-License-Identifier: GPL-3.0-or-later'
     echo '// Made by build.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'
     echo "const text = \"$(base64 -w 0 rwedge.wasm)\";"
     echo 'export const wasm = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));'
-} >package/wasm.mjs
-cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" package
+} >"$made/wasm.mjs"
+cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
 version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
-sed "s/@VERSION@/$version/" "$here/package.json.in" >package/package.json
+sed "s/@VERSION@/$version/" "$here/package.json.in" >"$made/package.json"
+# who reads it now is not disturbed by the same again
+diff -rq "$made" package >log 2>&1 || {
+    rm -rf package
+    mv "$made" package
+}

@@ -3,7 +3,7 @@
 #
 #     batch.sh PROGRAM REFERENCES [ROWS]     ROWS: of the long file (default 20000)
 rows=${3:-20000}
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 fixed="--E1 210000 --nu1 0.3 --theta 0.05"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A mistake on the command line gives one line, with the option, the value and what is allowed. The status is 2, and nothing is
 # written.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 limit="table elastic-limit"
 range="must be a number, a comma list of numbers, or START:STOP:STEP"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge profile: tractions along the surface, under one load and after many.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 pi=3.14159265358979323846
 contact="--E1 210000 --nu1 0.3 --theta 0.05 --f 0.3"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # --help and --version: on stdout, status 0, and complete.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 says() { # each text is in the output
     status_is 0
@@ -76,7 +76,7 @@ if [ -c /dev/full ]; then
 fi
 
 # Every command, option, table and column is described in the README.
-readme=$here/../../cli/README.md
+readme=$here/../../../cli/README.md
 called="rwedge table --help"
 for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
     $(sed -n '/^Tables/,$ { s/^    columns: //p; s/^             //p; }' help) \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The five tables, compared with reference values of 20 digits: the right numbers are in the right columns.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 list() { # of a reference column, with commas
     column "$1" "$data/$2" | paste -s -d , -

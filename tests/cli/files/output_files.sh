@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # -o FILE: it is written whole or not at all. What happens to the output when something is in the way.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 small="table contact-law --a-over-b 1 --digits 3"
 text="a_over_b,AP_over_theta_b,AP_over_theta_a,peak_pressure,transition_pressure

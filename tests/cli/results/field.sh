@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge field: stresses on a grid, as rows and as VTK.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # Reference values in natural units, one point each, against the tensor's size. The stick zone passes through Q/(fP),
 # which keeps half of its digits where it is small.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # CSV, TSV and JSON, digits, the decimal comma, long and grid.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 stick="table stick-zone --a-over-b 0 --q-over-fp 0,0.25"
 law="table contact-law --a-over-b 0,1.0"

@@ -3,7 +3,7 @@
 #
 #     spreadsheet.sh PROGRAM REFERENCES [all]    all: also a table of more rows than fit
 extent=${3:-}
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 run table contact-law -o law.xlsx
 if [ "$status" -eq 2 ]; then

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge solve, one contact: closed forms, reference values, defaults, warnings.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 pi=3.14159265358979323846
 steel="--E1 210000 --nu1 0.3"

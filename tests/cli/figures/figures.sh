@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pictures: each figure in each format, if gnuplot is there. If it is missing, old or fails: the message, and the files that
 # are left alone.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 mkdir fake files
 old_file() {

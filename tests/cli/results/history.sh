@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge history: what a contact is after each load of a table; stresses at points; loads that cannot be.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # cells NAME: that column of the CSV file out, in one line.
 cells() {

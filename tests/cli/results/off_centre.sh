@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Moment and bulk tension: solve, files, profile, field, histories, the figure; loads that cannot be.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # A cylinder on a specimen under bulk tension (Nowell and Hills), N and mm: 4 mm wide, E = 72.1 GPa, nu = 0.33, 543 N, 155 N,
 # R = 10, f = 0.3, 100 MPa. The stick zone has the half-width c = b sqrt(1 - Q/(fP)) = 0.045519 and the middle e = b sigma/(4 f

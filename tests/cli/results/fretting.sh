@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # rwedge fretting: what a cycle of loads does to each place, against other routes to the same numbers.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 

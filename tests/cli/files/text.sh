@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Texts that come in: encodings, files as spreadsheets write them, and what no text may hold. Whatever the format of the output, a
 # text that is not UTF-8 is refused where it is read, and nothing that XML cannot hold gets into a spreadsheet.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 fixed="--theta 0.01 --E1 2e5 --nu1 0.3"
 solved() { # FILE OPTIONS...: the first columns and the error of each row

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # START:STOP:STEP, lists and numbers: the values that the text of an option stands for.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # values EXPECTED RANGE: the values of a/b, in one line.
 values() {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A signal arrives while a table is written. The program ends by the signal, the old file stays, and no unfinished file is left.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 env --default-signal=INT true 2>/dev/null || skip "env cannot reset signals"
 long="table elastic-limit --friction 0:0.8:0.0000001"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Completion in real shells, and the man page. Both have every option, and no other.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 for shell in bash zsh fish; do
     run --completion $shell
@@ -115,7 +115,7 @@ ZSH
 fi
 
 # The man page: every option and command of the help is in it, and no other.
-page=$here/../../cli/rwedge.1
+page=$here/../../../cli/rwedge.1
 sed 's/\\-/-/g' "$page" | grep -v '^\.\\"' >plain
 grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' plain | sort -u >in_page
 {

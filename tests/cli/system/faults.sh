@@ -9,7 +9,7 @@
 #     faults.sh PROGRAM REFERENCES [MOST]    MOST: how many calls of one kind in a command are tried (default 2; 0: all). From 6 on
 #                                            a figure and a field are tried too.
 most=${3:-2}
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 command -v strace >/dev/null || skip "strace is not here"
 strace -o /dev/null true 2>/dev/null || skip "this machine does not let strace trace"

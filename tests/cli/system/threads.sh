@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tables computed by threads: the bytes do not depend on the number of threads, and memory does not grow with the rows.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # alike ARGUMENTS...: one thread, and more than there is work for.
 alike() {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the README shows is what the program prints.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # Each example into files of its own: N.command, N.expected; and the files that examples read.
 awk '
@@ -11,7 +11,7 @@ awk '
     /^```$/ { inside = 0; next }
     !inside { next }
     /^\$ / { n++; print substr($0, 3) > (n ".command"); printf "" > (n ".expected"); next }
-    { print > (n ".expected") }' "$here/../../cli/README.md"
+    { print > (n ".expected") }' "$here/../../../cli/README.md"
 
 for file in *.command; do
     called=$(cat "$file")
@@ -23,6 +23,6 @@ same "there are examples" yes "$([ "$checks" -ge 10 ] && echo yes)"
 
 called="cli/README.md"
 same "overlong lines, but for tables and examples" "" \
-    "$(awk '/^```/ { code = !code } length > 128 && !code && !/^\|/ { print NR }' "$here/../../cli/README.md")"
+    "$(awk '/^```/ { code = !code } length > 128 && !code && !/^\|/ { print NR }' "$here/../../../cli/README.md")"
 
 finish

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The numbers behind the figures, against reference values and formulas that the figures do not use; gnuplot is not needed.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 exact() { # awk with all digits; keys are numbers as meant, not their last bits
     awk -F, -v OFMT=%.17g -v CONVFMT=%.17g "$@"
 }
@@ -192,7 +192,7 @@ run figure --help
 status_is 0
 same "lines over 80 columns" 0 "$(awk 'length > 80' out | wc -l | tr -d ' ')"
 for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,); do
-    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../cli/README.md" |
+    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../../cli/README.md" |
         grep -q -e "\`$word[\` ]" && echo yes)"
 done
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Progress is shown on a terminal only, and only after half a second.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || skip "script(1) is not here to lend a terminal"
 command -v timeout >/dev/null || skip "timeout(1) is not here"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Pictures of usual and unusual choices can be read: no text is cut, none lies on another or on the mark of first yield. Names
 # of curves stand on their curves, or below the picture. What would be empty axes is refused.
-. "$(dirname "$0")/claims.sh"
+. "$(dirname "$0")/../claims.sh"
 
 # Nothing to draw; the numbers are still there.
 nothing() { # MESSAGE ARGUMENTS...

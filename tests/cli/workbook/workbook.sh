@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The workbook, as LibreOffice computes it: tests/cli/workbook_recalculate.py says what is compared.
-. "$(dirname "$0")/claims.sh"
+# The workbook, as LibreOffice computes it: workbook_recalculate.py says what is compared.
+. "$(dirname "$0")/../claims.sh"
 
 # Nothing is called, and nothing written, for a mistake.
 refuses "rwedge workbook: --output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -" workbook

@@ -42,7 +42,7 @@ fi
 [ "$failures" -eq 0 ] || finish
 command -v python3 >/dev/null 2>&1 || skip "Python, which reads the cells here, is missing (package python3)"
 cat >cells.py <<'EOF'
-# Prints the first sheet's cells as CSV, numbers as they are read.
+# Prints a sheet's cells as CSV, numbers as they are read.
 import csv, re, sys, zipfile
 import xml.etree.ElementTree as ET
 M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
@@ -54,7 +54,7 @@ def column(name):
     return number - 1
 out = csv.writer(sys.stdout, lineterminator="\n")
 wide = 0
-for row in ET.fromstring(archive.read("xl/worksheets/sheet1.xml")).iter(M + "row"):
+for row in ET.fromstring(archive.read("xl/worksheets/sheet%s.xml" % sys.argv[2])).iter(M + "row"):
     cells = {}
     for cell in row.iter(M + "c"):
         value = cell.find(M + "v")
@@ -65,16 +65,19 @@ for row in ET.fromstring(archive.read("xl/worksheets/sheet1.xml")).iter(M + "row
     wide = max(wide, 1 + max(cells))
     out.writerow([cells.get(i, "") for i in range(wide)])
 EOF
-compare() { # the cells with CSV; XLSX has 16 digits
-    run "$@" --format xlsx -o book.xlsx
-    status_is 0
-    python3 cells.py book.xlsx >cells
-    run "$@"
-    same "cells" close "$(awk -F, 'NR == FNR { row[NR] = $0; rows = NR; next }
+same_cells() { # SHEET CSV: XLSX has 16 digits
+    python3 cells.py book.xlsx "$1" >cells
+    same "cells of sheet $1" close "$(awk -F, 'NR == FNR { row[NR] = $0; rows = NR; next }
         { n = split(row[FNR], cell, ","); if (n != NF) { print "row " FNR ": " n " cells, not " NF; bad = 1; exit } }
         { for (i = 1; i <= NF; i++) { d = cell[i] - $i; if (cell[i] != $i && !($i + 0 == $i && d * d <= 1e-30 * $i * $i)) {
             print "row " FNR ": " cell[i] ", not " $i; bad = 1; exit } } }
-        END { if (!bad) print (rows == FNR ? "close" : rows " rows, not " FNR) }' cells out)"
+        END { if (!bad) print (rows == FNR ? "close" : rows " rows, not " FNR) }' cells "$2")"
+}
+compare() {
+    run "$@" --format xlsx -o book.xlsx
+    status_is 0
+    run "$@"
+    same_cells 1 out
 }
 compare table elastic-limit
 compare table elastic-limit --layout grid --digits 6
@@ -82,6 +85,36 @@ compare table elastic-limit --a-over-b 0,1 --friction 0,0.8 --layout grid --quan
 compare table contact-law --a-over-b 0:1.5:0.5
 compare table critical-friction --nu 0.3,0.35 --layout grid
 compare table stick-zone --digits 4
+
+# CSV files as sheets: numbers are numbers, what is none stays a text.
+"$rwedge" table contact-law --a-over-b 0:1.5:0.5 -o law.csv
+"$rwedge" table elastic-limit --a-over-b 0.1,1 -o limits.csv
+printf 'name,P\n007,1e3\n,x\n' >"a[1].csv"
+run workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
+status_is 0
+message_is ""
+same_cells 1 law.csv
+same_cells 2 limits.csv
+same "another sheet" 'name,P;007,1000.0;,x;' "$(python3 cells.py book.xlsx 3 | tr '\n' ';')"
+same "names of sheets" "law limits a_1_ Columns About " "$(python3 -c 'import re, zipfile
+print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode()), "")')"
+run workbook law.csv --digits 3 -o book.xlsx
+same "three digits" 0.5,1.91,3.83,1.51,1.02 "$(python3 cells.py book.xlsx 1 | sed -n 3p)"
+fails() { # MESSAGE FILE...
+    expected=$1
+    shift
+    run workbook "$@" -o new.xlsx
+    status_is 1
+    message_is "$expected"
+    same "no file" "" "$(ls new.xlsx 2>/dev/null)"
+}
+: >empty.csv
+printf 'a,b\n1,"2\n' >quote.csv
+fails "rwedge workbook: nowhere.csv: No such file or directory" nowhere.csv
+fails "rwedge workbook: empty.csv: no rows" law.csv empty.csv
+fails "rwedge workbook: quote.csv: line 2: a quote that is not closed" quote.csv
+fails "rwedge workbook: LAW.csv: a second sheet of the name law; allowed: files with different names" law.csv LAW.csv
+refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
 
 # The header stays, a page is as wide as the table, another sheet says how it was made.
 text() { python3 -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' book.xlsx "$1"; }

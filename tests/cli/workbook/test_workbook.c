@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -17,13 +18,17 @@
 
 /* What the sheet About, the calculator's notes and cli/README.md say. */
 static const double EXACT = 1e-12, LIMIT = 5e-4, YIELD = 1.5e-3, YIELD_SMALL_TIP = 5e-3,
-                    YIELD_SMALLEST_TIP = 2e-2, CRITICAL = 1e-3;
+                    YIELD_SMALLEST_TIP = 2e-2, CRITICAL = 1e-3, PLACE = 2e-2, PLACE_FLAT = 0.35,
+                    PLACE_SMALL_TIP = 3e-3;
 static const double SMALL_TIP = 0.02, SMALLER_TIP = 0.01;
+/* Above it, J2 along the surface hardly changes. */
+static const double FLAT_NU = 0.4;
 
 static yield_table table;
 
 typedef struct {
-    double exact, limit, yield, yield_small_tip, yield_smallest_tip, critical;
+    double exact, limit, yield, yield_small_tip, yield_smallest_tip, critical, place, place_flat,
+        place_small_tip;
 } errors;
 
 static void keep_larger(double *worst, double error)
@@ -44,6 +49,25 @@ static double tension(double theta, double A, double tip, double f, double Q_ove
     const double c = rwedge_stick_width(tip, Q_over_fP);
     assert_int_equal(rwedge_stress(tip, f, c, -1, 0, &sxx, &syy, &txy), RWEDGE_OK);
     return theta / A * sxx;
+}
+
+/* In a, or in b for Hertz; of a small tip in b. The branch is the workbook's: next to a cusp it may
+ * be the other one. */
+static void compare_place(double tip, double f, double nu, double b, const case_values *out,
+                          errors *worst)
+{
+    const bool surface = strcmp(out->branch, "surface") == 0;
+    double limit = NAN, x = NAN, y = 0;
+    assert_int_equal(surface ? rwedge_surface_yield(tip, f, nu, &limit, &x)
+                             : rwedge_subsurface_yield(tip, f, nu, &limit, &x, &y),
+                     RWEDGE_OK);
+    assert_true(limit <= rwedge_elastic_limit(tip, f, nu) * (1 + LIMIT));
+    const bool small = tip < SMALL_TIP, flat = surface && nu > FLAT_NU;
+    keep_larger(small  ? &worst->place_small_tip
+                : flat ? &worst->place_flat
+                       : &worst->place,
+                hypot(out->number[CELL_YIELD_X] / b - x, out->number[CELL_YIELD_Y] / b - y) /
+                    (small ? 1 : fmin(1, tip)));
 }
 
 /* k is such that it yields at this a/b. */
@@ -81,27 +105,34 @@ static void compare(double tip, double f, double nu, double Q_over_fP, errors *w
     keep_larger(&worst->limit, relative(got[CELL_P_OVER_BK], limit));
     keep_larger(&worst->limit, relative(got[CELL_SAFETY_STRENGTH], 1));
     keep_larger(&worst->critical, fabs(got[CELL_F_CRITICAL] - rwedge_critical_friction(tip, nu)));
-    if (!isnan(got[CELL_P_YIELD])) /* at the end of the table the interpolated load may be beyond */
+    /* At the end of the table the interpolated load may be beyond. */
+    if (!isnan(got[CELL_P_YIELD])) {
+        compare_place(tip, f, nu, b, &out, worst);
         keep_larger(tip < SMALLER_TIP ? &worst->yield_smallest_tip
                     : tip < SMALL_TIP ? &worst->yield_small_tip
                                       : &worst->yield,
                     relative(got[CELL_P_YIELD], P));
-    else
+    } else
         assert_true(tip < 1.02 * WORKBOOK_TIP_MIN && out.safety[0] == '>');
 }
 
 static void show(const char *where, const errors *worst)
 {
     printf("%s: contact and tension %.1e; limit %.1e; load at yield %.1e, %.1e for a/b < %g, %.1e "
-           "for a/b < %g; critical friction %.1e\n",
+           "for a/b < %g; critical friction %.1e; place %.1e a, %.1e a where it is flat, %.1e b "
+           "for a/b < %g\n",
            where, worst->exact, worst->limit, worst->yield, worst->yield_small_tip, SMALL_TIP,
-           worst->yield_smallest_tip, SMALLER_TIP, worst->critical);
+           worst->yield_smallest_tip, SMALLER_TIP, worst->critical, worst->place, worst->place_flat,
+           worst->place_small_tip, SMALL_TIP);
     assert_true(worst->exact <= EXACT);
     assert_true(worst->limit <= LIMIT);
     assert_true(worst->yield <= YIELD);
     assert_true(worst->yield_small_tip <= YIELD_SMALL_TIP);
     assert_true(worst->yield_smallest_tip <= YIELD_SMALLEST_TIP);
     assert_true(worst->critical <= CRITICAL);
+    assert_true(worst->place <= PLACE);
+    assert_true(worst->place_small_tip <= PLACE_SMALL_TIP);
+    assert_true(worst->place_flat <= PLACE_FLAT);
 }
 
 static void centres_of_all_cells_are_as_exact_as_stated(void **state)

@@ -4,7 +4,7 @@
 
 # Nothing is called, and nothing written, for a mistake.
 refuses "rwedge workbook: --output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -" workbook
-refuses "rwedge workbook: book: unexpected; allowed: options only" workbook book
+refuses "rwedge workbook: --digits: the workbook has its own; allowed with: CSV files" workbook --digits 8 -o book.xlsx
 
 run workbook -o book.xlsx
 if [ "$status" -eq 1 ]; then

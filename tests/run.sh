@@ -6,6 +6,7 @@
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
+#     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
@@ -21,15 +22,16 @@ cd "$top"
 accept_path "$top"
 . tests/support/compilers.sh
 
-compilers=no sanitize=no campaign=no elsewhere=no strict=no
+compilers=no sanitize=no campaign=no packages=no elsewhere=no strict=no
 for option; do
     case $option in
     --compilers) compilers=yes ;;
     --sanitize) sanitize=yes ;;
     --campaign) campaign=yes ;;
+    --packages) packages=yes ;;
     --elsewhere) elsewhere=yes ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes campaign=yes elsewhere=yes ;;
+    --all) compilers=yes sanitize=yes campaign=yes packages=yes elsewhere=yes ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -182,6 +184,9 @@ if [ $campaign = yes ]; then
     step "failing system calls" sh tests/cli/system/faults.sh build/cli/rwedge tests/data 0
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
     step "fuzzing" sh tests/random/long.sh
+fi
+if [ $packages = yes ]; then
+    step "the packages" sh packages/make.sh build
 fi
 if [ $elsewhere = yes ]; then
     step "the two commands on Debian stable" sh tests/elsewhere.sh stable

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names the functions of the header that lack a place where every function must have one."""
+"""Names the functions of the header that lack a place where every function must have one. There it stands as `rwedge_NAME`, or
+as `{"NAME"`, which begins a row of accuracy."""
 import re
 import sys
 from pathlib import Path
@@ -9,8 +10,8 @@ from header import read
 
 TOP = Path(__file__).resolve().parents[2]
 PLACES = {  # what a function needs there, and which files may have it
-    "a claim": "tests/lib/*.c tests/proof/*.c tests/host/test_*.c",
-    "a row of accuracy": "tests/proof/accuracy/*.c",
+    "a claim": "tests/lib/*/*.c tests/proof/*.c tests/host/test_*.c",
+    "a row of accuracy": "tests/proof/accuracy/rows/*.c",
 }
 # Without a number whose error could be measured.
 WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
@@ -30,7 +31,7 @@ def main():
         for what, text in found.items():
             if what == "a row of accuracy" and f.name in WITHOUT_ACCURACY:
                 continue
-            if not re.search(rf"\b(rwedge_)?{f.name}\b", text):
+            if not re.search(rf'\brwedge_{f.name}\b|{{"{f.name}"', text):
                 lacking.append(f"rwedge_{f.name}() lacks {what} ({PLACES[what]})")
     for text in lacking:
         print(f"FAILED: {text}: see bindings/interface/README.md, How to add a function")

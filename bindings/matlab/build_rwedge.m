@@ -5,11 +5,12 @@ function folder = build_rwedge(prefix, folder)
 %   that need be on the path. PREFIX is where rwedge is installed, built with
 %   RWEDGE_PRIVATE_DEPS=ON (so that its static library needs no other): include/rwedge.h and librwedge.a, in lib, lib64 or a
 %   folder of lib, such as lib/x86_64-linux-gnu.
-%   The default of PREFIX is three folders up, where an installed copy of this file finds it; of FOLDER, ./rwedge.
+%   The default of PREFIX is the folder prebuilt/SYSTEM beside this file, in the folder for MATLAB that is given away; else three
+%   folders up, where an installed copy of this file finds it. The default of FOLDER is ./rwedge.
 %   After an error FOLDER is as it was.
 here = fileparts(mfilename('fullpath'));
 if nargin < 1
-    prefix = fullfile(here, '..', '..', '..');
+    prefix = default_prefix(here);
 end
 if nargin < 2
     folder = fullfile(pwd, 'rwedge');
@@ -33,6 +34,35 @@ make_folder(folder);
 if ~moved
     error('rwedge:build', 'cannot write into %s: %s', folder, reason);
 end
+end
+
+function prefix = default_prefix(here)
+prebuilt = fullfile(here, 'prebuilt');
+prefix = fullfile(prebuilt, this_system());
+if ~exist(prebuilt, 'dir')
+    prefix = fullfile(here, '..', '..', '..');
+elseif ~exist(prefix, 'dir')
+    offered = dir(prebuilt);
+    offered = {offered([offered.isdir]).name};
+    offered = offered(~strncmp(offered, '.', 1));
+    error('rwedge:build', ['this folder has a library for %s, and none for this machine, %s: build rwedge from its sources with ' ...
+        '-DRWEDGE_PRIVATE_DEPS=ON, and say where it is installed: build_rwedge(PREFIX)'], strjoin(offered, ' and '), this_system());
+end
+end
+
+% Such as linux-x86_64. MATLAB calls that glnxa64, Octave gnu-linux-x86_64.
+function name = this_system()
+name = 'linux';
+if ispc()
+    name = 'windows';
+elseif ismac()
+    name = 'macos';
+end
+processor = computer('arch');
+if ~isempty(regexp(processor, 'x86_64|^glnxa64$|^win64$|^maci64$', 'once'))
+    processor = 'x86_64';
+end
+name = [name '-' processor];
 end
 
 % The static library, where CMake installs it on one system or another.
@@ -95,7 +125,7 @@ if exist('OCTAVE_VERSION', 'builtin')
     status = system(sprintf('%s "%s" && mkoctfile --mex%s "%s" "%s" -o rwedge_mex.%s', go{1 + ispc()}, folder, from, ...
         make_absolute_filename(source), make_absolute_filename(library), mexext()));
     if status ~= 0
-        error('rwedge:build', 'mkoctfile failed');
+        error('rwedge:build', 'mkoctfile failed: it needs a C compiler, and Octave''s headers (in Debian''s package octave-dev)');
     end
 else
     from = strcat('-I', include);

@@ -132,8 +132,8 @@ static bool run(FILE *const stream[])
     program_end end;
     const int error = program_run(words, variables, stream, &end);
     if (error == ENOENT)
-        failure("gnuplot: not found on PATH; it draws the figures: install it (package "
-                "gnuplot-nox), or use --data");
+        failure("gnuplot: not found on PATH; it draws the figures: install it (on Debian and "
+                "Ubuntu the package gnuplot-nox), or use --data");
     else if (error != 0)
         failure("gnuplot: %s", strerror(error));
     else if (end.by_signal || end.number != 0)

@@ -4,7 +4,7 @@
 #     make.sh BUILD PACKAGES TESTED
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
-packages=$2 tested=$3
+build=$1 packages=$2 tested=$3
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 if ! git -C "$top" rev-parse HEAD >/dev/null 2>&1; then
     echo "not made: the source archive, as these files are no clone" | tee -a "$tested"
@@ -13,6 +13,15 @@ fi
 archive=$packages/rwedge-$version.tar.gz
 python3 -B "$top/packages/sbom.py" "$version" "$(git -C "$top" log -1 --format=%ct)" >"$packages/rwedge-$version.spdx.json"
 git -C "$top" archive --format=tar --prefix="rwedge-$version/" HEAD | gzip -9n >"$archive"
+
+# The licences of what it is linked with, from the sources that other packages are made of too.
+linked='gsl lapack popt jansson libcsv libxlsxwriter zlib'
+# shellcheck disable=SC2086
+if sh "$top/packages/sources.sh" "$build/excel/sources" $linked; then
+    sh "$top/packages/licences.sh" "$build/excel/sources" "$packages/licences" $linked
+else
+    echo "not made: the licences of what it is linked with, as their sources cannot be fetched" | tee -a "$tested"
+fi
 
 # It builds and passes tests without git.
 work=$(mktemp -d)

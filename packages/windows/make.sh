@@ -30,14 +30,9 @@ for form in decimal-comma xlsx; do
 done
 
 # The licences of all that is inside, and what it is.
-cp "$top/LICENSE" "$folder/licences/rwedge.txt"
-licence() { cp "$2" "$folder/licences/$1.txt"; }
-for package in gsl:COPYING lapack:LICENSE musl:COPYRIGHT popt:COPYING jansson:LICENSE libcsv:COPYING.LESSER libxlsxwriter:License.txt \
-    zlib:LICENSE; do
-    licence "${package%:*}" "$work/sources/${package%:*}/${package#*:}"
-done
-licence mingw-w64 /usr/share/doc/mingw-w64-common/copyright
-licence gcc /usr/share/doc/gcc-mingw-w64-base/copyright
+sh "$here/../licences.sh" "$work/sources" "$folder/licences" gsl lapack musl popt jansson libcsv libxlsxwriter zlib
+cp /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
+cp /usr/share/doc/gcc-mingw-w64-base/copyright "$folder/licences/gcc.txt"
 python3 -B "$here/../sbom.py" "$version" "$epoch" "$work/sources" >"$folder/sbom.spdx.json"
 python3 -B "$here/../zip.py" "$packages/$name.zip" "$epoch" "$folder"
 

@@ -41,7 +41,8 @@ fails_with() { # MESSAGE BODY
 old_file
 draw_with /nonexistent 4 -o files/f.svg
 status_is 1
-message_is "rwedge figure: gnuplot: not found on PATH; it draws the figures: install it (package gnuplot-nox), or use --data"
+message_is "rwedge figure: gnuplot: not found on PATH; it draws the figures: install it (on Debian and \
+Ubuntu the package gnuplot-nox), or use --data"
 old_file_stays
 
 # One that is too old, one that fails without a word, is killed, answers at once with something else, stops half way.

@@ -22,7 +22,7 @@ processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,
 # The tests themselves without optimisation: what they compare is to raise nothing either.
 build_tests()
 {
-    for test in host/test_calls host/calls/calls host/calls/edges host/calls/together host/calls/sequences host/test_host lib/test_batches support/claims support/quadrature; do
+    for test in host/test_calls host/calls/calls host/calls/edges host/calls/together host/calls/sequences host/test_host lib/stress/test_batches support/claims support/quadrature; do
         "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -Ibindings/interface -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
             -o "$work/$(basename "$test").o"
     done

@@ -5,7 +5,7 @@
 # Those that go along with the boundary-element solver are left out, because they take longer than all others.
 unit_tests()
 {
-    for file in "$1"/tests/lib/test_*.c "$1"/tests/host/test_*.c "$1"/tests/proof/test_*.c; do
+    for file in "$1"/tests/lib/*/test_*.c "$1"/tests/host/test_*.c "$1"/tests/proof/test_*.c; do
         [ -f "$file" ] || continue
         case $file in
         */test_boundary_element.c | */test_eccentric_histories.c) ;;

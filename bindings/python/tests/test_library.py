@@ -44,6 +44,11 @@ def test_it_needs_the_c_and_the_math_library_only():
     assert {"rwedge_" + name for name in FUNCTIONS} <= names
 
 
+def test_without_numpy_it_says_what_to_install(run):
+    script = "import sys; sys.modules['numpy'] = None\ntry: import rwedge\nexcept ImportError as error: print(error)"
+    assert run("-c", script) == "rwedge needs numpy, which is not installed: pip install numpy\n"
+
+
 @pytest.mark.parametrize("first, then", [("", ""), (", numpy, numpy.linalg", ""), ("", ", numpy.linalg")])
 def test_other_libraries_do_not_change_its_bits(tmp_path, run, first, then):
     """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "rows.h"
+#include "rows/rows.h"
 
 enum { BLOCK = 64, THREADS_MAX = 64 };
 

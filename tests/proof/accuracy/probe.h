@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "balls.h"
+#include "references/balls.h"
 
 enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 8, LOADS_MAX = 12 };
 

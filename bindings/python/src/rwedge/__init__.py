@@ -13,7 +13,11 @@ in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monn
 apex", Int. J. Mech. Sci. 40 (1998) 977-988; "E1" ... are its errata as listed in the library's lib/README.md; "new" marks
 what the paper does not have.
 """
-from . import _formulas, _made
+from ._optional import need as _need
+
+_need("numpy", "rwedge")
+
+from . import _formulas, _made  # noqa: E402
 from ._contact import Contact, YieldFactor
 from ._cycle import Cycle
 from ._library import Error, SlidingError

@@ -1,0 +1,52 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The folder for MATLAB and Octave: functions, the source of the MEX file, and the library with its GSL and LAPACK inside, for the
+# Linux of this machine and, after windows/make.sh, for Windows.
+#     make.sh BUILD PACKAGES TESTED
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 packages=$2 tested=$3
+binding=$top/bindings/matlab
+version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+name=rwedge-$version-matlab
+epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
+sources=$build/excel/sources # as those of the zip for Windows
+work=$build/for-matlab
+folder=$work/$name
+rm -rf "$work"
+mkdir -p "$folder"
+
+cp -r "$binding/build_rwedge.m" "$binding/rwedge_mex.c" "$binding/rwedge_example.m" "$binding/functions" "$binding/README.md" \
+    "$top/bindings/interface/entries.h" "$folder"
+sed "s/@VERSION@/$version/" "$here/start-here.txt" >"$folder/start-here.txt"
+
+# library SYSTEM LIBRARY... - all its members as one, with the header beside
+library()
+{
+    mkdir -p "$folder/prebuilt/$1/include" "$folder/prebuilt/$1/lib" "$work/members"
+    cp "$top/include/rwedge.h" "$folder/prebuilt/$1/include"
+    made=$folder/prebuilt/$1/lib/librwedge.a
+    shift
+    for part; do
+        (cd "$work/members" && ar x "$part")
+    done
+    (cd "$work/members" && LC_ALL=C && ar rcsD "$made" ./*)
+    rm -r "$work/members"
+}
+sh "$top/bindings/private.sh" "$build"
+library "linux-$(uname -m)" "$build/private/prefix/lib/librwedge.a"
+inside='gsl lapack'
+windows=$build/excel
+if [ -f "$windows/windows/lib/librwedge.a" ] && [ -f "$windows/dependencies/libm.a" ]; then
+    library windows-x86_64 "$windows/windows/lib/librwedge.a" "$windows/dependencies/libm.a"
+    inside="$inside musl"
+fi
+# shellcheck disable=SC2086
+{
+    sh "$top/packages/sources.sh" "$sources" $inside >"$work/log" 2>&1 &&
+        sh "$top/packages/licences.sh" "$sources" "$folder/licences" $inside
+} || { echo "not made: the folder for MATLAB: no licence texts: $(tail -n 1 "$work/log")" | tee -a "$tested"; exit 77; }
+python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$folder"
+
+sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wheel.py BASE LIBRARY PLATFORM SECONDS SBOM FOLDER: writes the wheel for a platform into the folder.
+"""wheel.py BASE LIBRARY PLATFORM SECONDS ADDED FOLDER: writes the wheel for a platform into the folder.
 
-It is the wheel BASE with another shared library, other tags, and the list of what is inside. The same bytes for the same content.
+It is the wheel BASE with another shared library and other tags, and with the files of ADDED among those that tell about it. The
+same bytes for the same content.
 """
 import base64
 import hashlib
@@ -10,14 +11,14 @@ import sys
 import time
 import zipfile
 
-base, library, platform, seconds, sbom, folder = sys.argv[1:]
-library, date = pathlib.Path(library), time.gmtime(max(int(seconds), 315532800))[:6]  # a zip begins in 1980
+base, library, platform, seconds, added, folder = sys.argv[1:]
+library, added, date = pathlib.Path(library), pathlib.Path(added), time.gmtime(max(int(seconds), 315532800))[:6]  # a zip begins in 1980
 with zipfile.ZipFile(base) as archive:
     files = {name: archive.read(name) for name in archive.namelist() if not name.startswith("rwedge/_rwedge.")}
 about = next(name for name in files if name.endswith(".dist-info/WHEEL")).rpartition("/")[0]
 del files[f"{about}/RECORD"]
 files[f"rwedge/{library.name}"] = library.read_bytes()
-files[f"{about}/sboms/rwedge.spdx.json"] = pathlib.Path(sbom).read_bytes()
+files.update({f"{about}/{path.relative_to(added).as_posix()}": path.read_bytes() for path in added.rglob("*") if path.is_file()})
 kept = [line for line in files[f"{about}/WHEEL"].decode().splitlines() if line and not line.startswith("Tag:")]
 files[f"{about}/WHEEL"] = "".join(line + "\n" for line in [*kept, *(f"Tag: py3-none-{tag}" for tag in platform.split("."))]).encode()
 

@@ -11,8 +11,6 @@ void gsl_error(const char *reason, const char *file, int line, int gsl_errno);
 void xerbla_(const char *routine, const int32_t *argument, size_t length);
 void _gfortran_concat_string(size_t length, char *joined, size_t length_1, const char *first,
                              size_t length_2, const char *second);
-int _FortranACharacterCompareScalar1(const char *first, const char *second, size_t length_1,
-                                     size_t length_2);
 
 void gsl_error(const char *reason, const char *file, int line, int gsl_errno)
 {
@@ -39,17 +37,4 @@ void _gfortran_concat_string(size_t length, char *joined, size_t length_1, const
     memcpy(joined, first, from_first);
     memcpy(joined + from_first, second, from_second);
     memset(joined + from_first + from_second, ' ', length - from_first - from_second);
-}
-
-/* The same of flang: LAPACK compares letters. Fortran's rule: the shorter is filled with blanks. */
-int _FortranACharacterCompareScalar1(const char *first, const char *second, size_t length_1,
-                                     size_t length_2)
-{
-    for (size_t i = 0; i < length_1 || i < length_2; i++) {
-        const unsigned char a = (unsigned char)(i < length_1 ? first[i] : ' '),
-                            b = (unsigned char)(i < length_2 ? second[i] : ' ');
-        if (a != b)
-            return a < b ? -1 : 1;
-    }
-    return 0;
 }

@@ -1,0 +1,95 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Tests the wheels and the source distribution as they are installed.
+#     test.sh BUILD FOLDER TESTED
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 folder=$2 tested=$3
+work=$build/wheels/test
+source=$top/bindings/python
+tests="$source/tests/test_formulas.py $source/tests/test_contact.py $source/tests/test_cycle.py $source/tests/test_series.py"
+fail() { echo "FAILED: $*"; exit 1; }
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+export PYTHONPYCACHEPREFIX="$work/pycache" MPLCONFIGDIR="$work/matplotlib" MYPY_CACHE_DIR="$work/mypy" PIP_DISABLE_PIP_VERSION_CHECK=1
+
+# What each holds: its records fit, the library is one for that system, and nothing names a folder of this machine.
+python3 -B "$here/check.py" "$build" "$folder"/*.whl
+for wheel in "$folder"/*linux*.whl; do
+    "$build/wheels/venv/bin/auditwheel" show "$wheel" >shown 2>&1 || { cat shown; fail "auditwheel"; }
+    case $wheel in *manylinux*) tag=manylinux_2_17 ;; *) tag=musllinux_1_2 ;; esac
+    grep -qE "\"${tag%_*}_([0-9]|1[0-7])_" shown || { cat shown; fail "auditwheel finds no $tag"; }
+done
+
+# On this machine: with nothing else on the path, then the suite; all of it with the Python that is here, the calculations with others.
+linux=$(echo "$folder"/*manylinux*_"$(uname -m)".whl)
+sh "$top/bindings/private.sh" "$build"
+# python_of VERSION - where such a Python is, if it is
+python_of()
+{
+    for python in "python$1" "$HOME/.pyenv/versions/$1".*/bin/python3; do
+        "$python" -c 'import ensurepip' 2>/dev/null && echo "$python" && return
+    done
+}
+# suite PYTHON PACKAGES PYTEST-ARGUMENTS...
+suite()
+{
+    rm -rf environment
+    "$1" -m venv environment
+    wanted=$2
+    shift 2
+    # shellcheck disable=SC2086
+    environment/bin/pip install --quiet --no-compile $wanted
+    env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
+    env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
+        'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
+    PATH="$work/environment/bin:$PATH" RWEDGE_PRIVATE_PREFIX="$build/private/prefix" environment/bin/python -m pytest \
+        -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@" >log 2>&1 ||
+        { tail -n 40 log; fail "the suite of $(environment/bin/python --version)"; }
+    said="$(environment/bin/python --version) with NumPy $(environment/bin/python -c 'import numpy; print(numpy.__version__)')"
+    echo "tested: $(basename "$linux"): $said, no compiler or GSL on the path; then, with them, $(tail -n 1 log | tr -d =)" >>"$tested"
+}
+for version in 3.9 3.13; do
+    python=$(python_of $version)
+    if [ -z "$python" ]; then
+        echo "not tested: the wheel for Linux with Python $version, which is not here" | tee -a "$tested"
+        continue
+    fi
+    # shellcheck disable=SC2086
+    suite "$python" 'numpy pytest hypothesis' $tests -k 'not other_packages and not by_place'
+done
+suite python3 'numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray' "$source/tests" -m 'not long'
+echo "tested: rwedge-*.tar.gz for Python: the package of all wheels was built of it here" >>"$tested"
+
+# A wheel for another machine is refused, and says so.
+for wheel in "$folder"/*.whl; do
+    [ "$wheel" != "$linux" ] || continue
+    ! environment/bin/pip install --no-index --no-deps "$wheel" >log 2>&1 || fail "$wheel is taken here"
+    grep -q 'is not a supported wheel on this platform' log || { cat log; fail "$wheel is refused for something else"; }
+done
+
+# The library for Windows, under Wine: the bits of the DLL for Excel, whose test asked it the same.
+windows=$(echo "$folder"/*-win_amd64.whl)
+. "$top/packages/windows/wine.sh"
+if [ ! -f "$windows" ]; then
+    : # make.sh has said it
+elif [ -z "$wine" ] || [ -z "$server" ] || [ ! -f "$build/excel/answers-windows" ]; then
+    echo "not tested: the wheel for Windows, for lack of wine64 or of the answers of the DLL for Excel" | tee -a "$tested"
+else
+    mkdir windows
+    (cd windows && python3 -m zipfile -e "$windows" .)
+    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
+        windows/rwedge/_rwedge.dll -o windows/rwedge/door.exe
+    trap end_wine EXIT
+    start_wine
+    on_windows windows/rwedge/door.exe <"$build/excel/calls" | tr -d '\r' >answers
+    cmp answers "$build/excel/answers-windows" || fail "the library for Windows differs from the DLL"
+    x86_64-w64-mingw32-objdump -p windows/rwedge/_rwedge.dll | grep -o 'rwedge_[a-z_]*' | sort -u >offered
+    nm -D --defined-only "$(environment/bin/python -c 'from rwedge._library import library; print(library._name)')" |
+        sed 's/.* //' | sort >wanted
+    cmp offered wanted || fail "the library for Windows offers other functions than that for Linux"
+    echo "tested: $(basename "$windows"): its parts fit; its library, under Wine, gives $(wc -l <answers) times the bits of the DLL" >>"$tested"
+    echo "not tested: $(basename "$windows"): in a Python for Windows" >>"$tested"
+fi

@@ -19,7 +19,7 @@ mkdir "$build/packages"
 tested=$(mktemp)
 trap 'rm -f "$tested"' EXIT
 ended=0
-for step in source windows matlab debian; do
+for step in source windows matlab debian docs; do
     echo "== $step"
     sh "$here/$step/make.sh" "$build" "$build/packages" "$tested" && status=0 || status=$?
     case $status in

@@ -45,6 +45,10 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
+# JavaScript, WebAssembly, the page; clang is below. Browsers are for the long run alone
+wish command:node=nodejs command:npm=npm command:wasm-ld=lld file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
+    file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32
+[ $campaign = no ] || wish command:chromium=chromium command:firefox-esr=firefox-esr
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
@@ -166,6 +170,11 @@ if [ $campaign = yes ]; then
     step "certificate of the whole range" \
         sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
     step "the DLL and the module for Excel" sh bindings/excel/test.sh build
+<<<<<<< HEAD
+    step "the page in Chromium and Firefox" sh page/test.sh --long build
+=======
+    step "JavaScript: the same bits as in C with the same libm, and times" sh bindings/web/test.sh --long build
+>>>>>>> web
     step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
     step "every C file compiles alone" sh tests/package/alone.sh .
     step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
@@ -183,7 +192,7 @@ fi
 
 # Good reasons to skip: the processor, the rights that this machine gives, what its distribution has no package of, or no longer.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
-beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it"
+beyond_us="$beyond_us|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it|another clang compiled"
 for need in $not_in_distribution; do
     beyond_us="$beyond_us|$(basename "${need#*:}")"
 done

@@ -1251,8 +1251,8 @@ contains
         character(*), intent(inout), optional :: errmsg
         call conclude(c_contact_apply(own(this), P, M, Q, sigma), 'rwedge_contact%apply(P, M, Q, sigma)', [P, M, Q, sigma], &
             'P 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; M 0, or 1e-60 to 1e60 in ' // &
-            'magnitude; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 to 1e60 in ' // &
-            'magnitude', stat, errmsg)
+            'magnitude, 0 where P is 0; 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma 0, or 1e-60 ' // &
+            'to 1e60 in magnitude', stat, errmsg)
     end subroutine
 
     !> Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
@@ -1365,10 +1365,10 @@ contains
             'rwedge_permanent_stick(theta, a, compliance, f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2)', [theta, a, compliance, &
             f, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2], &
             '0 < theta < pi/2, at least 1e-60; a 0, or 1e-60 to 1e60; compliance 1e-60 to 1e60; 0 <= f <=' // &
-            ' 1e6, 0 or at least 1e-60; P1 0, or 1e-60 to 1e60; M1 0, or 1e-60 to 1e60 in magnitude; Q1 ' // &
-            '0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma1 0, or 1e-60 to 1e60 in magnitude; P2 0,' // &
-            ' or 1e-60 to 1e60; M2 0, or 1e-60 to 1e60 in magnitude; Q2 0, or 1e-60 to 1e60 in magnitude,' // &
-            ' |Q| <= f P; sigma2 0, or 1e-60 to 1e60 in magnitude', stat, errmsg)
+            ' 1e6, 0 or at least 1e-60; P1 0, or 1e-60 to 1e60; M1 0, or 1e-60 to 1e60 in magnitude, 0 ' // &
+            'where P is 0; Q1 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma1 0, or 1e-60 to 1e60 in' // &
+            ' magnitude; P2 0, or 1e-60 to 1e60; M2 0, or 1e-60 to 1e60 in magnitude, 0 where P is 0; Q2 ' // &
+            '0, or 1e-60 to 1e60 in magnitude, |Q| <= f P; sigma2 0, or 1e-60 to 1e60 in magnitude', stat, errmsg)
     end subroutine
 
     !> Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is

@@ -18,19 +18,33 @@ fail()
     exit 1
 }
 
-# fortran PROGRAM OPTIONS... - builds it with the module. The module alone is Fortran 2008 (tests/package/package.sh); in
-# programs gfortran 14 then warns wherever a contact goes out of scope, of a rule of 2008 about other objects.
-# That an allocatable array may be used uninitialised is a false alarm of gfortran.
+# The module alone is Fortran 2008 (tests/package/package.sh). In programs gfortran 14 then warns wherever a contact goes out of
+# scope, of a rule of 2008 about other objects. That an allocatable array may be used uninitialised is a false alarm of gfortran.
+strict='-std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized'
+
+# module FOLDER OPTIONS... - compiles the module into FOLDER.
+module()
+{
+    mkdir -p "$1"
+    folder=$1
+    shift
+    # shellcheck disable=SC2086
+    gfortran $strict "$@" -J"$folder" -c "$here/rwedge.f90" -o "$folder/rwedge.o"
+}
+
+# fortran PROGRAM FOLDER OPTIONS... - builds it with the module that is in FOLDER.
 fortran()
 {
-    program=$1
-    shift
-    gfortran -std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized "$@" \
-        "$here/rwedge.f90" "$here/$program.f90" $objects "$prefix/lib/librwedge.a" -lm -o "$program"
+    program=$1 folder=$2
+    shift 2
+    # shellcheck disable=SC2086
+    gfortran $strict "$@" -I"$folder" "$here/$program.f90" "$folder/rwedge.o" $objects "$prefix/lib/librwedge.a" -lm -o "$program"
 }
 objects=''
 
-fortran door -O2
+module serial -O2
+module openmp -O2 -fopenmp
+fortran door serial -O0
 cc -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 python3 -B "$top/tests/doors/calls.py" >calls.csv
 ./door_in_c <calls.csv >expected.csv
@@ -38,7 +52,7 @@ python3 -B "$top/tests/doors/calls.py" >calls.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
-fortran example_fretting -O2
+fortran example_fretting serial -O2
 ./example_fretting >example.txt
 sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" ||
     fail "the example differs from that in C"
@@ -47,7 +61,7 @@ echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 # where equality is asserted, it is meant
 cc -O2 -c -I"$prefix/include" "$here/support.c" -o support.o
 objects=support.o
-fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
+fortran test_module serial -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
     -Wl,--wrap=rwedge_contact_destroy,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
 objects=''
 ./test_module
@@ -57,10 +71,10 @@ fi
 grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt ||
     fail "it does not say why it ends"
 
-fortran copies -O2 -fopenmp -Wno-compare-reals
+fortran copies openmp -O2 -fopenmp -Wno-compare-reals
 ./copies
 
-fortran hostile_host -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace
+fortran hostile_host serial -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace
 # in a shell of its own, which says how it ended
 if sh -c './hostile_host 0; exit $?' >trapped.txt 2>&1; then
     fail "the host does not trap"

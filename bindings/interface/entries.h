@@ -355,7 +355,7 @@ ENTRY(contact_apply, return rwedge_contact_apply((rwedge_contact *)object, v[0][
       v[2][0], v[3][0]))
 static const entry_argument contact_apply_arguments[] = {
     {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude, 0 where P is 0", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
@@ -363,7 +363,7 @@ TEXT_ENTRY(contact_obstacle, rwedge_contact_obstacle((const rwedge_contact *)obj
       v[1][0], v[2][0], v[3][0]))
 static const entry_argument contact_obstacle_arguments[] = {
     {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
-    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude, 0 where P is 0", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
     {"Q", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}},
     {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 1, {-1, -1}}};
 static const entry_result contact_obstacle_results[] = {
@@ -415,11 +415,11 @@ static const entry_argument permanent_stick_arguments[] = {
     {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
     {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"P1", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"M1", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M1", "0, or 1e-60 to 1e60 in magnitude, 0 where P is 0", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"Q1", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"sigma1", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"P2", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
-    {"M2", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"M2", "0, or 1e-60 to 1e60 in magnitude, 0 where P is 0", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"Q2", "0, or 1e-60 to 1e60 in magnitude, |Q| <= f P", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
     {"sigma2", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 static const entry_result permanent_stick_results[] = {

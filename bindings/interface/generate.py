@@ -15,6 +15,7 @@ import write_excel
 import write_fortran
 import write_matlab
 import write_python
+import write_web
 from header import Interface, Refused, read
 
 TOP = Path(__file__).resolve().parents[2]
@@ -40,6 +41,7 @@ WRITERS = (
     fortran,
     lambda interface: {"excel/rwedge.bas": write_excel.module(interface, template("excel/template.bas"))},
     lambda interface: write_python.texts(interface) and {},  # made when the package is built; here, what it lacks
+    lambda interface: write_web.texts(interface) and {},
 )
 
 

@@ -173,10 +173,10 @@ def number(text: str) -> float | None:
 
 
 def clauses(text: str) -> list[str]:
-    """The parts of a domain's line between commas, up to its first remark; and a remark that begins with "not"."""
+    """The parts of a domain's line between commas, up to its first remark; and a remark that begins with "not" or "0 where"."""
     before, *remarks = re.split(r"[;:] ", text)
     parts = before.replace("0, or ", "0\0or ").split(", ")
-    return [p.replace("\0", ", ").strip() for p in parts] + [r for r in remarks if r.startswith("not ")]
+    return [p.replace("\0", ", ").strip() for p in parts] + [r for r in remarks if r.startswith(("not ", "0 where "))]
 
 
 def bound(domain: Domain, sign: str, value: float | None) -> None:
@@ -224,6 +224,8 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
             bound(domain, match[2], value)
             if match[1].startswith("|") and value is not None:
                 bound(domain, match[2].replace("<", ">"), -value)
+        elif clause.startswith("0 where "):
+            domain.between = True
         elif not re.search(r"[<>]=|[<>] ", clause):
             continue  # a meaning or a unit
         domain.conditions.append(clause)

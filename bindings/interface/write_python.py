@@ -109,10 +109,9 @@ def docstring(f: Function, equation: str) -> str:
     return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
 
 
-def domain_text(domain: Domain) -> str:
-    """As the header says it, and what its first page says of whatever has a size."""
-    size = next((c for c in domain.conditions if domain.smallest and ("e60" in c or "e-60" in c)), "")
-    return replaced(domain.text, IN_PYTHON) + (f"; {size}" if size else "")
+def allowed(domain: Domain | None) -> str:
+    """The conditions that the header states, as the other languages' messages have them."""
+    return replaced(", ".join(domain.conditions), IN_PYTHON) if domain else ""
 
 
 def header_py(interface: Interface) -> str:
@@ -130,7 +129,7 @@ def header_py(interface: Interface) -> str:
             "sizes": {p.name: p.size for p in f.parameters if p.size},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "source": equation,
-            "domains": {p.name: domain_text(p.domain) for p in f.parameters if p.domain},
+            "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]

@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]. --long: also what takes long, from its source distribution,
-# and with an older NumPy. Everything goes into BUILD_FOLDER/python; what comes from PyPI is kept there for the next time. Ends with 77 where there is no Python or no way to PyPI.
+# Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]
+#     --long   also what takes long, what needs mypy, distributed or zarr, the source distribution, and an older NumPy
+# Everything goes into BUILD_FOLDER/python. What comes from PyPI is kept there for the next time. Ends with 77 where there is no Python
+# or no way to PyPI.
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
 long=no
@@ -21,15 +23,17 @@ skip()
 }
 
 command -v python3 >/dev/null 2>&1 || skip "no python3"
-tools="scikit-build-core numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray"
+tools="scikit-build-core numpy pytest hypothesis dask[array] matplotlib pandas xarray"
+long_tools="mypy distributed zarr"
 older='numpy==1.26.*'
 wanted="$(python3 --version) $tools"
 
-# fetch PIP-ARGUMENTS... - from PyPI, with another try for a bad line; what is imported is compiled then, which is not much of it
+# fetch PIP-ARGUMENTS... - from PyPI, with a second try for a bad line. It compiles nothing: little of it is ever imported.
 fetch()
 {
     "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1 ||
-        "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1
+        "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1 ||
+        skip "pip cannot fetch $*: $(tail -n 1 "$folder/pip.log")"
 }
 
 mkdir -p "$folder"
@@ -37,9 +41,11 @@ if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
     rm -rf "$folder/venv" "$folder/older"
     python3 -m venv "$folder/venv" >"$folder/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
     # shellcheck disable=SC2086
-    fetch $tools || skip "pip cannot fetch $tools: $(tail -n 1 "$folder/pip.log")"
+    fetch $tools
     echo "$wanted" >"$folder/fetched"
 fi
+# shellcheck disable=SC2086
+[ $long = no ] || fetch $long_tools # nothing is fetched twice
 
 sh "$source/../private.sh" "$build"
 SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
@@ -80,7 +86,7 @@ tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
 SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
 (source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep and not finite_elements and not thousand" "$@")
 
-[ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older" || skip "no NumPy 1.26 for $(python3 --version)"
+[ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older"
 export PYTHONPATH="$folder/older"
 # but for what needs pandas, which has a newer NumPy here
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \

@@ -118,6 +118,7 @@ static void fill(const double value[INPUT_COUNT], contact_case *what)
     what->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
     what->A = rwedge_compliance(what->E1, what->nu1, what->E2, what->nu2);
     what->beta = rwedge_dundurs_beta(what->E1, what->nu1, what->E2, what->nu2);
+    what->after = NULL;
 }
 
 int32_t case_contact(const contact_case *what, rwedge_contact **contact)
@@ -129,6 +130,14 @@ int32_t case_contact(const contact_case *what, rwedge_contact **contact)
 load case_load(const contact_case *what)
 {
     return (load){what->P, what->M, what->Q, what->sigma};
+}
+
+int32_t case_loaded(const contact_case *what, rwedge_contact **contact)
+{
+    if (what->after != NULL)
+        return rwedge_contact_copy(what->after, contact);
+    const int32_t status = case_contact(what, contact);
+    return status == RWEDGE_OK ? loads_apply_monotonic(case_load(what), *contact) : status;
 }
 
 /* The library is asked to apply the loads, and so its tolerance counts. */

@@ -11,12 +11,15 @@ typedef struct {
     double k;    /* NAN where not given */
     double A;    /* composite compliance */
     double beta; /* Dundurs' second constant */
+    /* the contact that a history has brought to these loads; NULL: the loads came as
+     * loads_apply_monotonic() has them */
+    const rwedge_contact *after;
 } contact_case;
 
 /* What must be given beside the bodies and their shape. */
 typedef enum {
-    CASE_LOADS_APART, /* nothing: a history has the loads */
-    CASE_OF_COURSE,   /* f: a table has the loads */
+    CASE_LOADS_APART, /* nothing: a history has the loads, and f may be 0 */
+    CASE_OF_COURSE,   /* f: a history has the loads */
     CASE_WITH_LOADS,  /* P */
     CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
 } case_needs;
@@ -30,6 +33,9 @@ bool case_read(const input_texts *given, case_needs needs, contact_case *what,
 
 /* Makes it, without loads yet; returns the library's status. Destroy it in either case. */
 int32_t case_contact(const contact_case *what, rwedge_contact **contact);
+
+/* The same under its loads. */
+int32_t case_loaded(const contact_case *what, rwedge_contact **contact);
 
 load case_load(const contact_case *what);
 

@@ -25,6 +25,11 @@ load_source load_source_of(const arguments *given)
                          given->value[OPTION_ENCODING]};
 }
 
+bool load_source_is_given(const load_source *from)
+{
+    return from->file != NULL || from->list != NULL;
+}
+
 int load_source_check_encoding(const load_source *from)
 {
     if (from->encoding == NULL)
@@ -39,7 +44,7 @@ int load_source_check(const load_source *from, const input_texts *texts)
     if (from->list != NULL && from->file != NULL)
         return usage_error("--history %s: given together with --load; allowed: one of the two",
                            from->file);
-    for (int i = INPUT_P; i <= INPUT_SIGMA && (from->list != NULL || from->file != NULL); i++) {
+    for (int i = INPUT_P; i <= INPUT_SIGMA && load_source_is_given(from); i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL)
             return usage_error(
@@ -281,4 +286,18 @@ int load_table_fail(const load_table *loads, size_t row, const char *word, const
     load_table_place(loads, row, place);
     return loads->name != NULL ? failure("%s%s: %s", place, word, complaint)
                                : usage_error("%s%s: %s", place, word, complaint);
+}
+
+int load_source_apply(const load_source *from, char decimal_sign, double f, rwedge_contact *contact)
+{
+    load_table loads;
+    char complaint[COMPLAINT_SIZE];
+    int status = load_table_read(from, decimal_sign, false, &loads);
+    for (size_t i = 0; i < loads.count && status == STATUS_DONE; i++)
+        if (!load_table_apply(&loads, i, f, contact, complaint))
+            status = load_table_fail(&loads, i, "", complaint);
+    if (status == STATUS_DONE && loads.name != NULL)
+        header_name_unused(&loads.names, loads.name);
+    load_table_free(&loads);
+    return status;
 }

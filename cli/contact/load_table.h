@@ -31,6 +31,7 @@ typedef struct {
     const char *file, *list, *encoding; /* NULL where not given */
 } load_source;
 load_source load_source_of(const arguments *given);
+bool load_source_is_given(const load_source *from);
 
 /* Refuses an encoding without a file, or one that iconv does not know. STATUS_DONE, or what to
  * leave with; so does the next. */
@@ -53,6 +54,11 @@ bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_cont
 /* Says that a load cannot be applied, after a word such as ", cycle 2", or "". Returns the exit
  * status. */
 int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint);
+
+/* Reads the loads and applies them all, and names columns with numbers that are not used. Returns
+ * the exit status. */
+int load_source_apply(const load_source *from, char decimal_sign, double f,
+                      rwedge_contact *contact);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };

@@ -156,20 +156,6 @@ static int read_natural(const arguments *given, const input_texts *texts, contac
 
 /* ---- Dimensional ---- */
 
-static int apply_table(const load_source *from, char decimal_sign, double f, contact_state *state)
-{
-    load_table loads;
-    char complaint[COMPLAINT_SIZE];
-    int status = load_table_read(from, decimal_sign, false, &loads);
-    for (size_t i = 0; i < loads.count && status == STATUS_DONE; i++)
-        if (!load_table_apply(&loads, i, f, state->contact, complaint))
-            status = load_table_fail(&loads, i, "", complaint);
-    if (status == STATUS_DONE && loads.name != NULL)
-        header_name_unused(&loads.names, loads.name);
-    load_table_free(&loads);
-    return status;
-}
-
 static int apply_case(const contact_case *what, contact_state *state)
 {
     const int32_t status = loads_apply_monotonic(case_load(what), state->contact);
@@ -200,7 +186,7 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
     contact_case what;
     char complaint[COMPLAINT_SIZE];
     const load_source from = load_source_of(given);
-    const bool has_history = from.file != NULL || from.list != NULL;
+    const bool has_history = load_source_is_given(&from);
     int status = load_source_check(&from, texts);
     if (status == STATUS_DONE)
         status = refuse_natural(given);
@@ -210,7 +196,7 @@ static int read_dimensional(const arguments *given, char decimal_sign, const inp
     if (status == STATUS_DONE)
         status = create(what.theta, what.a, what.A, what.f, state);
     if (status == STATUS_DONE)
-        status = has_history ? apply_table(&from, decimal_sign, what.f, state)
+        status = has_history ? load_source_apply(&from, decimal_sign, what.f, state->contact)
                              : apply_case(&what, state);
     if (status != STATUS_DONE)
         return status;

@@ -15,7 +15,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { OPTION_FS_K = OPTION_AFTER_PLACES, OPTION_THREADS };
+enum { OPTION_FS_K = OPTION_AFTER_PLACES };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
@@ -25,9 +25,7 @@ static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, "Its loads:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
      "Places, by default along the surface from side to side:", NULL},
-    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
-     "Threads that compute; the rows are the same for any N (default: one for each processor)",
-     "N"},
+    {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -197,11 +195,9 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     double k_over_sy = NAN;
     int status = output_options_read(given, how);
     if (status == STATUS_DONE)
-        status = output_options_spare(how, course_file(given));
+        status = places_spare_files(given, how);
     if (status == STATUS_DONE)
-        status = output_options_spare(how, given->value[OPTION_POINTS]);
-    if (status == STATUS_DONE)
-        status = threads_read(given->value[OPTION_THREADS], &what->threads);
+        status = threads_read(given, &what->threads);
     if (status == STATUS_DONE)
         status = course_read(given, how->decimal_sign, 3, &what->whole);
     if (status == STATUS_DONE)

@@ -29,12 +29,12 @@ static int find_loads(const arguments *given, const input_texts *texts, load_sou
     const char *word = given->operand != NULL ? given->operand[0] : NULL;
     if (word != NULL && given->operand[1] != NULL)
         return usage_error("%s: unexpected; allowed: one file of loads", given->operand[1]);
-    if (word != NULL && (from->file != NULL || from->list != NULL))
+    if (word != NULL && load_source_is_given(from))
         return usage_error("%s: given together with --%s; allowed: one of the two", word,
                            from->file != NULL ? "history" : "load");
     if (word != NULL)
         from->file = word;
-    if (from->file == NULL && from->list == NULL)
+    if (!load_source_is_given(from))
         return usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
                            "sigma; or --load P,Q for each");
     const int status = load_source_check_encoding(from);

@@ -128,9 +128,7 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
 {
     int status = output_options_read_of(given, formats, "", how);
     if (status == STATUS_DONE)
-        status = output_options_spare(how, course_file(given));
-    if (status == STATUS_DONE)
-        status = output_options_spare(how, given->value[OPTION_POINTS]);
+        status = places_spare_files(given, how);
     if (status == STATUS_DONE && given->value[OPTION_X] == NULL &&
         given->value[OPTION_DEPTH] != NULL)
         status = usage_error("--depth %s: needs --x", given->value[OPTION_DEPTH]);

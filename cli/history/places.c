@@ -233,3 +233,9 @@ int places_read(const arguments *given, char decimal_sign, places *found)
         return read_file(points, given->value[OPTION_ENCODING], decimal_sign, found);
     return x != NULL ? read_grid(given, found) : STATUS_DONE;
 }
+
+int places_spare_files(const arguments *given, const output_options *how)
+{
+    const int status = output_options_spare(how, course_file(given));
+    return status == STATUS_DONE ? output_options_spare(how, given->value[OPTION_POINTS]) : status;
+}

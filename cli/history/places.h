@@ -4,6 +4,7 @@
 #define CLI_PLACES_H
 
 #include "course.h"
+#include "rows/output_options.h"
 #include "text/range.h"
 
 enum {
@@ -28,6 +29,9 @@ typedef struct {
  * them in either case. */
 int places_read(const arguments *given, char decimal_sign, places *found);
 void places_free(places *what);
+
+/* Refuses an output that is the file of loads or of points. STATUS_DONE, or what to leave with. */
+int places_spare_files(const arguments *given, const output_options *how);
 
 /* Reads --depth alone: 0 by default. STATUS_DONE, or what to leave with; free the range. */
 int places_read_depth(const arguments *given, range *depth);

@@ -5,8 +5,9 @@
 #include "text/message.h"
 #include "text/number.h"
 
-int threads_read(const char *text, int *threads)
+int threads_read(const arguments *given, int *threads)
 {
+    const char *text = given->value[OPTION_THREADS];
     int64_t number = ahead_processors();
     if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &number))
         return usage_error("--threads %s: must be a whole number from 1 to %d", text,

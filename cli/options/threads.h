@@ -3,8 +3,16 @@
 #ifndef CLI_THREADS_H
 #define CLI_THREADS_H
 
-/* Reads its text; NULL, where it is not given, is one thread for each processor. STATUS_DONE, or
- * what to leave with. */
-int threads_read(const char *text, int *threads);
+#include "arguments.h"
+
+/* An entry of a table. */
+#define THREADS_OPTION                                                                             \
+    "threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,                                        \
+        "Threads that compute; the rows are the same for any N (default: one for each processor)", \
+        "N"
+
+/* Reads it; where it is not given there is one thread for each processor. STATUS_DONE, or what to
+ * leave with. */
+int threads_read(const arguments *given, int *threads);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "off_centre.h"
+#include "present_state.h"
 
 #include "contact/doubts.h"
 #include "contact/loads.h"
@@ -99,7 +99,6 @@ static bool friction(const contact_case *what, double b, cell row[], char compla
     row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
     row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
     row[RESULT_TENSION] = cell_number(what->theta / what->A * sxx);
-    row[RESULT_TENSION_SLIDING] = cell_number(what->f * what->P / b * rwedge_max_tension(alpha));
     return true;
 }
 
@@ -139,6 +138,7 @@ static bool strength(const contact_case *what, double b, cell row[], char compla
 {
     const double alpha = what->a / b;
     const double limit = rwedge_elastic_limit(alpha, what->f, what->nu1);
+    row[RESULT_TENSION_SLIDING] = cell_number(what->f * what->P / b * rwedge_max_tension(alpha));
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * what->P / b / limit);
     row[RESULT_F_CRITICAL] =
         alpha > 0 ? cell_number(rwedge_critical_friction(alpha, what->nu1)) : cell_empty();
@@ -159,9 +159,7 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
 {
     rwedge_contact *contact = NULL;
     double factor;
-    int32_t status = case_contact(what, &contact);
-    if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(case_load(what), contact);
+    int32_t status = case_loaded(what, &contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, what->nu1, what->k, &factor, NULL, NULL);
     rwedge_contact_destroy(contact);
@@ -173,11 +171,14 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
 
 static bool compute(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
 {
+    const bool centred = what->M == 0 && what->sigma == 0;
     geometry(what, b, row);
-    if (what->M == 0 && what->sigma == 0)
+    if (centred && what->after == NULL)
         return friction(what, b, row, complaint) && strength(what, b, row, complaint);
-    const int32_t status = off_centre_results(what, row);
-    return status == RWEDGE_OK || not_computed("left", rwedge_strerror(status), complaint);
+    const int32_t status = results_of_state(what, row);
+    if (status != RWEDGE_OK)
+        return not_computed("left", rwedge_strerror(status), complaint);
+    return !centred || strength(what, b, row, complaint);
 }
 
 bool results_compute(const contact_case *what, results_wanted wanted, results *found,

@@ -9,32 +9,30 @@
 #include "results.h"
 
 #include "contact/doubts.h"
+#include "contact/load_table.h"
 
 #include <string.h>
 
 enum {
-    OPTION_INPUT_FILE = OPTION_AFTER_INPUTS,
+    OPTION_INPUT_FILE = OPTION_AFTER_LOADS,
     OPTION_LAYOUT,
     OPTION_YIELD_FACTOR,
-    OPTION_NO_FORMULAS,
-    OPTION_THREADS
+    OPTION_NO_FORMULAS
 };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, "Loads that lead to it:", NULL},
     {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
      "Solve every row of a CSV file; - is standard input", "FILE"},
-    {ENCODING_OPTION},
     {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
     {"no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,
      "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL},
-    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
-     "Threads that solve a file; the rows are the same for any N (default: one for each processor)",
-     "N"},
+    {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -48,8 +46,9 @@ static void describe_results(FILE *stream)
           stream);
     for (int i = 0; i < RESULT_COUNT; i++)
         fprintf(stream, "  %-20s %s\n", result_kinds[i].name, result_kinds[i].meaning);
-    fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M.\n"
-          "left to tilt come with --M or --sigma; what holds only without them is empty.\n",
+    fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M;\n"
+          "with --load or --history, results are those after the last load. left to tilt\n"
+          "come with these, --M or --sigma. What holds only without M and sigma is empty.\n",
           stream);
 }
 
@@ -104,17 +103,58 @@ static bool write_answer(void *of_answer, records *rows, bool show_progress)
     return records_are_sound(rows);
 }
 
-static int solve_one(const input_texts *texts, answer *one, const output_options *how)
+static int answer_one(const contact_case *what, answer *one, const output_options *how)
 {
-    contact_case what;
     char complaint[COMPLAINT_SIZE];
-    if (!case_read(texts, CASE_OF_SOLVE, &what, complaint))
-        return usage_error("%s", complaint);
-    if (!results_compute(&what, one->wanted, &one->found, complaint))
+    if (!results_compute(what, one->wanted, &one->found, complaint))
         return failure("%s", complaint);
     const int status = output_options_write(how, write_answer, one);
     if (status == STATUS_DONE)
         doubts_say(one->found.doubts, "");
+    return status;
+}
+
+static int solve_one(const input_texts *texts, answer *one, const output_options *how)
+{
+    contact_case what;
+    char complaint[COMPLAINT_SIZE];
+    return case_read(texts, CASE_OF_SOLVE, &what, complaint) ? answer_one(&what, one, how)
+                                                             : usage_error("%s", complaint);
+}
+
+/* ---- After a history ---- */
+
+static int go_through(const load_source *from, char decimal_sign, contact_case *what,
+                      rwedge_contact *contact)
+{
+    const int status = load_source_apply(from, decimal_sign, what->f, contact);
+    if (status != STATUS_DONE)
+        return status;
+    rwedge_contact_loads(contact, &what->P, &what->M, &what->Q, &what->sigma);
+    what->after = contact;
+    return what->P > 0 ? STATUS_DONE
+                       : failure("%s: the last load has P = 0, which separates the bodies; "
+                                 "allowed: a last P above 0",
+                                 from->file != NULL ? from->file : "--load");
+}
+
+static int solve_history(const input_texts *texts, const load_source *from, answer *one,
+                         const output_options *how)
+{
+    contact_case what;
+    char complaint[COMPLAINT_SIZE];
+    int status = load_source_check(from, texts);
+    if (status == STATUS_DONE && !case_read(texts, CASE_OF_COURSE, &what, complaint))
+        status = usage_error("%s", complaint);
+    if (status != STATUS_DONE)
+        return status;
+    rwedge_contact *contact;
+    const int32_t made = case_contact(&what, &contact);
+    status = made == RWEDGE_OK ? go_through(from, how->decimal_sign, &what, contact)
+                               : failure("the contact: %s", rwedge_strerror(made));
+    if (status == STATUS_DONE)
+        status = answer_one(&what, one, how);
+    rwedge_contact_destroy(contact);
     return status;
 }
 
@@ -142,13 +182,26 @@ static int read_yield_factor(const arguments *given, const input_texts *texts, b
     return STATUS_DONE;
 }
 
-static int check_encoding(const batch *many)
+/* A file of contacts, or one of loads. */
+static int check_files(const batch *many, const load_source *from)
 {
+    if (many->path != NULL && load_source_is_given(from))
+        return usage_error("--%s: given together with --input; allowed: one of the two",
+                           from->file != NULL ? "history" : "load");
     if (many->encoding == NULL)
         return STATUS_DONE;
-    if (many->path == NULL)
-        return usage_error("--encoding %s: needs --input", many->encoding);
+    if (many->path == NULL && from->file == NULL)
+        return usage_error("--encoding %s: needs --input or --history", many->encoding);
     return text_input_check(many->encoding);
+}
+
+static int solve_given(const batch *many, const load_source *from, answer *one,
+                       const output_options *how)
+{
+    if (many->path != NULL)
+        return batch_run(many, how);
+    return load_source_is_given(from) ? solve_history(&many->constants, from, one, how)
+                                      : solve_one(&many->constants, one, how);
 }
 
 static int solve(const arguments *given)
@@ -157,16 +210,17 @@ static int solve(const arguments *given)
     answer one;
     batch many = {.path = given->value[OPTION_INPUT_FILE],
                   .encoding = given->value[OPTION_ENCODING]};
+    const load_source from = load_source_of(given);
     input_texts_from_options(given, &many.constants);
     int status = arguments_no_operand(given);
     if (status == STATUS_DONE)
         status = output_options_read(given, &how);
     if (status == STATUS_DONE)
-        status = output_options_spare(&how, many.path);
+        status = output_options_spare(&how, many.path != NULL ? many.path : from.file);
     if (status == STATUS_DONE)
-        status = check_encoding(&many);
+        status = check_files(&many, &from);
     if (status == STATUS_DONE)
-        status = threads_read(given->value[OPTION_THREADS], &many.threads);
+        status = threads_read(given, &many.threads);
     if (status == STATUS_DONE && given->value[OPTION_THREADS] != NULL && many.path == NULL)
         status = usage_error("--threads %s: needs --input", given->value[OPTION_THREADS]);
     if (status == STATUS_DONE)
@@ -175,14 +229,14 @@ static int solve(const arguments *given)
         status = read_yield_factor(given, &many.constants, &one.wanted.yield_factor);
     if (status != STATUS_DONE)
         return status;
-    one.wanted.edges =
-        input_is_given(&many.constants, INPUT_M) || input_is_given(&many.constants, INPUT_SIGMA);
+    one.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
+                       input_is_given(&many.constants, INPUT_SIGMA);
     many.wanted = one.wanted;
     how.no_formulas = given->value[OPTION_NO_FORMULAS] != NULL;
-    return many.path != NULL ? batch_run(&many, &how) : solve_one(&many.constants, &one, &how);
+    return solve_given(&many, &from, &one, &how);
 }
 
-static const syntax grammar = {options, "[OPTION...]", describe_results, 0};
+static const syntax grammar = {options, "[OPTION...]", describe_results, OPTION_LOAD};
 
 const command solve_command = {
     "solve",  "rwedge solve", "one contact, or a file of them: sizes, pressures, tension, strength",

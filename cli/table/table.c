@@ -17,8 +17,7 @@
 enum {
     OPTION_VARIABLE = OPTION_OWN,
     OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT,
-    OPTION_QUANTITY,
-    OPTION_THREADS
+    OPTION_QUANTITY
 };
 
 static const struct poptOption options[] = {
@@ -38,9 +37,7 @@ static const struct poptOption options[] = {
      "long|grid"},
     {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows",
      "COLUMN"},
-    {"threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,
-     "Threads that compute; the table is the same for any N (default: one for each processor)",
-     "N"},
+    {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
@@ -205,7 +202,7 @@ static int read_quantity(const arguments *given, plan *what)
 
 static int read_threads(const arguments *given, plan *what)
 {
-    return threads_read(given->value[OPTION_THREADS], &what->threads);
+    return threads_read(given, &what->threads);
 }
 
 static int read_plan(const arguments *given, plan *what)

@@ -280,8 +280,11 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
 #define TENSION_FROM_BEFORE                                                                        \
     "; a tension from before the contact is a load of its own, sigma with P = M = Q = 0"
 
-static const char *text_of(rw_obstacle obstacle)
+static const char *text_of(rw_obstacle obstacle, bool touches)
 {
+    if (obstacle == RW_GROWS_UNEVENLY && touches)
+        return "the bodies would touch under a shear that does not grow in proportion to the "
+               "contact: put a load before it with the same P and M, Q = 0, and sigma as it was";
     switch (obstacle) {
     case RW_EDGES_PART:
         return "one edge of the contact would advance while the other recedes: change P with M, so "
@@ -310,7 +313,7 @@ const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, dou
     if (!contact || contact->f == 0 || check(contact, to) != RWEDGE_OK ||
         make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
         return "";
-    return text_of(rw_path_departure(&step, &departure));
+    return text_of(rw_path_departure(&step, &departure), step.from_P == 0);
 }
 
 double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q)

@@ -42,9 +42,8 @@ cp -a "$clean" "$work/making"
 tar -xzf "$archive" -C "$work/making/srv"
 cp "$archive" "$work/making/srv/rwedge_$version.orig.tar.gz"
 cp -r "$here/debian" "$work/making$source"
-# A package of Debian itself would have the revision 1, and take the place of this one.
 cat >"$work/making$source/debian/changelog" <<END
-rwedge ($version-0) unstable; urgency=medium
+rwedge ($version-1) unstable; urgency=medium
 
   * As CHANGELOG.md says.
 
@@ -66,7 +65,7 @@ in_copy using "get $needs ../*.deb
         sh debian/tests/\$test || { echo debian/tests/\$test; exit 1; }
     done" || fail "as they are installed"
 in_copy using 'dpkg --purge python3-rwedge rwedge librwedge-dev librwedge1
-    left=$(find / -xdev -path /srv -prune -o -name "*rwedge*" -print)
+    left=$(find / -xdev "(" -path /srv -o -path /var/cache ")" -prune -o -name "*rwedge*" -print)
     [ -z "$left" ] || { echo "$left"; exit 1; }' || fail "something is left behind"
 
 mkdir "$packages/debian-$release"

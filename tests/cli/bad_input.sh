@@ -24,8 +24,8 @@ refuses "rwedge table: elastic: unknown table; allowed: $tables" table elastic
 refuses "rwedge table: contact-law: unexpected; allowed: one table, and options" $limit contact-law
 
 # Options that do not exist, lack a value, or have one too many.
-options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity, --threads"
-common="--help, --format, --digits, --decimal-comma, --output, --quiet"
+options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity"
+common="--help, --format, --digits, --decimal-comma, --output, --quiet, --threads"
 refuses "rwedge table: --colour: unknown option; allowed: $options, $common" $limit --colour 0.3
 nearest() { # COMMAND OPTION NEAREST
     refuses "rwedge $1: $2: unknown option; the nearest is $3; \"rwedge $1 --help\" lists all" "$1" "$2" 1

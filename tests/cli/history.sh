@@ -115,6 +115,9 @@ fails() { # MESSAGE TEXT
 }
 fails "line 3: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
     'P,M,Q\n100,5,0\n100,40,0\n'
+fails "line 2: no closed form: the bodies would touch under a shear that does not grow in proportion to the contact: put a load before it with the same P and M, Q = 0, and sigma as it was" \
+    'P,Q,sigma\n100,20,30\n100,-20,-30\n'
+printf 'P,M,Q\n100,5,0\n100,40,0\n' >bad.csv
 run history bad.csv $specimen --until
 status_is 0
 message_has "bad.csv: line 3: no closed form: one edge"

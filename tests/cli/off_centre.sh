@@ -22,6 +22,34 @@ for name in max_tension_sliding von_mises_sliding f_critical P_over_bk P_yield s
     same "$name, which is without tension" "" "$(value $name)"
 done
 
+# After a history: as under the same loads, where they come in the order that options have them in.
+cp out once
+printf 'time,P,Q,sigma\n0,135.75,0,0\n1,135.75,38.75,100\n' >loads.csv
+prints "$(cat once)" solve $specimen --history loads.csv
+# Otherwise as "history" has it; what takes the contact to slide does not depend on the way.
+turned="--load 135.75,0 --load 135.75,38.75 --load 135.75,-10"
+run solve $specimen --yield-stress 500 --P 135.75 --Q -10
+cp out slides
+run history $specimen --yield-stress 500 $turned
+tail -n 1 out >last
+run solve $specimen --yield-stress 500 $turned --yield-factor
+status_is 0
+message_is ""
+same "contact, stick zone, tension and yield factor of a history" "$(awk -F, '{ print $6, $7, $8, $9, ($12 > $13 ? $12 : $13), $16 }' last)" \
+    "$(value left) $(value right) $(value stick_left) $(value stick_right) $(value max_tension) $(value yield_factor)"
+for name in p0 Q_over_fP max_tension_sliding von_mises_sliding f_critical load_over_bk P_over_bk P_yield safety yield_x yield_y yield_branch; do
+    same "$name, after a history" "$(awk -F, -v name=$name '$1 == name { print $2 }' slides)" "$(value $name)"
+done
+cannot "rwedge solve: --load: the last load has P = 0, which separates the bodies; allowed: a last P above 0" \
+    solve $specimen --load 100,0 --load 0,0
+cannot "rwedge solve: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+    solve --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2 --history loads.csv
+refuses "rwedge solve: --Q 3: given together with --history, which has the loads; allowed: one of the two" solve $specimen --history loads.csv --Q 3
+refuses "rwedge solve: --history: given together with --input; allowed: one of the two" solve $specimen --history loads.csv -i loads.csv
+refuses "rwedge solve: --encoding latin1: needs --input or --history" solve $specimen --load 100,0 --encoding latin1
+refuses "rwedge solve: missing: --f; friction has no default here" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0
+refuses "rwedge solve: --output loads.csv: it is the input; allowed: another file" solve $specimen --history loads.csv -o loads.csv
+
 # What is there only with moment or tension comes after c_over_b. Zero is as good as none.
 plain="--E1 210000 --nu1 0.3 --theta 0.05 --a 0.1 --f 0.3 --P 300 --Q 40 --k 300 --yield-factor --layout row"
 run solve $plain

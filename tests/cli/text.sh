@@ -73,7 +73,7 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
 fi
 refuses "rwedge solve: --encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
     solve -i utf8.csv $fixed --encoding klingon
-refuses "rwedge solve: --encoding utf-8: needs --input" solve --encoding utf-8
+refuses "rwedge solve: --encoding utf-8: needs --input or --history" solve --encoding utf-8
 refuses "rwedge profile: --encoding utf-8: needs --history" profile --encoding utf-8 --a-over-b 1
 printf '\357\273\277a,P,f\n1,100,0.1\n' >marked.csv
 cannot "rwedge solve: --encoding windows-1252: marked.csv begins with the mark of UTF-8; allowed: utf-8" \

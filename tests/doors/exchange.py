@@ -28,6 +28,7 @@ sys.path.insert(0, str(INTERFACE))
 
 import write_excel  # noqa: E402
 import write_python  # noqa: E402
+import write_web  # noqa: E402
 from header import read  # noqa: E402
 
 # Measures of a stress that do not tell its two normal stresses apart: the invariants, and what is made of them.
@@ -246,10 +247,28 @@ class Excel:
         return "\n".join(f"{n}:{re.findall(rf'(?m)^.*(?:rwedge|c)_{n}: .*$', said)}" for n in names)
 
 
+class Web:
+    """The module of JavaScript: all of its calls."""
+
+    def __init__(self, work):
+        self.work = work / "package"
+        shutil.copytree(BUILD / "web" / "package", self.work)
+        self.files = [BUILD / "web" / "package" / "rwedge.mjs"]
+
+    def sites(self, texts):
+        (file,) = self.files
+        return of_calls(file, texts[file], r'(?:formula|call)\("(\w+)", (?:null, |this, )?\[', lambda m: m[1],
+                        write_web.arguments, lambda one, other: True)
+
+    def answers(self, texts, calls):
+        (self.work / "rwedge.mjs").write_text(texts[self.files[0]])
+        return run("node", TOP / "bindings/web/test/door.mjs", self.work, input=calls)
+
+
 # What each needs: programs, and what the tests of the binding leave in BUILD.
 NEEDS = {"c": (), "fortran": ("gfortran",), "matlab": ("octave-cli", "mkoctfile"), "python": (BUILD / "python/venv/bin/python",),
-         "excel": (BUILD / "excel/prototypes", BUILD / "excel/tables")}
-DOORS = {"c": C, "fortran": Fortran, "matlab": Matlab, "python": Python, "excel": Excel}
+         "web": ("node", BUILD / "web/package/rwedge.mjs"), "excel": (BUILD / "excel/prototypes", BUILD / "excel/tables")}
+DOORS = {"c": C, "fortran": Fortran, "matlab": Matlab, "python": Python, "web": Web, "excel": Excel}
 
 # ---- Rounds of exchanges ----
 

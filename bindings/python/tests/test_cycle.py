@@ -77,6 +77,25 @@ def test_bad_input_says_where(pad, loads, x, y, message):
     assert (pad.state() == before).all()
 
 
+@pytest.mark.parametrize("loads, message", [
+    ((-1, 0, 0, 0), "P = -1.0, .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; "),
+    ((2000, 0, 1300, 0), "Q = 1300.0, .*the tangential force exceeds .*Q: .*|Q| <= f P; "),
+    ((0, 5, 0, 0), "M = 5.0, .*M: .*, 0 where P is 0; "),
+])
+def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, message):
+    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(").replace("|", r"\|")) as caught:
+        pad.apply(*loads)
+    assert len(str(caught.value)) < 400
+
+
+def test_loads_that_cannot_begin_together_say_what_comes_first():
+    apart = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+    with pytest.raises(rwedge.Error, match=r"sigma\[0\] = 50.0: no closed form: .*put a load before it with the same P and M, Q = 0"):
+        apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
+    apart.apply(2000, 0, 0, 0)
+    apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
+
+
 def test_what_has_no_closed_form_says_why(pad):
     loads = rwedge.Loads(2000.0, 0.0, 100.0, 500.0)
     why = pad.obstacle(*loads)

@@ -22,6 +22,7 @@ DRAWN = {  # what each must print
     "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
     "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
 }
+NEEDS_ZARR = pytest.param("design", marks=pytest.mark.long)  # test.sh fetches it for the long run
 OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}  # a small one; the numbers of its picture are the same
 
 
@@ -55,7 +56,7 @@ def numbers_agree(name, picture, tolerance, of_largest):
                                    err_msg=f"{column}: {renewed_by(name)}")
 
 
-@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("name", [NEEDS_ZARR if name == "design" else name for name in DRAWN])
 def test_an_example_draws_the_picture_that_is_shipped(drawn, name):
     printed, picture = drawn(name, OPTIONS.get(name, ""))
     assert re.search(DRAWN[name], printed), printed
@@ -126,6 +127,7 @@ def test_methods_do_not_wait_until_their_object_is_gone():
         rwedge.stresses(0.25, 0.3, 0.0, 0.1, da.from_array(np.array([1, 1, 1, -1.0]), chunks=2))
 
 
+@pytest.mark.long
 def test_the_figure_is_drawn(tmp_path, run):
     run(PACKAGE / "examples/figure4.py", tmp_path / "figure.png")
     png = (tmp_path / "figure.png").read_bytes()

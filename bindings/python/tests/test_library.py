@@ -49,13 +49,17 @@ def test_without_numpy_it_says_what_to_install(run):
     assert run("-c", script) == "rwedge needs numpy, which is not installed: pip install numpy\n"
 
 
+@pytest.fixture(scope="module")
+def fit_alone(run):
+    """What FIT prints without other libraries."""
+    return run("-c", FIT.format(first="", then=""))
+
+
 @pytest.mark.parametrize("first, then", [("", ""), (", numpy, numpy.linalg", ""), ("", ", numpy.linalg")])
-def test_other_libraries_do_not_change_its_bits(tmp_path, run, first, then):
+def test_other_libraries_do_not_change_its_bits(compiled, run, fit_alone, first, then):
     """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""
-    foreign = tmp_path / "foreign.so"
-    subprocess.run(["cc", "-shared", "-fPIC", "-o", foreign, TOP / "tests/host/hostile/foreign.c"], check=True)
-    script = FIT.format(first=first, then=then)
-    assert run("-c", script, LD_PRELOAD=str(foreign)) == run("-c", FIT.format(first="", then=""))
+    foreign = compiled("foreign.so", TOP / "tests/host/hostile/foreign.c", "-shared", "-fPIC")
+    assert run("-c", FIT.format(first=first, then=then), LD_PRELOAD=str(foreign)) == fit_alone
 
 
 def documented():

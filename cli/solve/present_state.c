@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "off_centre.h"
+#include "present_state.h"
 
 #include <math.h>
 
@@ -41,13 +41,11 @@ static int32_t tension(const rwedge_contact *contact, const double edge[2], cell
     return status;
 }
 
-int32_t off_centre_results(const contact_case *what, cell row[])
+int32_t results_of_state(const contact_case *what, cell row[])
 {
     rwedge_contact *contact = NULL;
     double edge[2];
-    int32_t status = case_contact(what, &contact);
-    if (status == RWEDGE_OK)
-        status = loads_apply_monotonic(case_load(what), contact);
+    int32_t status = case_loaded(what, &contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
     if (status == RWEDGE_OK) {

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the JavaScript package takes from the header, written when the package is built: write_web.py rwedge.h FOLDER
+
+    description.mjs  each function's arguments, results and domains, for runtime.mjs
+    rwedge.mjs       the functions and classes: calls of runtime.mjs
+    rwedge.d.mts     their types and texts
+"""
+from __future__ import annotations
+
+import json
+import math
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+from header import Function, Interface, Parameter, read
+
+TOP = """\
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Made by bindings/interface from rwedge.h: do not edit.
+"""
+IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
+    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", ""), (r"(; |, )?RWEDGE_ENULL", ""),
+    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"))
+
+
+def told(f: Function, size: Parameter) -> bool:
+    """Does an array, or a function, tell this size?"""
+    arrays = [p.size for p in f.of("in array")]
+    return bool(size.given_by) or any(of == (size.name,) or len(of) == 2 and of[1] == size.name for of in arrays)
+
+
+def arguments(f: Function) -> list[Parameter]:
+    """What JavaScript gives: the numbers and arrays, and the sizes that no array tells."""
+    return [p for p in f.parameters if p in f.inputs or p.role == "size" and not told(f, p)]
+
+
+def is_formula(f: Function) -> bool:
+    """Is it of numbers alone, so that it can be asked for many at a time?"""
+    return not f.family and bool(f.of("in")) and f.result != "text" and {p.role for p in f.parameters} <= {"in", "out"}
+
+
+def of_points(f: Function) -> bool:
+    return is_formula(f) or f.pointwise
+
+
+def finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def about_parameter(p: Parameter) -> dict:
+    about = {"name": p.name, "role": p.role, "kind": p.kind}
+    if p.size:
+        about["size"] = p.size
+    if p.given_by:
+        about["givenBy"] = p.given_by
+    if d := p.domain:
+        about["domain"] = {"text": domain_text(p), "low": finite(d.low), "high": finite(d.high), "lowOpen": d.low_open,
+                           "highOpen": d.high_open, "orZero": d.or_zero, "finite": d.finite, "smallest": d.smallest, "any": d.any}
+    return about
+
+
+def description(interface: Interface) -> str:
+    functions = {f.name: {"result": f.result, "pointwise": of_points(f), "given": [p.name for p in arguments(f)],
+                          "parameters": [about_parameter(p) for p in f.parameters]} for f in interface.functions}
+    lines = [f"    {name}: {json.dumps(about)}," for name, about in functions.items()]
+    statuses = json.dumps({value: name for name, value in interface.statuses.items()})
+    return "\n".join([TOP, f"export const statuses = {statuses};", "export const functions = {", *lines, "};", ""])
+
+
+def call(f: Function) -> str:
+    given = ", ".join(p.name for p in arguments(f))
+    if is_formula(f):
+        return f'formula("{f.name}", [{given}])'
+    this = "this" if f.of("handle", "changed") else "null"
+    return f'call("{f.name}", {this}, [{given}])'
+
+
+def definition(f: Function) -> str:
+    given = ", ".join(p.name for p in arguments(f))
+    if not f.family:
+        return f"export function {f.name}({given}) {{\n    return {call(f)};\n}}\n"
+    if f.method == "create":
+        return f'    constructor({given}) {{\n        adopt(this, "{f.family}", {call(f)});\n    }}\n'
+    if f.method == "destroy":
+        return "    free() {\n        free(this);\n    }\n"
+    if f.of("created"):
+        head, of = (f.method, "Object.getPrototypeOf(this)") if f.of("handle") else (f"static {f.method}", "this.prototype")
+        return f'    {head}({given}) {{\n        return adopt(Object.create({of}), "{f.family}", {call(f)});\n    }}\n'
+    return f"    {f.method}({given}) {{\n        return {call(f)};\n    }}\n"
+
+
+def module(interface: Interface) -> str:
+    parts = [TOP, 'import { adopt, call, formula, free } from "./runtime.mjs";\n\nexport { RwedgeError } from "./runtime.mjs";\n']
+    parts += [definition(f) for f in interface.functions if not f.family]
+    for family in ("contact", "series"):
+        methods = [definition(f) for f in interface.functions if f.family == family]
+        parts.append(f"export class {family.title()} {{\n" + "\n".join(methods) + "}\n")
+    return "\n".join(parts)
+
+
+# ---- Types ----
+
+
+def words(text: str) -> str:
+    for c, javascript in IN_JAVASCRIPT:
+        text = re.sub(c, javascript, text)
+    return " ".join(text.split())
+
+
+def domain_text(p: Parameter) -> str:
+    """As the header says it, and what its first page says of whatever has a size."""
+    size = next((c for c in p.domain.conditions if p.domain.smallest and ("e60" in c or "e-60" in c)), "")
+    return words(p.domain.text) + (f"; {size}" if size and size not in p.domain.text else "")
+
+
+def comment(f: Function, margin: str) -> list[str]:
+    lines = [line for paragraph in f.text.split("\n\n") for line in textwrap.wrap(words(paragraph), 110)]
+    lines += [f"{f.equation}."] if f.equation else []
+    for p in arguments(f):
+        if p.domain:
+            lines += textwrap.wrap(f"@param {p.name} {domain_text(p)}", 110, subsequent_indent="    ")
+    return [f"{margin}/**", *(f"{margin} * {line}" for line in lines), f"{margin} */"]
+
+
+def argument_type(p: Parameter) -> str:
+    return "Numbers" if p.role == "in array" else "number"
+
+
+def result_type(f: Function, one: str, many: str) -> str:
+    """one: the type of an output that is a number, many: of an array."""
+    if f.result in ("value", "text"):
+        return "string" if f.result == "text" else one
+    types = {p.name: many if p.role == "out array" else one for p in f.outputs}
+    if not types:
+        return "void"
+    return next(iter(types.values())) if len(types) == 1 else "{ " + "; ".join(f"{n}: {t}" for n, t in types.items()) + " }"
+
+
+def typed(given: list[Parameter], of: str | None = None) -> str:
+    return ", ".join(f"{p.name}: {of or argument_type(p)}" for p in given)
+
+
+def declarations(f: Function) -> list[str]:
+    """One line, or two where it takes numbers as well as arrays."""
+    given = arguments(f)
+    head = "" if f.family else "export function "
+    if f.family and f.method == "create":
+        return [f"constructor({typed(given)});"]
+    if f.method == "destroy":
+        return ["free(): void;"]
+    if f.of("created"):
+        static = "" if f.of("handle") else "static "
+        return [f"{static}{f.method}({typed(given)}): {f.family.title()};"]
+    if of_points(f):
+        mixed = ", ".join(f"{p.name}: {'number | Numbers' if p.kind == 'double' and (is_formula(f) or p.role == 'in array') else 'number'}"
+                          for p in given)
+        return [f"{head}{f.method}({typed(given, 'number')}): {result_type(f, 'number', 'number')};",
+                f"{head}{f.method}({mixed}): {result_type(f, 'Float64Array', 'Float64Array')};"]
+    return [f"{head}{f.method}({typed(given)}): {result_type(f, 'number', 'Float64Array')};"]
+
+
+TYPES = """
+/** An array of numbers. */
+export type Numbers = Float64Array | readonly number[];
+
+/** What a status of the library other than RWEDGE_OK becomes. */
+export class RwedgeError extends Error {
+    /** The header's name of it, such as "RWEDGE_EDOMAIN". */
+    readonly status: string;
+}
+"""
+
+
+def types(interface: Interface) -> str:
+    lines = [TOP, TYPES]
+    for f in interface.functions:
+        if not f.family:
+            lines += [*comment(f, ""), *declarations(f), ""]
+    for family in ("contact", "series"):
+        lines.append(f"export class {family.title()} {{")
+        for f in interface.functions:
+            if f.family == family:
+                lines += [*comment(f, "    "), *(f"    {line}" for line in declarations(f)), ""]
+        lines += ["}", ""]
+    return "\n".join(lines)
+
+
+def texts(interface: Interface) -> dict[str, str]:
+    return {"description.mjs": description(interface), "rwedge.mjs": module(interface), "rwedge.d.mts": types(interface)}
+
+
+if __name__ == "__main__":
+    for name, text in texts(read(sys.argv[1])).items():
+        (Path(sys.argv[2]) / name).write_text(text, encoding="ascii")

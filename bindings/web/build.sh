@@ -1,0 +1,64 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds the library as WebAssembly, and the npm package with it: FOLDER/web/package/. Quiet, unless it fails. Ends with 77 where
+# clang, its parts for wasm32-wasi or GSL's sources cannot be had; these sources are kept.
+#     build.sh FOLDER
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+mkdir -p "$1/web/gsl"
+cd "$1/web"
+skip() { echo "SKIPPED: $*"; exit 77; }
+
+# compile ARGUMENTS... - with vectors of two numbers, which every browser has since 2023
+compile() { clang --target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off "$@"; }
+
+for command in clang wasm-ld python3 cmake dpkg-source; do
+    command -v $command >/dev/null || skip "$command is not here"
+done
+compile -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
+    skip "clang has no libc.a or libclang_rt.builtins-wasm32.a for wasm32-wasi: $(tail -n 1 log)"
+sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL cannot be fetched: $(grep '^E: ' log | head -n 1)"
+
+# GSL: its root-finder, and singular values in place of LAPACK's
+gsl()
+{
+    mkdir -p include/gsl
+    cp sources/gsl/gsl_*.h sources/gsl/*/gsl_*.h include/gsl
+    sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' sources/gsl/config.h.in >include/config.h
+    for name in roots/brent roots/fsolver roots/convergence sys/fdiv sys/infnan linalg/svd blas/blas cblas/ddot cblas/dnrm2 cblas/dscal \
+        cblas/dgemv matrix/matrix matrix/view matrix/rowcol matrix/init vector/vector vector/view vector/oper vector/init; do
+        compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" -o "gsl/$(echo $name | tr / -).o" || return 1
+    done
+    touch gsl/made
+}
+
+if ! {
+    { [ -f gsl/made ] || gsl; } &&
+        # the library's objects, with the options that it is always built with
+        cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
+            -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \
+            -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none \
+            -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF &&
+        cmake --build library --target rwedge_objects &&
+        exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
+        # shellcheck disable=SC2046,SC2086
+        compile -Iinclude "$here/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports -mexec-model=reactor \
+            -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
+} >log 2>&1; then
+    cat log >&2
+    exit 1
+fi
+
+rm -rf package
+mkdir package
+python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" package
+{
+    echo '// SPDX-License-Identifier: GPL-3.0-or-later'
+    echo '// Made by build.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'
+    echo "const text = \"$(base64 -w 0 rwedge.wasm)\";"
+    echo 'export const wasm = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));'
+} >package/wasm.mjs
+cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" package
+version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
+sed "s/@VERSION@/$version/" "$here/package.json.in" >package/package.json

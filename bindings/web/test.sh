@@ -1,0 +1,84 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The JavaScript package: made, packed by npm, installed in an empty folder and used there, with its types; its answers against those
+# of C.    test.sh [--long] BUILD        --long: also against C with the same libm, to the last bit, and the time that it takes
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+long=no
+[ "$1" != --long ] || { long=yes; shift; }
+mkdir -p "$1/web"
+build=$(cd "$1" && pwd)
+typescript=typescript@5.9.3
+skip() { echo "SKIPPED: $*"; exit 77; }
+fail() { echo "FAILED: $*"; exit 1; }
+
+for command in node npm python3 cc; do
+    command -v $command >/dev/null 2>&1 || skip "$command is not here"
+done
+cd "$build/web"
+npm() { command npm --no-audit --no-fund --no-update-notifier --loglevel=error "$@"; }
+# kept for the next time
+[ "$(cat tools/fetched 2>/dev/null)" = $typescript ] || {
+    rm -rf tools
+    mkdir tools
+    (cd tools && npm init -y && { npm install $typescript || npm install $typescript; }) >npm.log 2>&1 ||
+        skip "npm cannot fetch $typescript: $(tail -n 1 npm.log)"
+    echo $typescript >tools/fetched
+}
+sh "$here/build.sh" "$build"
+
+# Packed, and installed without a network, where nothing else is.
+rm -rf packed installed
+mkdir packed installed
+(cd package && npm pack --silent --pack-destination ../packed >/dev/null)
+(cd installed && npm init -y >/dev/null && npm install --offline --silent ../packed/rwedge-*.tgz >/dev/null)
+installed=installed/node_modules/rwedge
+for file in LICENSE NOTICE README.md rwedge.mjs rwedge.d.mts; do
+    [ -s $installed/$file ] || fail "the package has no $file"
+done
+bytes=$(cat $installed/*.mjs | gzip -9 | wc -c)
+[ "$bytes" -lt 300000 ] || fail "$bytes bytes when compressed, which is more than 300 kB"
+echo "$bytes bytes when compressed"
+imports=$(node -e 'console.log(WebAssembly.Module.imports(new WebAssembly.Module(require("fs").readFileSync("rwedge.wasm"))).length)')
+[ "$imports" = 0 ] || fail "the WebAssembly imports something"
+! grep -nE '\b(eval|Function|fetch|XMLHttpRequest|require)\(' $installed/*.mjs | cut -c 1-200 | grep . || fail "eval, or a connection"
+
+cp "$here"/test/*.mjs "$here"/test/*.ts installed
+cd installed
+node --expose-gc --test test.mjs >../test.log 2>&1 || { cat ../test.log; fail "test.mjs"; }
+sed -n 's/^# pass/tests passed:/p' ../test.log
+../tools/node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts || fail "the types"
+# The README's example prints what it shows.
+sed -n '/^```js$/,/^```$/p' "$here/README.md" | sed '/^```/d' >example.mjs
+sed -n '/^```text$/,/^```$/p' "$here/README.md" | sed '/^```/d' >expected.txt
+node example.mjs | diff - expected.txt || fail "the example of README.md"
+cd ..
+
+# Equal bits with C, but for what another libm and, in a fit, another LAPACK change.
+sh "$top/bindings/private.sh" "$build"
+# with_libm PROGRAM LIBRARIES... - the door in C
+with_libm()
+{
+    program=$1
+    shift
+    cc -O1 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$build/private/prefix/lib/librwedge.a" "$@" -o "$program"
+}
+python3 -B "$top/tests/doors/calls.py" >calls.csv
+node installed/door.mjs $installed <calls.csv >answers.csv
+with_libm door -lm
+./door <calls.csv >expected.csv
+compare() { python3 -B "$top/bindings/excel/test/compare.py" "$@"; }
+compare expected.csv answers.csv 1e-12 || exit 1
+[ $long = yes ] || exit 0
+
+sh "$top/packages/sources.sh" sources musl >log 2>&1 || skip "the sources of musl cannot be fetched: $(grep '^E: ' log | head -n 1)"
+[ -f linux/libm.a ] || sh "$top/packages/windows/libm.sh" sources linux
+with_libm door-same linux/libm.a
+# what follows a fit is of another LAPACK
+without_fits() { awk -F: '$1 == "series_fit" { fitted = 1 } $1 == "series_create" { fitted = 0 } !fitted || $1 !~ /^series_/' "$1"; }
+without_fits answers.csv >answers-same.csv
+./door-same <calls.csv >expected-same.csv
+without_fits expected-same.csv | cmp - answers-same.csv || fail "other bits than in C, with the same libm"
+echo "$(wc -l <answers-same.csv) calls: the same bits as in C with the same libm"
+sh "$here/speed.sh" "$build"

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The package as it is installed: numbers, arrays, errors, objects. That the numbers are those of C is door.mjs.
+import assert from "node:assert/strict";
+import test from "node:test";
+
+// counts what is freed by the collector of garbage
+let collected = 0;
+globalThis.FinalizationRegistry = class extends FinalizationRegistry {
+    constructor(free) {
+        super((held) => {
+            collected++;
+            free(held);
+        });
+    }
+};
+const rwedge = await import("rwedge");
+
+const { Contact, RwedgeError, Series } = rwedge;
+const made = () => new Contact(0.01, 2, 1.8e-5, 0.3);
+const refused = (status, message) => (error) => error instanceof RwedgeError && error.status === status && message.test(error.message);
+
+test("formulas take numbers and arrays", () => {
+    assert.equal(rwedge.load(0), 2); // the sharp wedge: P = 2 theta b/A
+    assert.deepEqual(rwedge.load(Float64Array.of(0, 0)), Float64Array.of(2, 2));
+    const f = [0.1, 0.2], limits = f.map((friction) => rwedge.elastic_limit(0.25, friction, 0.3));
+    assert.deepEqual(rwedge.elastic_limit(0.25, f, 0.3), Float64Array.from(limits));
+    assert.deepEqual(rwedge.elastic_limit([0.25, 0.25], Float32Array.from([0.5, 0.25]), 0.3),
+        Float64Array.of(rwedge.elastic_limit(0.25, 0.5, 0.3), rwedge.elastic_limit(0.25, 0.25, 0.3)));
+    assert.deepEqual(rwedge.load([]), new Float64Array(0));
+    assert.equal(rwedge.load(-1), NaN);
+    assert.deepEqual(rwedge.load([0, -1]), Float64Array.of(2, NaN));
+});
+
+test("several results have their names in the header", () => {
+    const { limit, x, y } = rwedge.yield_point(0.25, 0.1, 0.3);
+    assert.equal(limit, rwedge.elastic_limit(0.25, 0.1, 0.3));
+    assert.deepEqual(rwedge.yield_point([0.25, 0.25], 0.1, 0.3), { limit: Float64Array.of(limit, limit), x: Float64Array.of(x, x), y: Float64Array.of(y, y) });
+    assert.deepEqual(rwedge.stresses(0.25, 0.3, 0, 0.5, 0.1), rwedge.stress(0.25, 0.3, 0, 0.5, 0.1));
+    assert.deepEqual(rwedge.stresses(0.25, 0.3, 0, [0.5, -1], 0.1), rwedge.stress(0.25, 0.3, 0, [0.5, -1], 0.1));
+    assert.match(rwedge.version(), /^\d+\.\d+\.\d+$/);
+    assert.equal(rwedge.strerror(0), "success");
+    assert.equal(rwedge.validity_text(3), "");
+});
+
+test("what is wrong is said", () => {
+    assert.throws(() => rwedge.stress(0.25, 0.3, 0, 0.5, -1), refused("RWEDGE_EDOMAIN", /^stress\(\): an argument is outside its domain: y = -1 \(.*y >= 0/));
+    assert.throws(() => rwedge.stresses(0.25, 0.3, 0, [0, 1], [1, -1]), refused("RWEDGE_EDOMAIN", /: y\[1\] = -1 \(/));
+    assert.throws(() => rwedge.stress(0, 0.3, 0, 0, 0), refused("RWEDGE_EDOMAIN", /: alpha = 0, f = 0\.3, c = 0, x = 0, y = 0$/));
+    assert.throws(() => new Contact(0.01, 2, -1, 0.3), refused("RWEDGE_EDOMAIN", /A = -1/));
+    assert.throws(() => made().load(1000, 900), refused("RWEDGE_ESLIDING", /friction times the normal force: P = 1000, Q = 900$/));
+    assert.throws(() => made().edges(), refused("RWEDGE_EABSENT", /^contact_edges\(\): /));
+    assert.throws(() => Series.fit([0.1, 0.1, 0.1], [1, 1, 1], 3), refused("RWEDGE_ERANK", /^series_fit\(\): /));
+    assert.throws(() => rwedge.load(), { name: "TypeError", message: "load(): alpha must be a number, not undefined" });
+    assert.throws(() => rwedge.load("1"), TypeError);
+    assert.throws(() => rwedge.load([0, undefined]), TypeError);
+    assert.throws(() => rwedge.load(["1"]), TypeError);
+    assert.throws(() => rwedge.coefficient(0.25, 1.5), { name: "TypeError", message: "coefficient(): n must be a whole number below 2^31, not 1.5" });
+    assert.throws(() => rwedge.coefficient(0.25, [1, 1.5]), TypeError);
+    assert.throws(() => rwedge.coefficient(0.25, Float64Array.of(1, 2 ** 31)), TypeError);
+    assert.throws(() => rwedge.load(10n), TypeError);
+    assert.throws(() => rwedge.elastic_limit([0.1, 0.2], [0.1], 0.3), /arrays of 2 and 1 numbers/);
+    assert.throws(() => made().stress_history([1, 2], [0], [0, 0], [0, 0], [0], [1]), /M has 1 numbers/);
+    assert.throws(() => rwedge.smith_watson_topper_field(2, [1, 2, 3], [1, 2, 3], [1, 2, 3], 2e5, 0.3), /sxx must have loads \* n numbers/);
+    assert.throws(() => rwedge.smith_watson_topper_field(0, [], [], [], 2e5, 0.3), Error);
+    assert.throws(() => rwedge.smith_watson_topper_field(-1, [1], [1], [1], 2e5, 0.3), Error);
+});
+
+test("a contact remembers its loads", () => {
+    const contact = made();
+    contact.load(1000, 0);
+    contact.load(1000, 200);
+    const twin = contact.copy(), restored = Contact.restore(contact.state());
+    assert.ok(twin instanceof Contact && restored instanceof Contact);
+    twin.load(1000, -200);
+    assert.deepEqual(contact.loads(), { P: 1000, M: 0, Q: 200, sigma: 0 });
+    const places = [-1, 0, 0.5], before = contact.tractions(places);
+    assert.deepEqual(restored.tractions(places), before);
+    assert.deepEqual(contact.tractions(0), { p: before.p[1], q: before.q[1] });
+    assert.deepEqual(contact.stresses(places, 1).sxx[1], contact.stresses(0, 1).sxx);
+    const history = restored.stress_history([1000], [0], [-200], [0], places, [1, 1, 1]);
+    assert.deepEqual(history, twin.stresses(places, 1));
+    assert.equal(contact.obstacle(1000, 0, 200, 0), "");
+    assert.equal(typeof contact.memory(), "number");
+    // two loads at three points
+    const { sxx, syy, txy } = made().stress_history([1000, 1000], [0, 0], [0, 200], [0, 0], places, [1, 1, 1]);
+    const cycle = rwedge.smith_watson_topper_field(2, sxx, syy, txy, 2e5, 0.3);
+    const at = (stress) => [stress[1], stress[4]];
+    assert.equal(cycle.value.length, 3);
+    assert.equal(cycle.value[1], rwedge.smith_watson_topper(at(sxx), at(syy), at(txy), 2e5, 0.3).value);
+});
+
+test("a class may be derived", () => {
+    class Pad extends Contact {}
+    const pad = new Pad(0.01, 2, 1.8e-5, 0.3);
+    assert.ok(pad.copy() instanceof Pad && Pad.restore(pad.state()) instanceof Pad);
+});
+
+test("the paper's series", () => {
+    const series = new Series(0.25, 2000), x = Float64Array.from({ length: 50 }, (_, i) => Math.cos(Math.PI * (i + 0.5) / 50));
+    assert.ok(Math.abs(series.pressure(0.3) - rwedge.pressure(0.25, 0.3)) < series.residual());
+    const fitted = Series.fit(x, x.map((place) => -Math.sqrt(1 - place * place)), 5); // -sqrt(1-x^2) is the first term
+    assert.equal(fitted.terms(), 5);
+    assert.ok(Math.abs(fitted.coefficient(0) - 1) < 1e-14 && Math.abs(fitted.coefficient(2)) < 1e-14);
+});
+
+test("a freed object is of no use, and may be freed again", () => {
+    const contact = made();
+    contact.free();
+    contact.free();
+    assert.throws(() => contact.half_width(), { name: "TypeError", message: "this Contact has been freed" });
+    assert.throws(() => contact.copy(), TypeError);
+    assert.throws(() => Contact.prototype.half_width.call({}), TypeError);
+});
+
+test("the memory grows where it must, and arrays of before stay", () => {
+    const x = new Float64Array(4e5).fill(0.5), y = new Float64Array(4e5).fill(1);
+    const small = rwedge.stresses(0.25, 0.3, 0, [0.5], [1]), large = rwedge.stresses(0.25, 0.3, 0, x, y);
+    assert.equal(large.sxx[399999], small.sxx[0]);
+    assert.throws(() => new Series(0.25, 2 ** 24 + 1), refused("RWEDGE_ERANGE", /./));
+    assert.deepEqual(large.syy.slice(0, 1), small.syy);
+});
+
+test("what is no longer used is freed, and once", { skip: typeof gc === "undefined" }, async () => {
+    const collect = async () => {
+        gc();
+        await new Promise((resolve) => setTimeout(resolve, 5)); // objects are freed between tasks
+    };
+    await collect();
+    const before = collected;
+    for (let i = 0; i < 100; i++) made().free();
+    await collect();
+    assert.equal(collected, before);
+    for (let i = 0; i < 100; i++) made();
+    await collect();
+    assert.ok(collected - before > 90, `${collected - before} of 100`);
+});

@@ -1,0 +1,25 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The pages to look things up in, as a folder that needs no network.
+#     make.sh BUILD PACKAGES TESTED
+set -eu
+top=$(cd "$(dirname "$0")/../.." && pwd)
+build=$1 packages=$2 tested=$3
+version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+name=rwedge-$version-docs
+epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
+
+cmake -S "$top" -B "$build" -DRWEDGE_BUILD_CLI=ON >/dev/null
+cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge_cli rwedge >/dev/null
+sh "$top/docs/make.sh" "$build" && status=0 || status=$?
+[ $status != 77 ] || echo "not made: $name.zip, for lack of gnuplot or of Sphinx" >>"$tested"
+[ $status = 0 ] || exit $status
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp -R "$build/docs" "$work/$name"
+python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$work/$name"
+mkdir "$work/a folder"
+python3 -m zipfile -e "$packages/$name.zip" "$work/a folder"
+python3 -B "$top/docs/check.py" "$work/a folder/$name"
+echo "tested: $name.zip: unpacked, every link leads to a place in it, and nothing is loaded from elsewhere" >>"$tested"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The texts of the tab About, from the READMEs and licences of the project and of what is in the page.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+
+/** One section of a README: from its heading to the next of that level. */
+function section(text, heading) {
+    const at = text.indexOf(`\n## ${heading}\n`);
+    if (at < 0) throw new Error(`no section "${heading}"`);
+    const body = text.slice(at + heading.length + 5);
+    const end = body.search(/\n## /);
+    return end < 0 ? body : body.slice(0, end);
+}
+
+/** Links lead to files that are not beside the page: their text stays. */
+const withoutLinks = (text) => text.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1");
+
+/** The packages that are in the bundle, and their licences. */
+const inPage = ["d3-array", "d3-contour", "d3-format", "d3-interpolate", "d3-color", "d3-path", "d3-scale", "d3-shape", "d3-time", "d3-time-format", "internmap"];
+
+function licences(modules, binding) {
+    const found = inPage.map((name) => {
+        const { version, license } = JSON.parse(readFileSync(`${modules}/${name}/package.json`, "utf8"));
+        return { name: `${name} ${version} (${license})`, text: readFileSync(`${modules}/${name}/LICENSE`, "utf8").trim() };
+    });
+    return [{ name: "in the library", text: readFileSync(`${binding}/NOTICE`, "utf8").trim() }, ...found];
+}
+
+export function texts(top, modules, binding) {
+    const { marked } = createRequire(`${modules}/`)("marked");
+    const read = (name) => readFileSync(`${top}/${name}`, "utf8");
+    const html = (text) => marked.parse(withoutLinks(text), { async: false });
+    const library = read("lib/README.md"), front = read("README.md");
+    return {
+        errata: html(section(library, "Errata").split("\n`tests/")[0]),
+        accuracy: html(section(front, "Accuracy and speed").split("\nHow all this")[0]),
+        conventions: html(section(library, "Conventions")),
+        formulas: html(section(library, "The paper's formulas")),
+        citation: read("CITATION.cff"),
+        licence: read("LICENSE"),
+        licences: licences(modules, binding),
+    };
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: its state, its parts, and when they are drawn.
+import { readAddress, writeAddress } from "./address.js";
+import { inputNames } from "./case/inputs.js";
+import { asCommand, asPython } from "./export.js";
+import { copyButton, element } from "./elements.js";
+import { makeForm } from "./left/form.js";
+import { drawingOf } from "./left/drawing.js";
+import { makeModel } from "./model.js";
+import { narrow } from "./plot/axes.js";
+import { makeTabs } from "./tabs/tabs.js";
+import { unitsRemark, unitSystems } from "./units.js";
+
+/** Two steel bodies, as in the workbook. */
+const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
+const settings = { units: "mm", digits: "6", sign: ".", tab: "contact", measure: "von_mises", probe_x: "0", probe_y: "0.05", loads: "", cycles: "3", batch: "" };
+const LONGEST = 20000; // characters of an address that every browser takes
+
+const state = { texts: {}, way: {} };
+
+function take(given) {
+    const anything = inputNames.some((name) => name in given);
+    state.texts = Object.fromEntries(inputNames.filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]));
+    if (!anything) state.texts = { ...example };
+    state.way = Object.fromEntries(["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]));
+    for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
+    if (!unitSystems[state.units]) state.units = settings.units;
+    state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 6;
+    state.sign = state.sign === "," ? "," : ".";
+}
+
+function address() {
+    const changed = Object.keys(settings).filter((name) => String(state[name]) !== settings[name]);
+    const text = writeAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, String(state[name])])) });
+    return text.length <= LONGEST ? text : writeAddress({ ...state.texts, tab: state.tab });
+}
+
+let waiting = 0;
+/** The address follows a little later: browsers refuse many changes a second. */
+function remember() {
+    clearTimeout(waiting);
+    waiting = setTimeout(() => {
+        if (location.hash !== address()) history.replaceState(null, "", address());
+    }, 250);
+}
+
+let model;
+const form = makeForm(state, () => render());
+const tabs = makeTabs(state, () => model, remember);
+const drawing = element("div", { class: "drawing" });
+const status = element("p", { class: "status", role: "status", id: "status" });
+const exports = element("div", {});
+
+function showExports() {
+    const whole = Boolean(model.results);
+    exports.querySelectorAll("pre").forEach((pre, i) => (pre.textContent = whole ? [asCommand, asPython][i](state.texts) : "The status says what is missing."));
+}
+
+function render() {
+    const began = performance.now();
+    model = makeModel(state);
+    form.show(model);
+    drawing.innerHTML = drawingOf(model);
+    status.className = `status ${model.verdict.colour}`;
+    if (status.textContent !== model.verdict.text) status.textContent = model.verdict.text;
+    tabs.show(model);
+    if (exports.querySelector("details").open) showExports();
+    document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
+    remember();
+}
+
+function setting(name, label, options) {
+    const select = element("select", { id: `set-${name}` }, ...Object.entries(options).map(([value, text]) => element("option", { value }, text)));
+    select.addEventListener("change", () => {
+        state[name] = name === "digits" ? Number(select.value) : select.value;
+        render();
+    });
+    return { select, parts: [element("label", { for: `set-${name}` }, label), select], show: () => (select.value = String(state[name])) };
+}
+
+const chosen = [
+    setting("units", "Units", Object.fromEntries(Object.entries(unitSystems).map(([key, { name }]) => [key, name]))),
+    setting("digits", "Digits", { 4: "4", 6: "6", 10: "10", 14: "14" }),
+    setting("sign", "Decimal sign", { ".": "point", ",": "comma" }),
+];
+
+function build() {
+    document.getElementById("settings").append(...chosen.map((one) => element("span", {}, ...one.parts)),
+        copyButton("Copy a link to this case", () => location.href.replace(/#.*/, "") + address()));
+    const details = element("details", {}, element("summary", {}, "This case as a command and in Python"),
+        ...["Command", "Python"].flatMap((name) => {
+            const pre = element("pre", { id: `as-${name.toLowerCase()}`, tabindex: "0" });
+            return [element("p", { class: "tools" }, name, copyButton(`Copy ${name}`, () => pre.textContent)), pre];
+        }));
+    details.addEventListener("toggle", showExports);
+    exports.append(details);
+    document.getElementById("case").replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
+    document.getElementById("answers").append(status, tabs.list, ...tabs.panels);
+}
+
+function begin() {
+    take(readAddress(location.hash));
+    for (const one of chosen) one.show();
+    render();
+}
+
+build();
+begin();
+narrow.addEventListener("change", render);
+window.addEventListener("hashchange", () => {
+    if (location.hash !== address()) begin();
+});

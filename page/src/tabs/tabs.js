@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tabs: one is seen at a time, and only that one is computed.
+import { element } from "../elements.js";
+import { makeAbout } from "./about.js";
+import { makeBatch } from "./batch.js";
+import { makeContact } from "./contact.js";
+import { makeCycle } from "./cycle.js";
+import { makeStrength } from "./strength.js";
+import { makeStress } from "./stress.js";
+
+const titles = {
+    contact: ["Contact", makeContact], stress: ["Stress", makeStress], strength: ["Strength", makeStrength],
+    cycle: ["Cycle", makeCycle], batch: ["Batch", makeBatch], about: ["About", makeAbout],
+};
+
+/** The list of tabs, their panels, and show(model). model() is the present case; changed() follows a change of the state. */
+export function makeTabs(state, model, changed) {
+    const names = Object.keys(titles), parts = {};
+    const open = (name, focus) => {
+        state.tab = name;
+        show(model());
+        changed();
+        if (focus) parts[name].button.focus();
+    };
+    for (const [name, [title, make]] of Object.entries(titles)) {
+        const { panel, show: draw } = make(state, changed);
+        const button = element("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `panel-${name}`, onclick: () => open(name) }, title);
+        const box = element("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` }, panel);
+        parts[name] = { button, box, draw };
+    }
+    const list = element("div", { role: "tablist", "aria-label": "Answers" }, ...names.map((name) => parts[name].button));
+    list.addEventListener("keydown", (event) => {
+        const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+        if (!step) return;
+        event.preventDefault();
+        open(names[(names.indexOf(state.tab) + step + names.length) % names.length], true);
+    });
+    const show = (present) => {
+        if (!parts[state.tab]) state.tab = names[0];
+        for (const name of names) {
+            const seen = name === state.tab;
+            parts[name].box.hidden = !seen;
+            parts[name].button.setAttribute("aria-selected", seen);
+            parts[name].button.tabIndex = seen ? 0 : -1;
+        }
+        parts[state.tab].draw(present);
+    };
+    return { list, panels: names.map((name) => parts[name].box), show };
+}

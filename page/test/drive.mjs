@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A browser of the system with the page in it, opened as a file.
+import { spawnSync } from "node:child_process";
+import puppeteer from "puppeteer-core";
+
+export const browsers = {
+    chromium: { names: ["chromium", "chromium-browser", "google-chrome"], browser: "chrome", args: ["--no-sandbox", "--disable-background-networking"] },
+    firefox: { names: ["firefox-esr", "firefox"], browser: "firefox", args: [] },
+};
+
+/** Its program; nothing where this machine does not have it. */
+export function programOf({ names }) {
+    const found = spawnSync("sh", ["-c", names.map((name) => `command -v ${name}`).join(" || ")], { encoding: "utf8" });
+    return found.stdout.trim().split("\n")[0];
+}
+
+/** The browser, and what it said and asked for since it began. */
+export async function openBrowser(about) {
+    const browser = await puppeteer.launch({ browser: about.browser, executablePath: programOf(about), args: about.args, headless: true, protocolTimeout: 300000 });
+    return { browser, said: [], asked: [] };
+}
+
+/** The page at a file with a state, of so many pixels. */
+export async function openPage({ browser, said, asked }, file, hash = "", width = 1300) {
+    const page = await browser.newPage();
+    page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
+    page.on("pageerror", (error) => said.push(`error: ${error.message}`));
+    page.on("request", (request) => asked.push(request.url()));
+    await page.setViewport({ width, height: 900 });
+    await reopen(page, file, hash);
+    return page;
+}
+
+/** The same page with another state, loaded anew. */
+export async function reopen(page, file, hash) {
+    await page.goto("about:blank");
+    await page.goto(`file://${file}${hash}`);
+    await page.waitForSelector("#status");
+}
+
+/** Types into a field as a whole: the field hears of it as of a paste. */
+export const enter = (page, texts) =>
+    page.evaluate((given) => {
+        for (const [id, text] of Object.entries(given)) {
+            const input = document.getElementById(id);
+            input.value = text;
+            input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input", { bubbles: true }));
+        }
+    }, texts);
+
+/** The numbers of the tab that is seen, by their names. */
+export const shownNumbers = (page) =>
+    page.evaluate(() => Object.fromEntries([...document.querySelectorAll('[role="tabpanel"]:not([hidden]) [data-name]')].map((cell) => [cell.dataset.name, cell.textContent])));
+
+export const statusOf = (page) => page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);
+export const openTab = (page, name) => page.evaluate((id) => document.getElementById(id).click(), `tab-${name}`);
+export const pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));

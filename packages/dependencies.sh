@@ -16,7 +16,7 @@ cp "$sources"/gsl/gsl_*.h "$sources"/gsl/*/gsl_*.h include/gsl
 sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' "$sources/gsl/config.h.in" >include/config.h
 for file in "$sources"/gsl/roots/*.c "$sources"/gsl/sys/*.c; do
     case ${file##*/} in test*) continue ;; esac
-    "${prefix}gcc" -O2 -ffp-contract=off -fvisibility=hidden -ffile-prefix-map="$sources"=. -Iinclude -I"$sources/gsl" \
+    "${prefix}gcc" -O2 -ffp-contract=off -fPIC -ffile-prefix-map="$sources"=. -Iinclude -I"$sources/gsl" \
         -c "$file" -o "gsl-objects/$(basename "$(dirname "$file")")-$(basename "$file" .c).o"
 done
 "${prefix}ar" rcsD libgsl.a gsl-objects/*.o
@@ -28,7 +28,7 @@ compile()
     for place in SRC INSTALL BLAS/SRC; do
         for source in "$sources/lapack/$place/$1".[fF] "$sources/lapack/$place/$1".[fF]90; do
             [ -f "$source" ] || continue
-            "${prefix}gfortran" -O2 -ffp-contract=off -Jlapack-objects -c "$source" -o "lapack-objects/$1.o"
+            "${prefix}gfortran" -O2 -ffp-contract=off -fPIC -Jlapack-objects -c "$source" -o "lapack-objects/$1.o"
             return
         done
     done

@@ -27,7 +27,7 @@ EOF
 processor=$("${prefix}gcc" -dumpmachine | cut -d - -f 1)
 for file in "$math"/*.c "$math/$processor/sqrt.c"; do
     case $file in *l.c | */fma.c) continue ;; esac # long double; needs more of musl
-    "${prefix}gcc" -std=gnu99 -O2 -ffp-contract=off -fno-builtin -fvisibility=hidden -w -D_GNU_SOURCE -include libm-objects/musl.h \
+    "${prefix}gcc" -std=gnu99 -O2 -ffp-contract=off -fno-builtin -w -D_GNU_SOURCE -include libm-objects/musl.h \
         -I"$math/../internal" -idirafter "$math/../../arch/generic" -idirafter libm-objects/headers \
         -c "$file" -o "libm-objects/$(basename "$file" .c).o"
 done

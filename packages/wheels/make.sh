@@ -96,7 +96,11 @@ lacks()
 
 wheel manylinux_2_17_x86_64.manylinux2014_x86_64 "$work/base/rwedge/_rwedge.so" gsl lapack
 if ! lacks musl musl-gcc; then
-    library musl -DCMAKE_C_COMPILER=musl-gcc -DRWEDGE_HARDENING=OFF
+    # GSL's headers without those of glibc, and the archives of this machine: they call nothing but C99
+    mkdir -p "$work/musl-include"
+    ln -sfn "$(pkg-config --variable=includedir gsl)/gsl" "$work/musl-include/gsl"
+    library musl -DCMAKE_C_COMPILER=musl-gcc -DRWEDGE_HARDENING=OFF -DRWEDGE_GSL_INCLUDE="$work/musl-include" \
+        -DCMAKE_LIBRARY_ARCHITECTURE="$(gcc -print-multiarch)"
     wheel musllinux_1_2_x86_64 "$work/musl/_rwedge.so" gsl lapack
 fi
 machine=aarch64-linux-gnu

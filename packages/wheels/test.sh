@@ -93,3 +93,34 @@ else
     echo "tested: $(basename "$windows"): its parts fit; its library, under Wine, gives $(wc -l <answers) times the bits of the DLL" >>"$tested"
     echo "not tested: $(basename "$windows"): in a Python for Windows" >>"$tested"
 fi
+
+# The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
+python3 -B "$top/tests/doors/calls.py" >calls
+environment/bin/python -W ignore "$source/tests/door.py" <calls >answers
+# alike WHEEL - as answered in answers-there
+alike()
+{
+    compared=$(python3 -B "$top/bindings/excel/test/compare.py" answers answers-there 1e-12) || { echo "$compared"; fail "$1"; }
+    echo "tested: $1: $compared" >>"$tested"
+}
+unpacked() { rm -rf there; mkdir there; (cd there && python3 -m zipfile -e "$1" .); }
+arm=$(echo "$folder"/*-manylinux*_aarch64.whl)
+if [ ! -f "$arm" ]; then
+    : # make.sh has said it
+elif ! command -v qemu-aarch64 >/dev/null; then
+    echo "not tested: the wheel for Linux on ARM, for lack of qemu-user" | tee -a "$tested"
+elif ! sh "$here/arm.sh" "$build/wheels/arm" >log 2>&1; then
+    echo "not tested: the wheel for Linux on ARM: its Python cannot be fetched: $(tail -n 1 log)" | tee -a "$tested"
+else
+    unpacked "$arm"
+    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/door.py" <calls >answers-there
+    alike "$(basename "$arm"), with a Python for ARM under qemu"
+fi
+musl=$(echo "$folder"/*-musllinux*.whl)
+if [ -f "$musl" ]; then
+    unpacked "$musl"
+    musl-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
+        -Wl,-rpath,"$work/there/rwedge" -o there/door
+    there/door <calls >answers-there
+    alike "$(basename "$musl"), its library from C with musl, not in a Python"
+fi

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL [FORM]]]
-# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM, decimal-comma or xlsx, only
-# the tables, in that form. What is missing on the machine
-# is installed first, where that is possible. Status 3: all but the workbook is written, and what that needs is said.
+# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM decimal-comma, only the CSV
+# files, in that form. What is missing on the machine
+# is installed first, where that is possible. Status 3: all but the spreadsheets is written, and what they need is said.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/tests/support/install.sh"
@@ -14,10 +14,13 @@ esac
 target=$(cd "${1:-$top/tables}" && pwd)
 tool=${2:-$top/build/cli/rwedge}
 case ${3:-csv} in
-csv) ending=csv as='' ;;
-decimal-comma) ending=csv as=--decimal-comma ;;
-xlsx) ending=xlsx as='' ;;
-*) echo "$0: $3: unknown form; allowed: decimal-comma, xlsx" >&2; exit 2 ;;
+csv) as='' ;;
+decimal-comma) as=--decimal-comma ;;
+*) echo "$0: $3: unknown form; allowed: decimal-comma" >&2; exit 2 ;;
+esac
+case $tool in
+/*) ;;
+*) tool=$PWD/$tool ;;
 esac
 
 if [ $# -lt 2 ]; then
@@ -33,8 +36,8 @@ table()
 {
     name=$1
     shift
-    "$tool" table "$@" --digits 10 $as --output "$target/$name.$ending"
-    [ $ending = xlsx ] || echo "$name.csv: $(($(wc -l <"$target/$name.csv") - 1)) rows"
+    "$tool" table "$@" --digits 10 $as --output "$target/$name.csv"
+    echo "$name.csv: $(($(wc -l <"$target/$name.csv") - 1)) rows"
 }
 
 fine=0.01:1:0.01
@@ -85,21 +88,30 @@ write_page()
 }
 [ $# -ge 2 ] || write_page
 
-# The workbook has other bytes from another libxlsxwriter or zlib: it is left as it is where all its parts would be the same.
+# A spreadsheet has other bytes from another libxlsxwriter or zlib: it is left as it is where all its parts would be the same.
 unpack()
 {
     mkdir "$scratch/$1"
     (cd "$scratch/$1" && cmake -E tar xf "$2")
 }
-book=$target/rounded-wedge.xlsx
-if ! "$tool" workbook --output "$scratch/rounded-wedge.xlsx"; then
-    echo "All files are written but rounded-wedge.xlsx." >&2
-    exit 3
-fi
-if [ -f "$book" ] && unpack old "$book" && unpack new "$scratch/rounded-wedge.xlsx" &&
-        diff -r "$scratch/old" "$scratch/new" >/dev/null; then
-    echo "rounded-wedge.xlsx: left as it is"
-else
-    cp "$scratch/rounded-wedge.xlsx" "$book"
-    echo "rounded-wedge.xlsx: written"
-fi
+book()
+{
+    name=$1
+    shift
+    if ! (cd "$target" && "$tool" workbook "$@" --output "$scratch/$name"); then
+        echo "All files are written but the spreadsheets." >&2
+        exit 3
+    fi
+    rm -rf "$scratch/old" "$scratch/new"
+    if [ -f "$target/$name" ] && unpack old "$target/$name" && unpack new "$scratch/$name" &&
+            diff -r "$scratch/old" "$scratch/new" >/dev/null; then
+        echo "$name: left as it is"
+    else
+        cp "$scratch/$name" "$target/$name"
+        echo "$name: written"
+    fi
+}
+book rounded-wedge.xlsx
+# The fine tables have the rows of the others.
+book rounded-wedge-tables.xlsx elastic-limit-fine-nu-0.25.csv elastic-limit-fine-nu-0.30.csv elastic-limit-fine-nu-0.35.csv \
+    max-tension.csv contact-law.csv critical-friction.csv --digits 8

@@ -101,4 +101,4 @@ linux/door-same <calls >answers-same
 cmp answers-same answers-windows || fail "Windows and Linux differ, with the same libm"
 cmp answers-windows answers-declared || fail "called as Basic declares them, the functions give something else"
 echo "$(wc -l <answers-windows) calls: the same bits on Windows, by Basic's declarations, and here with the same libm"
-echo "with this machine's libm, $(python3 -B "$here/test/compare.py" answers-linux answers-windows 1e-12)"
+echo "with this machine's libm, $(python3 -B "$top/tests/doors/compare.py" answers-linux answers-windows 1e-12)"

@@ -24,8 +24,15 @@ def texts(patterns):
     return "\n".join(file.read_text(encoding="utf-8") for file in files)
 
 
+def not_in_the_table():
+    """Rows of accuracy whose figures lib/README.md does not show."""
+    rows = re.findall(r'^    \{"([^"]+)"', texts(PLACES["a row of accuracy"]), re.MULTILINE)
+    table = texts("lib/README.md").partition("## Accuracy")[2]
+    return [f"the table of accuracy in lib/README.md lacks `{name}`" for name in rows if f"\n| `{name}` |" not in table]
+
+
 def main():
-    lacking = []
+    lacking = not_in_the_table()
     found = {what: texts(patterns) for what, patterns in PLACES.items()}
     for f in read(TOP / "include/rwedge.h").functions:
         for what, text in found.items():

@@ -159,7 +159,7 @@ def module(interface: Interface, template: str) -> str:
     offered = [f for f in declared if f.name not in NOT_IN_CELLS]
     unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
     if unfit:
-        sys.exit(f"write_excel.py: no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS")
+        sys.exit(f"no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS of bindings/interface/write_excel.py")
     first = interface.functions[0]
     text = (template.replace("{introduction}", "\n".join(f"' {line}".rstrip() for line in interface.introduction))
             .replace("{statuses}", "\n".join(f"    {name} = {value}" for name, value in interface.statuses.items()))

@@ -8,6 +8,10 @@ here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 mkdir -p "$1/web/gsl"
 cd "$1/web"
+# several tests may ask for it at a time
+exec 9>lock
+flock 9
+export LC_ALL=C # the same order of files everywhere, and so the same bytes
 skip() { echo "SKIPPED: $*"; exit 77; }
 
 # compile ARGUMENTS... - with vectors of two numbers, which every browser has since 2023
@@ -50,15 +54,21 @@ if ! {
     exit 1
 fi
 
-rm -rf package
-mkdir package
-python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" package
+made=$PWD/made
+rm -rf "$made"
+mkdir "$made"
+python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" "$made"
 {
     echo '// SPDX-License-Identifier: GPL-3.0-or-later'
     echo '// Made by build.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'
     echo "const text = \"$(base64 -w 0 rwedge.wasm)\";"
     echo 'export const wasm = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));'
-} >package/wasm.mjs
-cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" package
+} >"$made/wasm.mjs"
+cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
 version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
-sed "s/@VERSION@/$version/" "$here/package.json.in" >package/package.json
+sed "s/@VERSION@/$version/" "$here/package.json.in" >"$made/package.json"
+# who reads it now is not disturbed by the same again
+diff -rq "$made" package >log 2>&1 || {
+    rm -rf package
+    mv "$made" package
+}

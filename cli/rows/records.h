@@ -65,9 +65,11 @@ struct records {
     const column_kind *kinds; /* for a format that has room to say it; NULL for none */
     int kind_count;
     bool row_begun, any_row;
-    const char *problem; /* what a format could not write */
-    struct xlsx *book;   /* of xlsx_format: a file that is written when it is whole */
-    int row, column, last_column, described;
+    const char *problem;       /* what a format could not write */
+    struct xlsx *book;         /* of xlsx_format: a file that is written when it is whole */
+    const char *const *sheets; /* the names of several, ending with NULL; NULL for one */
+    int sheet, row, column, last_column, described;
+    uint64_t described_kinds; /* a bit for each */
 };
 
 /* Before the rows begin: what is known of columns by their names. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* XLSX. One sheet has the rows, below a header that does not scroll. Another says what the columns
- * mean, where that is known; the last, how the rows were made. */
+/* XLSX. One sheet has the rows, or several have, below a header that does not scroll. Another says
+ * what the columns mean, where that is known; the last, how the rows were made. */
 #include "spreadsheet.h"
 
 #include "text/invocation.h"
@@ -13,7 +13,7 @@
 
 #include <rwedge.h>
 
-enum { SHEET_ROWS, SHEET_COLUMNS, WIDTH_LEAST = 13, WIDTH_MOST = 40 };
+enum { WIDTH_LEAST = 13, WIDTH_MOST = 40 };
 
 static void write_about(xlsx *book)
 {
@@ -51,19 +51,29 @@ static void begin_columns(xlsx *book)
     xlsx_freeze(book, 1, 0);
 }
 
-/* The next row of the sheet Columns, for a name that is known. */
+/* The sheet Columns follows those with rows. */
+static int sheet_of_columns(const records *rows)
+{
+    int count = 0;
+    while (rows->sheets != NULL && rows->sheets[count] != NULL)
+        count++;
+    return rows->sheets != NULL ? count : 1;
+}
+
+/* The next row of the sheet Columns, for a name that is known and new. */
 static void describe(records *rows, const char *name)
 {
     for (int i = 0; i < rows->kind_count; i++) {
         const column_kind *kind = &rows->kinds[i];
-        if (strcmp(kind->name, name) != 0)
+        if (strcmp(kind->name, name) != 0 || (rows->described_kinds >> i & 1) != 0)
             continue;
         const char *const texts[] = {name, kind->meaning, kind->unit};
         rows->described++;
-        xlsx_turn_to(rows->book, SHEET_COLUMNS);
+        rows->described_kinds |= UINT64_C(1) << i;
+        xlsx_turn_to(rows->book, sheet_of_columns(rows));
         for (int j = 0; j < 3; j++)
             xlsx_text(rows->book, rows->described, j, texts[j], XLSX_PLAIN);
-        xlsx_turn_to(rows->book, SHEET_ROWS);
+        xlsx_turn_to(rows->book, rows->sheet);
         return;
     }
 }
@@ -73,12 +83,15 @@ static void begin(records *rows)
     rows->book = xlsx_begin(message_speaker(), true, &rows->problem);
     if (rows->book == NULL)
         return;
-    xlsx_sheet(rows->book, "Rows");
+    const char *const one[] = {"Rows", NULL}, *const *names =
+                                                  rows->sheets != NULL ? rows->sheets : one;
+    for (int i = 0; names[i] != NULL; i++)
+        xlsx_sheet(rows->book, names[i]);
     if (rows->kinds != NULL)
         begin_columns(rows->book);
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
-    xlsx_turn_to(rows->book, SHEET_ROWS);
+    xlsx_turn_to(rows->book, rows->sheet);
 }
 
 static bool has_room(records *rows)
@@ -164,14 +177,28 @@ static void end_header(records *rows)
     end_row(rows);
 }
 
+static void end_sheet(records *rows)
+{
+    xlsx_print(rows->book,
+               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, 1});
+}
+
+void spreadsheet_next_sheet(records *rows)
+{
+    if (rows->problem != NULL)
+        return;
+    end_sheet(rows);
+    rows->row = rows->column = 0;
+    xlsx_turn_to(rows->book, ++rows->sheet);
+}
+
 static void end(records *rows)
 {
     if (rows->problem != NULL)
         return;
-    xlsx_print(rows->book,
-               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, 1});
+    end_sheet(rows);
     if (rows->kinds != NULL) {
-        xlsx_turn_to(rows->book, SHEET_COLUMNS);
+        xlsx_turn_to(rows->book, sheet_of_columns(rows));
         xlsx_print(rows->book, (xlsx_page){rows->described, 2, -1, false, 1});
     }
     rows->problem = xlsx_finish(rows->book, rows->out);

@@ -55,7 +55,8 @@ static const char *const lines[] = {
     "limit "
     "below the surface.",
     "Yield load: the tip at which each branch has J2 = k^2, from the same parabolas, and the load "
-    "that makes it. Critical friction: where the two branches cross.",
+    "that makes it. Critical friction: where the two branches cross. Place of first yield: a table "
+    "of x/(a f) and y/a for 26 tips, interpolated as J2 is.",
     "#Accuracy",
     "Against the library, for a/b from 0.003 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 "
     "to "
@@ -65,10 +66,13 @@ static const char *const lines[] = {
     "0.05 %. Load at yield, safety on load: 0.15 % where a/b at yield is 0.02 or more, 0.5 % down "
     "to "
     "0.01, 2 % down to 0.003, where the stress hardly depends on the load. Critical friction: "
-    "0.001.",
+    "0.001. Place of first yield: 0.02 a (b, where that is smaller); 0.35 a at the surface with "
+    "nu1 above "
+    "0.4, where J2 is nearly flat; 0.003 b where a/b at yield is below 0.02.",
     "Measured at the centres of all cells of the table and at 10000 random points: 0.047 %, 0.11 "
     "%, "
-    "0.41 %, 1.7 %, 0.0008. The tests compare the cells with the library.",
+    "0.41 %, 1.7 %, 0.0008; 0.017 a, 0.33 a, 0.0023 b. The tests compare the cells with the "
+    "library.",
     "#Errata of the paper that concern these sheets",
     "Eq. (38) and Fig. 6 have \"a\" where the half-width of the contact, b here, is meant. No "
     "closed form is given there for the maximum tension between the sharp wedge and Hertz: it is b "

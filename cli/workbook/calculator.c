@@ -61,10 +61,16 @@ static const line results[] = {
     {CELL_LOAD_OVER_BK, "of the load given"},
     {CELL_P_YIELD, "with the contact that it makes"},
     {CELL_BRANCH, "where, at that load"},
+    {CELL_YIELD_X, "from the middle, towards the leading edge for Q > 0"},
+    {CELL_YIELD_Y, "0: at the surface"},
     {CELL_F_CRITICAL, "above it, yield starts at the surface"},
     {CELL_VON_MISES, "under this P"},
 };
-enum { INPUT_LINES = sizeof inputs / sizeof inputs[0], LINES = sizeof results / sizeof results[0] };
+enum {
+    INPUT_LINES = sizeof inputs / sizeof inputs[0],
+    LINES = sizeof results / sizeof results[0],
+    NOTES = 4
+};
 
 static bool is_heading(xlsx *book, int row, const line *what)
 {
@@ -158,11 +164,14 @@ static void write_notes(xlsx *book)
         "Accuracy: geometry, pressure, slip and tension as exact as the spreadsheet computes; "
         "elastic limit within 0.05 %; load at yield and safety on load within",
         "0.15 % (0.5 % where a/b at yield is 0.01 to 0.02, 2 % down to 0.003); critical friction "
-        "within 0.001. For a/b from 0.003, f up to 0.8, nu1 from 0 to 0.5.",
+        "within 0.001;",
+        "place of yield within 0.02 a or b (0.35 a at the surface with nu1 above 0.4; 0.003 b "
+        "where a/b "
+        "at yield is below 0.02). For a/b from 0.003, f up to 0.8, nu1 from 0 to 0.5.",
         "Moment M and bulk tension sigma: not here, as no plain formula holds them; the command "
         "\"rwedge solve\" has them. Plane strain; see \"About\".",
     };
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < NOTES; i++)
         xlsx_text(book, RESULT_ROW + LINES + i, LABEL, lines[i], XLSX_NOTE);
 }
 
@@ -184,8 +193,9 @@ void sheet_calculator(xlsx *book, const yield_table *table, case_values *values)
     xlsx_width(book, UNIT, UNIT, 7);
     xlsx_width(book, HINT, HINT, 40);
     draw_sketch(book, INPUT_ROW - 1, SKETCH);
-    draw_figures(book, RESULT_ROW + LINES + 4);
+    draw_figures(book, RESULT_ROW + LINES + NOTES + 1);
     xlsx_freeze(book, 2, 0);
     xlsx_protect(book);
-    xlsx_print(book, (xlsx_page){RESULT_ROW + LINES + 4 + FIGURE_ROWS, SKETCH + 6, -1, false, 1});
+    xlsx_print(book,
+               (xlsx_page){RESULT_ROW + LINES + NOTES + 1 + FIGURE_ROWS, SKETCH + 6, -1, false, 1});
 }

@@ -13,77 +13,50 @@
 #define MUST_BE_ABOVE_0 "a number above 0"
 #define MUST_BE_POISSON "a number above -1, up to 0.5"
 
-/* name, column, condition that it is wrong, words, hint */
+/* name, column, words where it is empty, condition that it is wrong, words for it, hint. A text is
+ * above every number, and so is wrong. */
 #define INPUTS(X)                                                                                  \
-    X(E1, "rw_E1", "E1", ABOVE_0("rw_E1"), MUST_BE_ABOVE_0, "half-plane: the body that may yield") \
-    X(NU1, "rw_nu1", "nu1", POISSON("rw_nu1"), MUST_BE_POISSON, "tables: 0 to 0.5")                \
-    X(E2, "rw_E2", "E2", ABOVE_0("rw_E2"), MUST_BE_ABOVE_0,                                        \
-      "wedge; leave both empty for one material")                                                  \
-    X(NU2, "rw_nu2", "nu2", POISSON("rw_nu2"), MUST_BE_POISSON, "a rigid wedge: inf for E2")       \
-    X(THETA, "rw_theta", "theta", "OR(rw_theta<1E-60,rw_theta>=PI()/2)",                           \
+    X(E1, "rw_E1", "E1", "E1 is missing; ", ABOVE_0("rw_E1"), MUST_BE_ABOVE_0,                     \
+      "half-plane: the body that may yield")                                                       \
+    X(NU1, "rw_nu1", "nu1", "nu1 is missing; ", POISSON("rw_nu1"), MUST_BE_POISSON,                \
+      "tables: 0 to 0.5")                                                                          \
+    X(E2, "rw_E2", "E2", "", "AND(rw_E2<>\"inf\"," ABOVE_0("rw_E2") ")",                           \
+      MUST_BE_ABOVE_0 ", or inf for a rigid wedge", "wedge; leave both empty for one material")    \
+    X(NU2, "rw_nu2", "nu2", "", POISSON("rw_nu2"), MUST_BE_POISSON, "a rigid wedge: inf for E2")   \
+    X(THETA, "rw_theta", "theta", "", "OR(rw_theta<1E-60,rw_theta>=PI()/2)",                       \
       "a number above 0, below pi/2", "this, or the angle in degrees")                             \
-    X(THETA_DEG, "rw_theta_deg", "theta_deg", "OR(rw_theta_deg<1E-60,rw_theta_deg>=90)",           \
+    X(THETA_DEG, "rw_theta_deg", "theta_deg", "", "OR(rw_theta_deg<1E-60,rw_theta_deg>=90)",       \
       "a number above 0, below 90", "small: up to about 6 degrees")                                \
-    X(ROUNDING, "rw_a", "a", "OR(rw_a<0,rw_a>1E+60)", "a number, 0 or above",                      \
+    X(ROUNDING, "rw_a", "a", "", "OR(rw_a<0,rw_a>1E+60)", "a number, 0 or above",                  \
       "0: sharp; this, or the radius")                                                             \
-    X(RADIUS, "rw_radius", "radius", "OR(rw_radius<0,rw_radius>1E+60)", "a number, 0 or above",    \
-      "R = a/theta")                                                                               \
-    X(LOAD, "rw_P", "P", ABOVE_0("rw_P"), MUST_BE_ABOVE_0, "per unit length")                      \
-    X(Q, "rw_Q", "Q", "ABS(rw_Q)>1E+60", "a number", "empty: 0; |Q| up to f P")                    \
-    X(F, "rw_f", "f", "OR(rw_f<0,rw_f>1E+6)", "a number, 0 or above", "tables: up to 0.8")         \
-    X(K, "rw_k", "k", ABOVE_0("rw_k"), MUST_BE_ABOVE_0, "shear; this, or the tensile one")         \
-    X(YIELD_STRESS, "rw_yield_stress", "yield_stress", ABOVE_0("rw_yield_stress"),                 \
+    X(RADIUS, "rw_radius", "radius", "", "OR(rw_radius<0,rw_radius>1E+60)",                        \
+      "a number, 0 or above", "R = a/theta")                                                       \
+    X(LOAD, "rw_P", "P", "P is missing; ", ABOVE_0("rw_P"), MUST_BE_ABOVE_0, "per unit length")    \
+    X(Q, "rw_Q", "Q", "", "OR(rw_Q<-1E+60,rw_Q>1E+60)", "a number", "empty: 0; |Q| up to f P")     \
+    X(F, "rw_f", "f", "f is missing; ", "OR(rw_f<0,rw_f>1E+6)", "a number, 0 or above",            \
+      "tables: up to 0.8")                                                                         \
+    X(K, "rw_k", "k", "", ABOVE_0("rw_k"), MUST_BE_ABOVE_0, "shear; this, or the tensile one")     \
+    X(YIELD_STRESS, "rw_yield_stress", "yield_stress", "", ABOVE_0("rw_yield_stress"),             \
       MUST_BE_ABOVE_0, "Y = k sqrt(3), von Mises")
 
-#define RULE(ID, NAME, COLUMN, WRONG, MUST, HINT) [CELL_##ID] = {WRONG, MUST, HINT},
+#define RULE(ID, NAME, COLUMN, EMPTY, WRONG, MUST, HINT) [CELL_##ID] = {WRONG, MUST, HINT},
 const input_rule input_rules[INPUT_CELLS] = {INPUTS(RULE)};
 
-#define CHECK(ID, NAME, COLUMN, WRONG, MUST, HINT)                                                 \
-    "&IF(" NAME "=\"\",\"\",IF(ISNUMBER(" NAME "),IF(" WRONG ",\"" COLUMN " must be " MUST         \
-    "; \",\"\")," RIGID_##ID "\"" COLUMN " is not a number; \"" END_##ID "))"
-/* Beside numbers, E2 may be the word inf. */
-#define RIGID_E1
-#define RIGID_NU1
-#define RIGID_E2 "IF(rw_E2=\"inf\",\"\","
-#define RIGID_NU2
-#define RIGID_THETA
-#define RIGID_THETA_DEG
-#define RIGID_ROUNDING
-#define RIGID_RADIUS
-#define RIGID_LOAD
-#define RIGID_Q
-#define RIGID_F
-#define RIGID_K
-#define RIGID_YIELD_STRESS
-#define END_E1
-#define END_NU1
-#define END_E2 ")"
-#define END_NU2
-#define END_THETA
-#define END_THETA_DEG
-#define END_ROUNDING
-#define END_RADIUS
-#define END_LOAD
-#define END_Q
-#define END_F
-#define END_K
-#define END_YIELD_STRESS
+#define CHECK(ID, NAME, COLUMN, EMPTY, WRONG, MUST, HINT)                                          \
+    "&IF(" NAME "=\"\",\"" EMPTY "\",IF(" WRONG ",\"" COLUMN " must be " MUST "; \",\"\"))"
 
-#define MISSING(NAME, COLUMN) "&IF(" NAME "=\"\",\"" COLUMN " is missing; \",\"\")"
 #define ONE_OF(N1, C1, N2, C2)                                                                     \
     "&IF(AND(" N1 "=\"\"," N2 "=\"\"),\"" C1 " or " C2 " is missing; \",\"\")" TWICE(N1, C1, N2, C2)
 #define TWICE(N1, C1, N2, C2)                                                                      \
     "&IF(OR(" N1 "=\"\"," N2 "=\"\"),\"\",\"" C1 " and " C2 ": give one of the two; \")"
-
-#define BAD                                                                                        \
-    "=IF(rwt_any=0,\"\",\"\"" MISSING("rw_E1", "E1") MISSING("rw_nu1", "nu1")                      \
-        ONE_OF("rw_theta", "theta", "rw_theta_deg", "theta_deg")                                   \
-            ONE_OF("rw_a", "a", "rw_radius", "radius") MISSING("rw_P", "P") MISSING("rw_f", "f")   \
-                TWICE("rw_k", "k", "rw_yield_stress", "yield_stress") SECOND_BODY                  \
-                INPUTS(CHECK) ")"
 #define SECOND_BODY                                                                                \
     "&IF(OR((rw_E2=\"\")=(rw_nu2=\"\"),rw_E2=\"inf\"),\"\",\"E2 and nu2: give both, or neither; "  \
     "\")"
+#define BAD                                                                                        \
+    "=IF(rwt_any=0,\"\",\"\"" INPUTS(CHECK)                                                        \
+        SECOND_BODY ONE_OF("rw_theta", "theta", "rw_theta_deg", "theta_deg")                       \
+            ONE_OF("rw_a", "a", "rw_radius", "radius")                                             \
+                TWICE("rw_k", "k", "rw_yield_stress", "yield_stress") ")"
 
 /* ---- The contact ----------------------------------------------------------------------------- */
 
@@ -113,7 +86,11 @@ const input_rule input_rules[INPUT_CELLS] = {INPUTS(RULE)};
 #define N_STEPS "50"
 #define N_LAST "49" /* the last node of a patch of three */
 #define N_FRICTIONS "21"
-typedef char table_is_as_wide[TIPS == 51 && FRICTIONS == 21 && NUS == 16 ? 1 : -1];
+#define N_PLACES "26" /* tips of the tables of the place */
+#define N_PLACE_STEPS "25"
+#define N_PLACE_LAST "24"
+typedef char
+    table_is_as_wide[TIPS == 51 && FRICTIONS == 21 && NUS == 16 && PLACE_TIPS == 26 ? 1 : -1];
 
 #define LAGRANGE(AT, V0, V1, V2)                                                                   \
     "=(" AT "-" V1 ")*(" AT "-" V2 ")/((" V0 "-" V1 ")*(" V0 "-" V2 "))"
@@ -132,16 +109,13 @@ typedef char table_is_as_wide[TIPS == 51 && FRICTIONS == 21 && NUS == 16 ? 1 : -
 #define AT_TIP(T, N)                                                                               \
     "rwt_wn1*SUMPRODUCT(" PATCH_1(T, N, "") "*rwt_wf)+rwt_wn2*SUMPRODUCT(" PATCH_1(                \
         T, N, "+21") "*rwt_wf)+rwt_wn3*SUMPRODUCT(" PATCH_1(T, N, "+42") "*rwt_wf)"
-#define AT_T(T)                                                                                    \
-    "rwt_wn1*SUMPRODUCT(MMULT(rwt_wt," PATCH_3(                                                    \
-        T, "rwt_node",                                                                             \
-        "") ")*rwt_wf)+rwt_wn2*SUMPRODUCT(MMULT(rwt_wt," PATCH_3(T, "rwt_node",                    \
-                                                                 "+21") ")*"                       \
-                                                                        "rwt_wf)+rwt_wn3*"         \
-                                                                        "SUMPRODUCT(MMULT(rwt_"    \
-                                                                        "wt," PATCH_3(             \
-                                                                            T, "rwt_node",         \
-                                                                            "+42") ")*rwt_wf)"
+/* Three tips, weighted by W, from node N on. MMULT takes no empty cells, but those plus 0. */
+#define PATCH_SUM(W, T, N, D) "SUMPRODUCT(MMULT(" W "," PATCH_3(T, N, D) "+0)*rwt_wf)"
+#define AT_TIPS(W, T, N)                                                                           \
+    "rwt_wn1*" PATCH_SUM(W, T, N, "") "+rwt_wn2*" PATCH_SUM(W, T, N, "+21") "+rwt_wn3*" PATCH_SUM( \
+        W, T, N, "+42")
+#define AT_T(T) AT_TIPS("rwt_wt", T, "rwt_node")
+#define AT_PLACE(N) "(" AT_TIPS("rwt_wp", "rwt_place", N) ")" /* its tables are below each other */
 #define ALL_TIPS(T) "rwt_wn1*" ALL(T, "") "+rwt_wn2*" ALL(T, "+21") "+rwt_wn3*" ALL(T, "+42")
 
 #define SURFACE "rwt_surface"
@@ -205,14 +179,14 @@ typedef char table_is_as_wide[TIPS == 51 && FRICTIONS == 21 && NUS == 16 ? 1 : -
     "INDEX(" T ",rwt_node,rwt_col-rwt_fn+1" D "):INDEX(" T                                         \
     ",rwt_node+2,rwt_col-rwt_fn+" N_FRICTIONS D ")"
 #define ALL_F(T)                                                                                   \
-    "rwt_wn1*MMULT(rwt_wt," ROW_3(T, "") ")+rwt_wn2*MMULT(rwt_wt," ROW_3(                          \
-        T, "+21") ")+rwt_wn3*MMULT(rwt_wt," ROW_3(T, "+42") ")"
+    "rwt_wn1*MMULT(rwt_wt," ROW_3(T, "") "+0)+rwt_wn2*MMULT(rwt_wt," ROW_3(                        \
+        T, "+21") "+0)+rwt_wn3*MMULT(rwt_wt," ROW_3(T, "+42") "+0)"
 #define WHOLE                                                                                      \
     "MMULT(rwt_ones,(" ROW_3(BELOW, "") ">0)*(" ROW_3(BELOW, "+21") ">0)*(" ROW_3(BELOW,           \
                                                                                   "+42") ">0))=3"
 #define ONE_F(T, I, D)                                                                             \
     "SUMPRODUCT(MMULT(rwt_wt,INDEX(" T ",rwt_node,rwt_col-rwt_fn+" I D "):INDEX(" T                \
-    ",rwt_node+2,rwt_col-rwt_fn+" I D ")))"
+    ",rwt_node+2,rwt_col-rwt_fn+" I D ")+0))"
 #define GAP_AT(I)                                                                                  \
     "=rwt_wn1*(" ONE_F(SURFACE, I, "") "-" ONE_F(BELOW, I, "") ")+rwt_wn2*(" ONE_F(                \
         SURFACE, I, "+21") "-" ONE_F(BELOW, I,                                                     \
@@ -321,6 +295,12 @@ const case_cell case_cells[CELL_COUNT] = {
     SHOWN(CELL_SAFETY_STRENGTH, "rw_safety_strength", "safety_strength",
           "Safety on strength, of k or Y", "-",
           "=IF(AND(rwt_has_k=1,ISNUMBER(rw_P_over_bk)),rw_P_over_bk*rwt_b*rwt_k/rwt_load,\"\")"),
+    SHOWN(
+        CELL_YIELD_X, "rw_yield_x", "yield_x", "Place of first yield, x", "mm",
+        "=IF(ISNUMBER(rw_P_yield),IF(N(rw_Q)<0,-1,1)*rwt_unit*rwt_ft*" AT_PLACE("rwt_pr") ",\"\")"),
+    SHOWN(CELL_YIELD_Y, "rw_yield_y", "yield_y", "its depth y", "mm",
+          "=IF(ISNUMBER(rw_P_yield),IF(rw_branch=\"surface\",0,rwt_unit*" AT_PLACE(
+              "rwt_pr+" N_PLACES) "),\"\")"),
     SHOWN(CELL_BRANCH, "rw_branch", "yield_branch", "Yields first", "",
           "=IF(ISNUMBER(rw_P_yield),IF(OR(rwt_a=0,rwt_s_y<=rwt_b_y),\"surface\",\"subsurface\"),"
           "\"\")"),
@@ -416,6 +396,21 @@ const case_cell case_cells[CELL_COUNT] = {
     WORK(WORK_YIELD, "rwt_y", "AP/(theta a) at yield", "=MIN(rwt_s_y,rwt_b_y)"),
     WORK(WORK_BOUND, "rwt_bound", "load at the table's end over P",
          "=ROUNDDOWN(rwt_end*rwt_x,IF(rwt_end*rwt_x>=10,0,1))"),
+
+    WORK(WORK_YIELD_T, "rwt_ty", "t at yield",
+         "=IF(rwt_y<=PI()/2,0,IF(rwt_s_y<=rwt_b_y,rwt_s_t,rwt_b_t))"),
+    WORK(WORK_PLACE_U, "rwt_pu", "place among the tips",
+         "=(1-rwt_ty/INDEX(rwt_ts,1))*" N_PLACE_STEPS),
+    WORK(WORK_PLACE_NODE, "rwt_pn", "tips before the first of three",
+         "=MIN(ROUNDDOWN(rwt_pu,0)," N_PLACE_LAST "-1)"),
+    WORK(WORK_WEIGHT_PLACE, "rwt_wp1", "weights of a/b at yield",
+         "=(rwt_pu-rwt_pn-1)*(rwt_pu-rwt_pn-2)/2"),
+    WORK(WORK_WEIGHT_PLACE + 1, "rwt_wp2", "", "=(rwt_pu-rwt_pn)*(2-rwt_pu+rwt_pn)"),
+    WORK(WORK_WEIGHT_PLACE + 2, "rwt_wp3", "", "=(rwt_pu-rwt_pn)*(rwt_pu-rwt_pn-1)/2"),
+    WORK(WORK_PLACE_ROW, "rwt_pr", "first row of the place",
+         "=rwt_pn+1+IF(rwt_s_y<=rwt_b_y,0," N_PLACES ")"),
+    WORK(WORK_PLACE_UNIT, "rwt_unit", "a, or b for Hertz, at yield",
+         "=rwt_a*SQRT(MIN(1,2/PI()*rwt_y))"),
 
     WORK(WORK_GAPS, "rwt_gaps", "f that yield below",
          "=SUMPRODUCT((" ALL_F(SURFACE) "<" ALL_F(BELOW) ")*(" WHOLE "))"),

@@ -45,6 +45,8 @@ enum {
     CELL_P_YIELD,
     CELL_SAFETY,
     CELL_SAFETY_STRENGTH,
+    CELL_YIELD_X,
+    CELL_YIELD_Y,
     CELL_BRANCH,
     CELL_WARNINGS,
     CELL_ERROR,
@@ -102,6 +104,12 @@ enum {
     WORK_YIELD_B = WORK_YIELD_S + 9,
     WORK_YIELD = WORK_YIELD_B + 9,
     WORK_BOUND,
+    WORK_YIELD_T, /* the place of first yield */
+    WORK_PLACE_U,
+    WORK_PLACE_NODE,
+    WORK_WEIGHT_PLACE,
+    WORK_PLACE_ROW = WORK_WEIGHT_PLACE + 3,
+    WORK_PLACE_UNIT,
     WORK_GAPS, /* critical friction */
     WORK_GAP_NODE,
     WORK_GAP_1,

@@ -37,6 +37,7 @@ static const struct {
 } groups[] = {{"rwt_wn", WORK_WEIGHT_NU, 3},
               {"rwt_wf", WORK_WEIGHT_F, 3},
               {"rwt_wt", WORK_WEIGHT_T, 3},
+              {"rwt_wp", WORK_WEIGHT_PLACE, 3},
               {"rwt_s_ks", WORK_YIELD_S + YIELD_K, 3},
               {"rwt_b_ks", WORK_YIELD_B + YIELD_K, 3}};
 enum { GROUPS = sizeof groups / sizeof groups[0] };
@@ -140,15 +141,12 @@ void formula_cell(xlsx *book, int row, int column, const char *formula, double v
 
 const char *input_check(int cell, char text[FORMULA_SIZE])
 {
-    const char *name = case_cells[cell].name;
-    return compose(text, "=IF(ISNUMBER(%s),NOT(%s),%s=\"%s\")", name, input_rules[cell].wrong, name,
-                   cell == CELL_E2 ? "inf" : "");
+    return compose(text, "=NOT(%s)", input_rules[cell].wrong);
 }
 
 const char *input_message(int cell, char text[FORMULA_SIZE])
 {
-    return compose(text, "%s must be %s%s.", case_cells[cell].column, input_rules[cell].must,
-                   cell == CELL_E2 ? ", or the word inf for a rigid wedge" : "");
+    return compose(text, "%s must be %s.", case_cells[cell].column, input_rules[cell].must);
 }
 
 static void write_cell(xlsx *book, int row, int column, int cell, const char *formula,

@@ -3,113 +3,98 @@
 
 #include "formula.h"
 
-#include <string.h>
+#include <math.h>
+#include <stdio.h>
 
 #include <rwedge.h>
 
-enum { LABEL, NAME, VALUE, TEXT, FIRST_ROW = 4, TEXT_WIDTH = 110, LINE_LENGTH = 120 };
+enum { TIP, FRICTION, LIMIT, NOTE, HEADER_ROW = 9, FIRST_ROW, ROWS = 20 };
 
-/* At an entry of the table, the formulas give that entry: the example is one. */
-static const double example_tip = 0.3, example_f = 0.1;
+/* The row and the column of the next smaller entries of the table; # is the row. */
+#define ROW "MIN(MATCH(B#,rw_table_f,1),64)"
+#define COLUMN "MIN(MATCH(A#,rw_table_tips,1),28)"
 
-#define CORNER(T, I, J) "INDEX(" T ",rw_row" I ",rw_column" J ")"
-#define BETWEEN(T)                                                                                 \
-    "(1-rw_share_f)*((1-rw_share_tip)*" CORNER(T, "", "") "+rw_share_tip*" CORNER(                 \
-        T, "",                                                                                     \
-        "+1") ")+rw_share_f*((1-rw_share_tip)*" CORNER(T, "+1",                                    \
-                                                       "") "+rw_share_tip*" CORNER(T, "+1",        \
-                                                                                   "+1") ")"
+/* On a line through two entries of a row of the table T, I below ROW. */
+#define ALONG(T, I)                                                                                \
+    "FORECAST(MIN(1,A#),INDEX(" T "," ROW I "," COLUMN "):INDEX(" T "," ROW I "," COLUMN           \
+    "+1),INDEX(rw_table_tips," COLUMN "):INDEX(rw_table_tips," COLUMN "+1))"
+/* The entries of f are 1/80 apart. */
+#define BETWEEN(T) ALONG(T, "") "*(" ROW "-80*B#)+" ALONG(T, "+1") "*(1-" ROW "+80*B#)"
 
-typedef struct {
-    const char *what, *name, *formula;
-    double value;
-} step;
+/* Where an entry is missing, FORECAST has one point, and the surface decides. */
+static const char formula[] =
+    "=IF(OR(A#=\"\",B#=\"\"),\"\",IF(OR(B#<0,B#>0.8),NA(),"
+    "MIN(" BETWEEN("rw_table_surface") ",IFERROR(" BETWEEN("rw_table_below") ",1E+99))))";
 
-/* To be copied; a long one is wrapped, or a page would cut it. */
-static void write_formula_text(xlsx *book, int row, const char *text)
+/* Entries of the table, of which the formula gives back the value. */
+static const double examples[][2] = {{0.3, 0.1}, {0.11, 0.3}, {1, 0}};
+enum { EXAMPLES = sizeof examples / sizeof examples[0] };
+
+static const char *in_row(int row, char text[FORMULA_SIZE])
 {
-    const int lines = 1 + (int)strlen(text) / LINE_LENGTH;
-    if (lines > 1)
-        xlsx_lines(book, row, lines);
-    xlsx_text(book, row, TEXT, text, lines > 1 ? XLSX_WRAPPED : XLSX_NOTE);
+    char *end = text;
+    for (const char *from = formula; *from != '\0'; from++)
+        if (*from == '#')
+            end += sprintf(end, "%d", row + 1);
+        else
+            *end++ = *from;
+    *end = '\0';
+    return text;
 }
 
-static void write_step(xlsx *book, int row, const step *what)
+static void write_row(xlsx *book, int row, double tip, double f)
 {
-    xlsx_text(book, row, LABEL, what->what, XLSX_PLAIN);
-    xlsx_text(book, row, NAME, what->name, XLSX_NOTE);
-    formula_cell(book, row, VALUE, what->formula, what->value, XLSX_RESULT);
-    write_formula_text(book, row, what->formula + 1);
-    xlsx_name(book, what->name, row, VALUE);
+    char text[FORMULA_SIZE];
+    xlsx_number(book, row, TIP, tip, XLSX_INPUT);
+    xlsx_number(book, row, FRICTION, f, XLSX_INPUT);
+    formula_cell(book, row, LIMIT, in_row(row, text),
+                 isnan(tip) ? NAN : rwedge_elastic_limit(tip, f, 0.3), XLSX_RESULT);
 }
 
-static void write_steps(xlsx *book, int row)
+static void check_typing(xlsx *book)
 {
-    double surface, below, x, y;
-    rwedge_surface_yield(example_tip, example_f, 0.3, &surface, &x);
-    rwedge_subsurface_yield(example_tip, example_f, 0.3, &below, &x, &y);
-    const step steps[] = {
-        {"Column of the next smaller a/b", "rw_column",
-         "=MIN(MATCH(rw_look_a_over_b,rw_table_tips,1),28)", 18},
-        {"Row of the next smaller f", "rw_row", "=MIN(MATCH(rw_look_f,rw_table_f,1),64)", 9},
-        {"How far to the next column", "rw_share_tip",
-         "=(rw_look_a_over_b-INDEX(rw_table_tips,rw_column))/(INDEX(rw_table_tips,rw_column+1)-"
-         "INDEX(rw_table_tips,rw_column))",
-         0},
-        {"How far to the next row", "rw_share_f",
-         "=(rw_look_f-INDEX(rw_table_f,rw_row))/(INDEX(rw_table_f,rw_row+1)-INDEX(rw_table_f,"
-         "rw_row))",
-         0},
-        {"P/(bk) at the surface", "rw_look_surface", "=" BETWEEN("rw_table_surface"), surface},
-        {"P/(bk) below it; empty: none", "rw_look_below",
-         "=IF(COUNT(INDEX(rw_table_below,rw_row,rw_column):INDEX(rw_table_below,rw_row+1,"
-         "rw_column+1))=4," BETWEEN("rw_table_below") ",\"\")",
-         below},
-        {"Elastic limit P/(bk): the smaller", "rw_look_P_over_bk",
-         "=MIN(rw_look_surface,rw_look_below)", surface < below ? surface : below},
-    };
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++)
-        write_step(book, row + (int)i, &steps[i]);
-}
-
-static void write_input(xlsx *book, int row, const char *what, const char *name, double value,
-                        const char *check, const char *must)
-{
-    const xlsx_rule rule = {check, what, must, must};
-    xlsx_text(book, row, LABEL, what, XLSX_PLAIN);
-    xlsx_text(book, row, NAME, name, XLSX_NOTE);
-    xlsx_number(book, row, VALUE, value, XLSX_INPUT);
-    xlsx_text(book, row, TEXT, must, XLSX_NOTE);
-    xlsx_name(book, name, row, VALUE);
-    xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);
+    char check[FORMULA_SIZE];
+    const xlsx_rule of_tip = {
+        compose(check, "=AND(A%d>=0.01,A%d<1E+60)", FIRST_ROW + 1, FIRST_ROW + 1), "a/b",
+        "0.01 and above", "a/b must be a number, 0.01 or above."};
+    xlsx_validate(book, (xlsx_area){FIRST_ROW, TIP, ROWS, 1}, &of_tip);
+    const xlsx_rule of_f = {compose(check, "=AND(B%d>=0,B%d<=0.8)", FIRST_ROW + 1, FIRST_ROW + 1),
+                            "f", "0 to 0.8", "f must be a number, 0 to 0.8."};
+    xlsx_validate(book, (xlsx_area){FIRST_ROW, FRICTION, ROWS, 1}, &of_f);
 }
 
 void sheet_look_up(xlsx *book)
 {
     static const char *const lines[] = {
-        "Interpolate each branch by itself, then take the smaller: the elastic limit has a kink "
-        "where they cross, the branches have none.",
-        "Error: 0.12 %, the largest over the middles of all cells. The nearest entry instead errs "
-        "by up to half the step between entries, some per cent.",
-        "The table is the two blocks on the right of the sheet Elastic limit, nu = 0.3. For other "
-        "nu use Batch.",
-        "To interpolate many points, copy the formulas beside the cells, with cells of yours "
-        "instead of the names.",
+        "Type a/b and f, or copy a blue cell to the right of your own two columns, on any sheet of "
+        "this workbook.",
+        "a/b from 0.01 (from 1 on, all are Hertz' contact), f from 0 to 0.8; nu = 0.3. For other "
+        "nu "
+        "take the sheet Batch.",
+        "Its table is on the right of the sheet Elastic limit: the two branches, at the surface "
+        "and "
+        "below it.",
+        "The formula interpolates each branch by itself, linearly, and takes the smaller. The "
+        "limit "
+        "has a kink where they cross;",
+        "the branches have none. Where one of the four entries below the surface is missing, the "
+        "surface decides.",
+        "Error: 0.12 % at most, over the middles of all cells of the table.",
     };
-    xlsx_text(book, 0, LABEL, "Look up: the elastic limit between the entries of the table",
+    static const char *const header[] = {"a/b", "f", "P/(bk)"};
+    xlsx_text(book, 0, TIP, "Look up: the elastic limit between the entries of the table",
               XLSX_TITLE);
-    write_input(book, FIRST_ROW - 2, "a/b", "rw_look_a_over_b", example_tip,
-                "=AND(ISNUMBER(rw_look_a_over_b),rw_look_a_over_b>=0.01,rw_look_a_over_b<=1)",
-                "from 0.01 to 1; above 1 type 1");
-    write_input(book, FIRST_ROW - 1, "Coefficient of friction f", "rw_look_f", example_f,
-                "=AND(ISNUMBER(rw_look_f),rw_look_f>=0,rw_look_f<=0.8)", "from 0 to 0.8");
-    write_steps(book, FIRST_ROW);
-    for (int i = 0; i < 4; i++)
-        xlsx_text(book, FIRST_ROW + 8 + i, LABEL, lines[i], XLSX_NOTE);
-    xlsx_width(book, LABEL, LABEL, 32);
-    xlsx_width(book, NAME, NAME, 18);
-    xlsx_width(book, VALUE, VALUE, 12);
-    xlsx_width(book, TEXT, TEXT, TEXT_WIDTH);
+    for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
+        xlsx_text(book, 2 + i, TIP, lines[i], XLSX_PLAIN);
+    for (int i = 0; i < 3; i++)
+        xlsx_text(book, HEADER_ROW, i, header[i], XLSX_HEADER);
+    for (int i = 0; i < ROWS; i++)
+        write_row(book, FIRST_ROW + i, i < EXAMPLES ? examples[i][0] : NAN,
+                  i < EXAMPLES ? examples[i][1] : NAN);
+    check_typing(book);
+    xlsx_width(book, TIP, LIMIT, 16);
+    xlsx_width(book, NOTE, NOTE, 60);
+    xlsx_freeze(book, FIRST_ROW, 0);
     xlsx_protect(book);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + 11, TEXT, -1, true, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + ROWS - 1, NOTE, -1, true, 1});
 }

@@ -39,7 +39,7 @@ static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0
                                             0.35,  0.375, 0.385, 0.5,   0.6,   0.7,   0.8};
 
 /* Enough beside the error of interpolation, and the file is smaller. */
-enum { TABLE_DIGITS = 7 };
+enum { TABLE_DIGITS = 6 };
 
 /* (load/limit)^2, rounded; 0 where there is no such branch, or J2 is 0 as on the surface for nu =
  * 0.5 and f = 0. False where it could not be computed. */
@@ -67,6 +67,40 @@ static bool fill_tip(yield_table *table, int i)
     return done;
 }
 
+/* x is odd in f, so x/f is even, as J2 is. This f stands for 0. */
+static const double SMALL_FRICTION = 1e-3;
+
+/* A branch whose J2 is less than this share of the other's decides in no cell of the table around
+ * it: its place is left out. */
+static const double FAR_BELOW = 0.7;
+
+static double thousandths(double value)
+{
+    return floor(1000 * value + 0.5) / 1000;
+}
+
+static void fill_places(yield_table *table, int i)
+{
+    const double tip = 1 / cosh(table->t[PLACE_STEP * i]);
+    for (int j = 0; j < NUS; j++)
+        for (int k = 0; k < FRICTIONS; k++) {
+            const double f = fmax(frictions[k], SMALL_FRICTION);
+            const double surface = table->surface[PLACE_STEP * i][j][k],
+                         below = table->below[PLACE_STEP * i][j][k];
+            double limit, x, y;
+            for (int which = 0; which < PLACES; which++)
+                table->place[which][i][j][k] = 0;
+            if (surface >= FAR_BELOW * below &&
+                rwedge_surface_yield(tip, f, nus[j], &limit, &x) == RWEDGE_OK)
+                table->place[SURFACE_X][i][j][k] = thousandths(x / (tip * f));
+            if (below > 0 && below >= FAR_BELOW * surface &&
+                rwedge_subsurface_yield(tip, f, nus[j], &limit, &x, &y) == RWEDGE_OK) {
+                table->place[BELOW_X][i][j][k] = thousandths(x / (tip * f));
+                table->place[BELOW_Y][i][j][k] = thousandths(y / tip);
+            }
+        }
+}
+
 bool yield_table_fill(yield_table *table)
 {
     const double first = -acosh(1 / WORKBOOK_TIP_MIN);
@@ -77,6 +111,8 @@ bool yield_table_fill(yield_table *table)
         table->t[i] = workbook_rounded(first * (TIPS - 1 - i) / (TIPS - 1));
         done = fill_tip(table, i) && done;
     }
+    for (int i = 0; i < PLACE_TIPS; i++)
+        fill_places(table, i);
     return done;
 }
 
@@ -225,7 +261,7 @@ static void place_patch(const yield_table *table, double v[])
     v[WORK_COLUMN] = (j - 1) * FRICTIONS + k;
 }
 
-typedef const double branch[TIPS][NUS][FRICTIONS];
+typedef const double branch[][NUS][FRICTIONS];
 
 /* From a tip's values at three nodes of nu, for one node of f; missing is set where one is 0. */
 static double over_nu(branch values, int tip, int f, const double v[], bool *missing)
@@ -248,12 +284,25 @@ static double at_tip(branch values, int tip, const double v[], bool *missing)
     return sum;
 }
 
-static double at_case(branch values, const double v[], bool *missing)
+static double at_tips(branch values, int first, const double weight[3], const double v[],
+                      bool *missing)
 {
     double sum = 0;
     for (int i = 0; i < 3; i++)
-        sum += v[WORK_WEIGHT_T + i] * at_tip(values, (int)v[WORK_TIP_NODE] - 1 + i, v, missing);
+        sum += weight[i] * at_tip(values, first + i, v, missing);
     return sum;
+}
+
+static double at_case(branch values, const double v[], bool *missing)
+{
+    return at_tips(values, (int)v[WORK_TIP_NODE] - 1, &v[WORK_WEIGHT_T], v, missing);
+}
+
+static void parabola(double u, double weight[3])
+{
+    weight[0] = (u - 1) * (u - 2) / 2;
+    weight[1] = u * (2 - u);
+    weight[2] = u * (u - 1) / 2;
 }
 
 static void find_limit(const yield_table *table, double v[])
@@ -264,9 +313,7 @@ static void find_limit(const yield_table *table, double v[])
     v[WORK_TIP_NODE] = fmin(match(table->t, TIPS, v[WORK_T]), TIPS - 2);
     const double u = (1 - v[WORK_T] / table->t[0]) * (TIPS - 1) - (v[WORK_TIP_NODE] - 1);
     v[WORK_U] = u;
-    v[WORK_WEIGHT_T] = (u - 1) * (u - 2) / 2;
-    v[WORK_WEIGHT_T + 1] = u * (2 - u);
-    v[WORK_WEIGHT_T + 2] = u * (u - 1) / 2;
+    parabola(u, &v[WORK_WEIGHT_T]);
     v[WORK_SURFACE] = at_case(table->surface, v, &none);
     v[WORK_BELOW] = at_case(table->below, v, &missing);
     if (missing)
@@ -328,6 +375,24 @@ static void find_strength(const yield_table *table, double v[])
     v[WORK_YIELD] = fmin(v[WORK_YIELD_S + YIELD_LOAD], v[WORK_YIELD_B + YIELD_LOAD]);
     const double bound = workbook_end_of_table() * v[WORK_X];
     v[WORK_BOUND] = bound >= 10 ? floor(bound) : floor(bound * 10) / 10;
+}
+
+static bool at_surface(const double v[])
+{
+    return v[WORK_YIELD_S + YIELD_LOAD] <= v[WORK_YIELD_B + YIELD_LOAD];
+}
+
+static void place_yield(const yield_table *table, double v[])
+{
+    const double t = v[WORK_YIELD] <= PI / 2 ? 0
+                     : at_surface(v)         ? v[WORK_YIELD_S + YIELD_U]
+                                             : v[WORK_YIELD_B + YIELD_U];
+    v[WORK_YIELD_T] = t;
+    v[WORK_PLACE_U] = (1 - t / table->t[0]) * (PLACE_TIPS - 1);
+    v[WORK_PLACE_NODE] = fmin(floor(v[WORK_PLACE_U]), PLACE_TIPS - 3);
+    parabola(v[WORK_PLACE_U] - v[WORK_PLACE_NODE], &v[WORK_WEIGHT_PLACE]);
+    v[WORK_PLACE_ROW] = v[WORK_PLACE_NODE] + 1 + (at_surface(v) ? 0 : PLACE_TIPS);
+    v[WORK_PLACE_UNIT] = v[WORK_ROUNDING] * sqrt(fmin(1, 2 / PI * v[WORK_YIELD]));
 }
 
 double workbook_end_of_table(void)
@@ -398,6 +463,22 @@ static void answer_contact(double v[])
     v[CELL_TENSION_SLIDING] = 2 * v[WORK_F] * unit / fmax(1, ratio);
 }
 
+static void answer_place(const yield_table *table, case_values *out)
+{
+    double *v = out->number;
+    const bool surface = v[WORK_ROUNDING] == 0 || at_surface(v);
+    const int node = (int)v[WORK_PLACE_NODE];
+    const double *weight = &v[WORK_WEIGHT_PLACE];
+    bool none = false;
+    const double x = at_tips(table->place[at_surface(v) ? SURFACE_X : BELOW_X], node, weight, v,
+                             &none),
+                 y = at_tips(table->place[BELOW_Y], node, weight, v, &none);
+    snprintf(out->branch, sizeof out->branch, "%s", surface ? "surface" : "subsurface");
+    v[CELL_YIELD_X] =
+        (given_or(v[CELL_Q], 0) < 0 ? -1 : 1) * v[WORK_PLACE_UNIT] * v[WORK_F_TABLE] * x;
+    v[CELL_YIELD_Y] = surface ? 0 : v[WORK_PLACE_UNIT] * y;
+}
+
 static void answer_yield(const yield_table *table, case_values *out)
 {
     double *v = out->number;
@@ -412,13 +493,11 @@ static void answer_yield(const yield_table *table, case_values *out)
     v[CELL_SAFETY_STRENGTH] = v[CELL_P_OVER_BK] / v[CELL_LOAD_OVER_BK];
     if (!has_k || !f)
         return;
-    const bool surface = v[WORK_YIELD_S + YIELD_LOAD] <= v[WORK_YIELD_B + YIELD_LOAD];
     if (sharp || v[WORK_YIELD] < NEVER) {
         v[CELL_P_YIELD] =
             sharp ? 0 : v[WORK_YIELD] * v[WORK_THETA] * v[WORK_ROUNDING] / v[WORK_COMPLIANCE];
         v[CELL_SAFETY] = v[CELL_P_YIELD] / v[WORK_LOAD];
-        snprintf(out->branch, sizeof out->branch, "%s",
-                 sharp || surface ? "surface" : "subsurface");
+        answer_place(table, out);
     } else
         snprintf(out->safety, sizeof out->safety, "> %.*f", v[WORK_BOUND] >= 10 ? 0 : 1,
                  v[WORK_BOUND]);
@@ -436,6 +515,7 @@ void workbook_compute(const yield_table *table, const double input[INPUT_CELLS],
     place_patch(table, v);
     find_limit(table, v);
     find_strength(table, v);
+    place_yield(table, v);
     find_critical(table, v);
     if (v[WORK_OK] > 0) {
         answer_contact(v);

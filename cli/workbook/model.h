@@ -16,6 +16,10 @@
 
 enum { TIPS = 51, NUS = 16, FRICTIONS = 21, FRICTIONS_BELOW = 17, TABLE_COLUMNS = NUS * FRICTIONS };
 
+/* Where it yields, at every other tip: x/(a f) on the surface; x/(a f) and y/a below it. */
+enum { PLACE_STEP = 2, PLACE_TIPS = TIPS / PLACE_STEP + 1 };
+enum { SURFACE_X, BELOW_X, BELOW_Y, PLACES };
+
 #define WORKBOOK_FRICTION_MAX 0.8
 #define WORKBOOK_TIP_MIN 0.003
 
@@ -24,6 +28,7 @@ typedef struct {
     double nu[NUS], f[FRICTIONS];
     double surface[TIPS][NUS][FRICTIONS];
     double below[TIPS][NUS][FRICTIONS]; /* 0 where there is no maximum below the surface */
+    double place[PLACES][PLACE_TIPS][NUS][FRICTIONS]; /* 0 where the branch does not decide */
 } yield_table;
 
 /* A value in a cell: a text where there is one, or a number; NAN is an empty text. */

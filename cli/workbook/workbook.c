@@ -4,12 +4,15 @@
 #include "system/streams.h"
 #include "text/message.h"
 #include "book.h"
+#include "csv_sheets.h"
 #include "rows/output_options.h"
 #include "sheet/xlsx.h"
 
 static const struct poptOption options[] = {
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all; - is standard output", "FILE"},
+    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
+     "Significant digits of the numbers of a CSV file", "N"},
     {HELP_OPTION},
     POPT_TABLEEND,
 };
@@ -18,8 +21,9 @@ static void describe(FILE *stream)
 {
     fputs(
         "\nA workbook (XLSX) with a calculator, in plain formulas, and the tables that it uses:\n"
-        "for a/b from 0.01, f from 0 to 0.8, every Poisson's ratio. Its sheet \"About\" says how\n"
-        "exact it is.\n",
+        "for a/b from 0.003, f from 0 to 0.8, every Poisson's ratio. Its sheet \"About\" says how\n"
+        "exact it is.\n"
+        "\nOr of CSV files, such as tables of this tool: a sheet for each, numbers as numbers.\n",
         stream);
 }
 
@@ -34,15 +38,30 @@ static int write_file(const char *path)
     return STATUS_FAILED;
 }
 
+static const char *const formats[] = {"xlsx", NULL};
+
+static int write_sheets(const arguments *given)
+{
+    const char **path = given->operand;
+    output_options how;
+    int status = output_options_read_of(given, formats, "", &how);
+    for (int i = 0; status == STATUS_DONE && path[i] != NULL; i++)
+        status = i < CSV_SHEETS_MAX ? output_options_spare(&how, path[i])
+                                    : usage_error("%s: unexpected; allowed: up to %d files",
+                                                  path[i], CSV_SHEETS_MAX);
+    return status == STATUS_DONE ? output_options_write(&how, csv_sheets_write, &path) : status;
+}
+
 static int write_given(const arguments *given)
 {
-    if (arguments_no_operand(given) != STATUS_DONE)
-        return STATUS_USAGE;
-    static const char *const formats[] = {"xlsx", NULL};
     const char *path = given->value[OPTION_OUTPUT];
     if (path == NULL || path[0] == '\0')
         return usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
+    if (given->operand != NULL && given->operand[0] != NULL)
+        return write_sheets(given);
+    if (given->value[OPTION_DIGITS] != NULL)
+        return usage_error("--digits: the workbook has its own; allowed with: CSV files");
     const char *format;
     const int status = output_format_choose(given, formats, "", &format);
     if (status != STATUS_DONE)
@@ -55,7 +74,7 @@ static int write_given(const arguments *given)
     return write_file(path);
 }
 
-static const syntax grammar = {options, "-o FILE", describe, 0};
+static const syntax grammar = {options, "[FILE.csv...] -o FILE", describe, 0};
 
 const command workbook_command = {"workbook",
                                   "rwedge workbook",

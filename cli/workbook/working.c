@@ -11,7 +11,11 @@
 
 enum { LABEL_ROW = 2, NAME_ROW, VALUE_ROW };
 enum { NODE_NU, NODE_M, NODE_F, NODE_T, NODE_END };
-enum { SURFACE_ROW = CURVE_ROW + TIPS + 3, BELOW_ROW = SURFACE_ROW + TIPS + 2 };
+enum {
+    SURFACE_ROW = CURVE_ROW + TIPS + 3,
+    BELOW_ROW = SURFACE_ROW + TIPS + 2,
+    PLACE_ROW = BELOW_ROW + TIPS + 2
+};
 
 /* ---- The calculator's cells ------------------------------------------------------------------ */
 
@@ -56,15 +60,31 @@ static void write_nodes(xlsx *book, const yield_table *table)
     xlsx_name_range(book, "rwt_ones", CURVE_ROW + 2, NODE_END, 1, 3);
 }
 
+static void write_table(xlsx *book, int row, int tips, const double values[][NUS][FRICTIONS])
+{
+    for (int i = 0; i < tips; i++)
+        for (int j = 0; j < NUS; j++)
+            for (int k = 0; k < FRICTIONS; k++)
+                if (values[i][j][k] != 0)
+                    xlsx_number(book, row + i, j * FRICTIONS + k, values[i][j][k], XLSX_PLAIN);
+}
+
 static void write_branch(xlsx *book, int row, const char *name, const char *what,
                          const double values[TIPS][NUS][FRICTIONS])
 {
     xlsx_text(book, row - 1, 0, what, XLSX_NOTE);
-    for (int i = 0; i < TIPS; i++)
-        for (int j = 0; j < NUS; j++)
-            for (int k = 0; k < FRICTIONS; k++)
-                xlsx_number(book, row + i, j * FRICTIONS + k, values[i][j][k], XLSX_PLAIN);
+    write_table(book, row, TIPS, values);
     xlsx_name_range(book, name, row, 0, TIPS, TABLE_COLUMNS);
+}
+
+static void write_places(xlsx *book, const yield_table *table)
+{
+    xlsx_text(book, PLACE_ROW - 1, 0,
+              "the place, every other t: x/(a f) on the surface; x/(a f), then y/a, below it",
+              XLSX_NOTE);
+    for (int i = 0; i < PLACES; i++)
+        write_table(book, PLACE_ROW + i * PLACE_TIPS, PLACE_TIPS, table->place[i]);
+    xlsx_name_range(book, "rwt_place", PLACE_ROW, 0, PLACES * PLACE_TIPS, TABLE_COLUMNS);
 }
 
 /* ---- Curves of the charts -------------------------------------------------------------------- */
@@ -181,6 +201,7 @@ void sheet_working(xlsx *book, const yield_table *table, const case_values *valu
     write_branch(book, SURFACE_ROW, "rwt_surface",
                  "(A sqrt(J2)/theta)^2 on the surface: a row for each t, 16 blocks of nu, f across",
                  table->surface);
-    write_branch(book, BELOW_ROW, "rwt_below", "the same below the surface; 0: none there",
+    write_branch(book, BELOW_ROW, "rwt_below", "the same below the surface; empty: none there",
                  table->below);
+    write_places(book, table);
 }

@@ -18,16 +18,14 @@ sh "$here/build.sh" --tool "$work"
 made=$work/windows
 folder=$work/$name
 rm -rf "$folder"
-mkdir -p "$folder/c" "$folder/licences" "$folder/tables/decimal-comma" "$folder/tables/xlsx"
+mkdir -p "$folder/c" "$folder/licences" "$folder/tables/decimal-comma"
 cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$top/bindings/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" "$folder"
 sed "s/@VERSION@/$version/" "$here/start-here.html" >"$folder/start-here.html"
 cp "$top/include/rwedge.h" "$made/lib/librwedge.dll.a" "$folder/c"
-cp "$top"/tables/*.csv "$folder/tables"
+cp "$top"/tables/*.csv "$top/tables/rounded-wedge-tables.xlsx" "$folder/tables"
 cmake -S "$top" -B "$build" -DRWEDGE_BUILD_CLI=ON >/dev/null
 cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge_cli >/dev/null
-for form in decimal-comma xlsx; do
-    sh "$top/tables/generate.sh" "$folder/tables/$form" "$build/cli/rwedge" $form >/dev/null
-done
+sh "$top/tables/generate.sh" "$folder/tables/decimal-comma" "$build/cli/rwedge" decimal-comma >/dev/null
 
 # The licences of all that is inside, and what it is.
 inside='gsl lapack musl popt jansson libcsv libxlsxwriter zlib'

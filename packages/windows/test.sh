@@ -74,7 +74,8 @@ for table in "$top"/tables/*.csv; do
     cmp "$table" "$work/tables/$(basename "$table")" || fail "another table"
 done
 run=''
-for test in batch field figure_data formats fretting off_centre profile ranges solve spreadsheet tables workbook; do
+for test in results/batch results/field figures/figure_data files/formats results/fretting results/off_centre results/profile \
+    command_line/ranges results/solve files/spreadsheet results/tables workbook/workbook; do
     sh "$top/tests/cli/$test.sh" "$work/rwedge" "$top/tests/data" >"$work/log" 2>&1 ||
         { grep -a -A 4 FAILED "$work/log" | head -n 40; fail "tests/cli/$test.sh"; }
     run="$run $test"

@@ -10,7 +10,8 @@ import { words } from "./words.mjs";
 
 const [binding, modules, output] = process.argv.slice(2, 5).map((name) => resolve(name));
 const compiler = process.argv[5];
-const page = resolve(dirname(fileURLToPath(import.meta.url)), ".."), top = resolve(page, "..");
+const page = resolve(dirname(fileURLToPath(import.meta.url)), ".."),
+    top = resolve(page, "..");
 const require = createRequire(`${modules}/`);
 const esbuild = require("esbuild");
 
@@ -31,9 +32,19 @@ const made = {
 
 async function bundle() {
     const built = await esbuild.build({
-        entryPoints: [`${page}/src/main.js`], bundle: true, minify: true, format: "iife", target: "es2022", charset: "ascii",
-        alias: { rwedge: `${binding}/rwedge.mjs` }, nodePaths: [modules], plugins: [made], loader: { ".css": "text" },
-        legalComments: "none", write: false, logLevel: "warning",
+        entryPoints: [`${page}/src/main.js`],
+        bundle: true,
+        minify: true,
+        format: "iife",
+        target: "es2022",
+        charset: "ascii",
+        alias: { rwedge: `${binding}/rwedge.mjs` },
+        nodePaths: [modules],
+        plugins: [made],
+        loader: { ".css": "text" },
+        legalComments: "none",
+        write: false,
+        logLevel: "warning",
     });
     return built.outputFiles[0].text.trim().replaceAll("</script", "<\\/script");
 }
@@ -48,9 +59,16 @@ const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base
 
 const [script, css] = [await bundle(), style()];
 const policy = [
-    "default-src 'none'", `script-src ${hash(script)} 'wasm-unsafe-eval'`, `style-src ${hash(css)}`, "img-src data: blob:",
-    "base-uri 'none'", "form-action 'none'",
+    "default-src 'none'",
+    `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+    `style-src ${hash(css)}`,
+    "img-src data: blob:",
+    "base-uri 'none'",
+    "form-action 'none'",
 ].join("; ");
 const html = readFileSync(`${page}/src/page.html`, "utf8")
-    .replace("POLICY", () => policy).replace("COMPILER", () => compiler).replace("STYLE", () => css).replace("SCRIPT", () => script);
+    .replace("POLICY", () => policy)
+    .replace("COMPILER", () => compiler)
+    .replace("STYLE", () => css)
+    .replace("SCRIPT", () => script);
 writeFileSync(output, html);

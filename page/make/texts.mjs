@@ -16,12 +16,27 @@ function section(text, heading) {
 const withoutLinks = (text) => text.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1");
 
 /** The packages that are in the bundle, and their licences. */
-const inPage = ["d3-array", "d3-contour", "d3-format", "d3-interpolate", "d3-color", "d3-path", "d3-scale", "d3-shape", "d3-time", "d3-time-format", "internmap"];
+const inPage = [
+    "d3-array",
+    "d3-contour",
+    "d3-format",
+    "d3-interpolate",
+    "d3-color",
+    "d3-path",
+    "d3-scale",
+    "d3-shape",
+    "d3-time",
+    "d3-time-format",
+    "internmap",
+];
 
 function licences(modules, binding) {
     const found = inPage.map((name) => {
         const { version, license } = JSON.parse(readFileSync(`${modules}/${name}/package.json`, "utf8"));
-        return { name: `${name} ${version} (${license})`, text: readFileSync(`${modules}/${name}/LICENSE`, "utf8").trim() };
+        return {
+            name: `${name} ${version} (${license})`,
+            text: readFileSync(`${modules}/${name}/LICENSE`, "utf8").trim(),
+        };
     });
     return [{ name: "in the library", text: readFileSync(`${binding}/NOTICE`, "utf8").trim() }, ...found];
 }
@@ -30,7 +45,8 @@ export function texts(top, modules, binding) {
     const { marked } = createRequire(`${modules}/`)("marked");
     const read = (name) => readFileSync(`${top}/${name}`, "utf8");
     const html = (text) => marked.parse(withoutLinks(text), { async: false });
-    const library = read("lib/README.md"), front = read("README.md");
+    const library = read("lib/README.md"),
+        front = read("README.md");
     return {
         errata: html(section(library, "Errata").split("\n`tests/")[0]),
         accuracy: html(section(front, "Accuracy and speed").split("\nHow all this")[0]),

@@ -13,7 +13,10 @@ function number(text) {
 /** Of each input: what it is (as the subject of a sentence), its domain, and the words for it. */
 function inputs(source) {
     const macros = Object.fromEntries(
-        [...source.matchAll(/^#define (\w+) (-?\w+), (-?\w+), (true|false), ("[^"]*")$/gm)].map((m) => [m[1], m.slice(2).join(", ")]),
+        [...source.matchAll(/^#define (\w+) (-?\w+), (-?\w+), (true|false), ("[^"]*")$/gm)].map((m) => [
+            m[1],
+            m.slice(2).join(", "),
+        ]),
     );
     const found = {};
     for (const [, id, subject, rest] of source.matchAll(/\[INPUT_(\w+)\] = \{"([^"]*)",\s*([^}]*)\}/g)) {
@@ -37,7 +40,10 @@ function results(source) {
 /** Of each measure of "rwedge fretting": name and meaning. */
 function measures(source) {
     const table = /measure_kinds\[MEASURE_COUNT\] = \{([^]*?)\n\};/.exec(source)[1];
-    return [...table.matchAll(/\{"(\w+)", "([^"]*)",\s*(true|false)\}/g)].map(([, name, meaning]) => ({ name, meaning }));
+    return [...table.matchAll(/\{"(\w+)", "([^"]*)",\s*(true|false)\}/g)].map(([, name, meaning]) => ({
+        name,
+        meaning,
+    }));
 }
 
 /** Other names of inputs, which a column may have by mistake. */

@@ -5,7 +5,9 @@ import { wholeNumber } from "./number.js";
 import { words } from "words";
 
 function given(texts) {
-    return inputNames.filter((name) => isGiven(texts, name)).map((name) => [name, wholeNumber(readInput(name, texts[name]).value)]);
+    return inputNames
+        .filter((name) => isGiven(texts, name))
+        .map((name) => [name, wholeNumber(readInput(name, texts[name]).value)]);
 }
 
 /** The command for the case: rwedge solve --E1 210000 ... */

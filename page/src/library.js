@@ -11,7 +11,10 @@ function statusOf(error) {
 }
 
 export const status = {
-    OK: "RWEDGE_OK", EDOMAIN: "RWEDGE_EDOMAIN", ESLIDING: "RWEDGE_ESLIDING", EPATH: "RWEDGE_EPATH",
+    OK: "RWEDGE_OK",
+    EDOMAIN: "RWEDGE_EDOMAIN",
+    ESLIDING: "RWEDGE_ESLIDING",
+    EPATH: "RWEDGE_EPATH",
 
     /** What an action ends with. */
     of(action) {
@@ -36,6 +39,14 @@ export const status = {
 
 /** The library's words for a status: strerror() takes numbers. */
 export function reason(name) {
-    const numbers = { RWEDGE_EDOMAIN: 1, RWEDGE_ERANGE: 3, RWEDGE_ENOCONV: 4, RWEDGE_ENOMEM: 5, RWEDGE_ESLIDING: 6, RWEDGE_EABSENT: 8, RWEDGE_EPATH: 9 };
+    const numbers = {
+        RWEDGE_EDOMAIN: 1,
+        RWEDGE_ERANGE: 3,
+        RWEDGE_ENOCONV: 4,
+        RWEDGE_ENOMEM: 5,
+        RWEDGE_ESLIDING: 6,
+        RWEDGE_EABSENT: 8,
+        RWEDGE_EPATH: 9,
+    };
     return rwedge.strerror(numbers[name] ?? 0);
 }

@@ -13,16 +13,31 @@ import { unitsRemark, unitSystems } from "./units.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
-const settings = { units: "mm", digits: "6", sign: ".", tab: "contact", measure: "von_mises", probe_x: "0", probe_y: "0.05", loads: "", cycles: "3", batch: "" };
+const settings = {
+    units: "mm",
+    digits: "6",
+    sign: ".",
+    tab: "contact",
+    measure: "von_mises",
+    probe_x: "0",
+    probe_y: "0.05",
+    loads: "",
+    cycles: "3",
+    batch: "",
+};
 const LONGEST = 20000; // characters of an address that every browser takes
 
 const state = { texts: {}, way: {} };
 
 function take(given) {
     const anything = inputNames.some((name) => name in given);
-    state.texts = Object.fromEntries(inputNames.filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]));
+    state.texts = Object.fromEntries(
+        inputNames.filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]),
+    );
     if (!anything) state.texts = { ...example };
-    state.way = Object.fromEntries(["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]));
+    state.way = Object.fromEntries(
+        ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
+    );
     for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
     if (!unitSystems[state.units]) state.units = settings.units;
     state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 6;
@@ -31,7 +46,10 @@ function take(given) {
 
 function address() {
     const changed = Object.keys(settings).filter((name) => String(state[name]) !== settings[name]);
-    const text = writeAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, String(state[name])])) });
+    const text = writeAddress({
+        ...state.texts,
+        ...Object.fromEntries(changed.map((name) => [name, String(state[name])])),
+    });
     return text.length <= LONGEST ? text : writeAddress({ ...state.texts, tab: state.tab });
 }
 
@@ -53,7 +71,12 @@ const exports = element("div", {});
 
 function showExports() {
     const whole = Boolean(model.results);
-    exports.querySelectorAll("pre").forEach((pre, i) => (pre.textContent = whole ? [asCommand, asPython][i](state.texts) : "The status says what is missing."));
+    exports
+        .querySelectorAll("pre")
+        .forEach(
+            (pre, i) =>
+                (pre.textContent = whole ? [asCommand, asPython][i](state.texts) : "The status says what is missing."),
+        );
 }
 
 function render() {
@@ -70,12 +93,20 @@ function render() {
 }
 
 function setting(name, label, options) {
-    const select = element("select", { id: `set-${name}` }, ...Object.entries(options).map(([value, text]) => element("option", { value }, text)));
+    const select = element(
+        "select",
+        { id: `set-${name}` },
+        ...Object.entries(options).map(([value, text]) => element("option", { value }, text)),
+    );
     select.addEventListener("change", () => {
         state[name] = name === "digits" ? Number(select.value) : select.value;
         render();
     });
-    return { select, parts: [element("label", { for: `set-${name}` }, label), select], show: () => (select.value = String(state[name])) };
+    return {
+        select,
+        parts: [element("label", { for: `set-${name}` }, label), select],
+        show: () => (select.value = String(state[name])),
+    };
 }
 
 const chosen = [
@@ -85,16 +116,32 @@ const chosen = [
 ];
 
 function build() {
-    document.getElementById("settings").append(...chosen.map((one) => element("span", {}, ...one.parts)),
-        copyButton("Copy a link to this case", () => location.href.replace(/#.*/, "") + address()));
-    const details = element("details", {}, element("summary", {}, "This case as a command and in Python"),
+    document.getElementById("settings").append(
+        ...chosen.map((one) => element("span", {}, ...one.parts)),
+        copyButton("Copy a link to this case", () => location.href.replace(/#.*/, "") + address()),
+    );
+    const details = element(
+        "details",
+        {},
+        element("summary", {}, "This case as a command and in Python"),
         ...["Command", "Python"].flatMap((name) => {
             const pre = element("pre", { id: `as-${name.toLowerCase()}`, tabindex: "0" });
-            return [element("p", { class: "tools" }, name, copyButton(`Copy ${name}`, () => pre.textContent)), pre];
-        }));
+            return [
+                element(
+                    "p",
+                    { class: "tools" },
+                    name,
+                    copyButton(`Copy ${name}`, () => pre.textContent),
+                ),
+                pre,
+            ];
+        }),
+    );
     details.addEventListener("toggle", showExports);
     exports.append(details);
-    document.getElementById("case").replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
+    document
+        .getElementById("case")
+        .replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
     document.getElementById("answers").append(status, tabs.list, ...tabs.panels);
 }
 

@@ -16,7 +16,12 @@ function answer(texts) {
     held = contact;
     try {
         const hardest = hardestPlace(what, contact);
-        return { what, contact, hardest, results: solve(what, contact, Number.isNaN(what.k) ? null : (hardest?.factor ?? 0)) };
+        return {
+            what,
+            contact,
+            hardest,
+            results: solve(what, contact, Number.isNaN(what.k) ? null : (hardest?.factor ?? 0)),
+        };
     } catch (error) {
         return { what, fault: { text: error.message } };
     }
@@ -28,8 +33,12 @@ export function makeModel(state) {
     held = null;
     const found = answer(state.texts);
     return {
-        ...found, texts: state.texts, faults: found.complaints ?? (found.fault ? [found.fault] : []), verdict: verdict(found),
-        unit: unitSystems[state.units].unit, write: (value) => (typeof value === "number" ? writeNumber(value, state.digits, state.sign) : (value ?? "")),
+        ...found,
+        texts: state.texts,
+        faults: found.complaints ?? (found.fault ? [found.fault] : []),
+        verdict: verdict(found),
+        unit: unitSystems[state.units].unit,
+        write: (value) => (typeof value === "number" ? writeNumber(value, state.digits, state.sign) : (value ?? "")),
     };
 }
 

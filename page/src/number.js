@@ -18,7 +18,8 @@ export function writeNumber(value, digits, sign = ".") {
     if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
     if (value === 0) return "0";
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-    if (exponent >= -4 && exponent < digits) return withoutZeros(value.toFixed(Math.max(0, digits - 1 - exponent))).replace(".", sign);
+    if (exponent >= -4 && exponent < digits)
+        return withoutZeros(value.toFixed(Math.max(0, digits - 1 - exponent))).replace(".", sign);
     return `${withoutZeros(mantissa).replace(".", sign)}e${exponent[0]}${exponent.slice(1).padStart(2, "0")}`;
 }
 

@@ -2,8 +2,17 @@
 // Units are labels: any consistent set does, and no number is ever converted.
 
 const made = (length, force, stress) => ({
-    length, stress, force: force, "force/length": `${force}/${length}`, "1/stress": `1/${stress}`,
-    "force*length": `${force}\u00b7${length}`, rad: "rad", deg: "\u00b0", none: "", text: "", "stress^2": `${stress}\u00b2`,
+    length,
+    stress,
+    force: force,
+    "force/length": `${force}/${length}`,
+    "1/stress": `1/${stress}`,
+    "force*length": `${force}\u00b7${length}`,
+    rad: "rad",
+    deg: "\u00b0",
+    none: "",
+    text: "",
+    "stress^2": `${stress}\u00b2`,
 });
 
 export const unitSystems = {
@@ -12,8 +21,14 @@ export const unitSystems = {
     in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
     any: {
         name: "any consistent units",
-        unit: { ...made("length", "force", "stress"), force: "force", "1/stress": "1/stress", "stress^2": "stress\u00b2" },
+        unit: {
+            ...made("length", "force", "stress"),
+            force: "force",
+            "1/stress": "1/stress",
+            "stress^2": "stress\u00b2",
+        },
     },
 };
 
-export const unitsRemark = "Any consistent units do; those shown are labels, nothing is converted. Forces are per unit length.";
+export const unitsRemark =
+    "Any consistent units do; those shown are labels, nothing is converted. Forces are per unit length.";

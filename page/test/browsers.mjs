@@ -6,7 +6,8 @@ import { browsers, openBrowser, programOf } from "./drive.mjs";
 const [file, tool, axe, python, only, ...wanted] = process.argv.slice(2);
 const last = "nothing_is_said_and_nothing_asked_for"; // of all the others
 const order = [...Object.keys(claims).filter((name) => name !== last), last];
-let failed = 0, tried = 0;
+let failed = 0,
+    tried = 0;
 for (const [name, about] of Object.entries(browsers).filter(([name]) => !only || name === only)) {
     if (!programOf(about)) {
         console.log(`SKIPPED: ${name} is not here`);

@@ -13,7 +13,10 @@ const idOf = (name) => `in-${{ theta_deg: "theta", radius: "a", yield_stress: "k
 
 function run(tool, args, input) {
     const done = spawnSync(tool, args, { encoding: "utf8", input, maxBuffer: 1 << 28 });
-    return { ...done, numbers: () => Object.fromEntries(JSON.parse(done.stdout).map(({ quantity, value }) => [quantity, value])) };
+    return {
+        ...done,
+        numbers: () => Object.fromEntries(JSON.parse(done.stdout).map(({ quantity, value }) => [quantity, value])),
+    };
 }
 
 const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text]);
@@ -26,7 +29,11 @@ function assertSame(shown, told, digits, about) {
         assert.ok(name in shown, `${about}: ${name} is not shown`);
         if (typeof value === "string") assert.equal(shown[name], value, `${about}: ${name}`);
         else if (digits < 14) assert.equal(Number(shown[name]), value, `${about}: ${name}`);
-        else assert.ok(Math.abs(Number(shown[name]) - value) <= 2e-13 * Math.abs(value), `${about}: ${name} ${shown[name]}, told ${value}`);
+        else
+            assert.ok(
+                Math.abs(Number(shown[name]) - value) <= 2e-13 * Math.abs(value),
+                `${about}: ${name} ${shown[name]}, told ${value}`,
+            );
         count++;
     }
     assert.ok(count > 12, `${about}: only ${count} numbers`);
@@ -34,23 +41,50 @@ function assertSame(shown, told, digits, about) {
 
 /** 40 cases typed in, read back against the tool to all the digits that are shown: 10, and 14 for every other one. */
 export async function random_cases_answer_as_the_tool({ session, file, tool }) {
-    const page = await openPage(session, file), next = chance(20261122);
+    const page = await openPage(session, file),
+        next = chance(20261122);
     let solved = 0;
     for (let i = 0; i < 40; i++) {
-        const texts = randomCase(next, i), digits = i % 2 ? 14 : 10;
-        const told = run(tool, ["solve", ...optionsOf(texts), "--yield-factor", "--format", "json", "--digits", String(digits)]);
+        const texts = randomCase(next, i),
+            digits = i % 2 ? 14 : 10;
+        const told = run(tool, [
+            "solve",
+            ...optionsOf(texts),
+            "--yield-factor",
+            "--format",
+            "json",
+            "--digits",
+            String(digits),
+        ]);
         await reopen(page, file, `#E1=1&digits=${digits}`);
         for (const name of ["theta_deg", "radius", "yield_stress"].filter((one) => one in texts))
-            await page.evaluate((id, way) => { const select = document.getElementById(id).parentElement.querySelector("select"); select.value = way; select.dispatchEvent(new Event("change")); }, idOf(name), name);
-        await enter(page, Object.fromEntries(Object.entries(texts).map(([name, text]) => [idOf(name), i % 4 === 3 ? text.replace(".", ",") : text])));
-        const [colour, status] = await statusOf(page), about = `case ${i}, ${JSON.stringify(texts)}`;
+            await page.evaluate(
+                (id, way) => {
+                    const select = document.getElementById(id).parentElement.querySelector("select");
+                    select.value = way;
+                    select.dispatchEvent(new Event("change"));
+                },
+                idOf(name),
+                name,
+            );
+        await enter(
+            page,
+            Object.fromEntries(
+                Object.entries(texts).map(([name, text]) => [idOf(name), i % 4 === 3 ? text.replace(".", ",") : text]),
+            ),
+        );
+        const [colour, status] = await statusOf(page),
+            about = `case ${i}, ${JSON.stringify(texts)}`;
         if (told.status !== 0) {
             assert.match(colour, /red/, `${about}: ${status}; the tool: ${told.stderr}`);
             continue;
         }
         assertSame(await shownNumbers(page), told.numbers(), digits, about);
         const remarks = told.numbers().warnings;
-        assert.ok(!remarks || /YIELDS/.test(status) || status.includes(remarks), `${about}: ${status}, told ${remarks}`);
+        assert.ok(
+            !remarks || /YIELDS/.test(status) || status.includes(remarks),
+            `${about}: ${status}, told ${remarks}`,
+        );
         solved++;
     }
     assert.ok(solved >= 25, `only ${solved} of 40 cases have an answer`);
@@ -65,7 +99,12 @@ export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
     await page.keyboard.press("End");
     for (let i = 0; i < 3; i++) await page.keyboard.press("Backspace");
     await page.keyboard.type("250,5");
-    assertSame(await shownNumbers(page), run(tool, ["solve", ...optionsOf({ ...usual, P: "250.5" }), "--digits", "6", "--format", "json"]).numbers(), 6, "typed");
+    assertSame(
+        await shownNumbers(page),
+        run(tool, ["solve", ...optionsOf({ ...usual, P: "250.5" }), "--digits", "6", "--format", "json"]).numbers(),
+        6,
+        "typed",
+    );
     await page.focus("#tab-contact");
     await page.keyboard.press("ArrowRight");
     assert.equal(await page.evaluate(() => document.activeElement.id), "tab-stress");
@@ -75,22 +114,42 @@ export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
         await page.keyboard.press("Tab");
         order.push(await page.evaluate(() => document.activeElement.id));
     }
-    for (const id of ["in-P", "in-Q", "in-theta", "in-E1", "tab-stress"]) assert.ok(order.includes(id), `Tab does not reach ${id}: ${order}`);
+    for (const id of ["in-P", "in-Q", "in-theta", "in-E1", "tab-stress"])
+        assert.ok(order.includes(id), `Tab does not reach ${id}: ${order}`);
     await page.close();
 }
 
 const bad = {
-    E1: ["-1", "a number above 0"], nu1: ["0.6", "a number from 0 to 0.5"], E2: ["0", "a number above 0, or inf"], nu2: ["-0.1", "a number from 0 to 0.5"],
-    theta: ["2", "above 0 and below pi/2"], theta_deg: ["90", "above 0 and below 90"], a: ["-0.1", "a number not below 0"], radius: ["x", "a number not below 0"],
-    P: ["0", "a number above 0"], M: ["1.2.3", "a number"], Q: ["20 N", "a number"], sigma: ["1,234.5", "a number"], f: ["-0.1", "a number from 0 to 1000000"],
-    k: ["1e61", "1e-60 to 1e60"], yield_stress: ["", "k"],
+    E1: ["-1", "a number above 0"],
+    nu1: ["0.6", "a number from 0 to 0.5"],
+    E2: ["0", "a number above 0, or inf"],
+    nu2: ["-0.1", "a number from 0 to 0.5"],
+    theta: ["2", "above 0 and below pi/2"],
+    theta_deg: ["90", "above 0 and below 90"],
+    a: ["-0.1", "a number not below 0"],
+    radius: ["x", "a number not below 0"],
+    P: ["0", "a number above 0"],
+    M: ["1.2.3", "a number"],
+    Q: ["20 N", "a number"],
+    sigma: ["1,234.5", "a number"],
+    f: ["-0.1", "a number from 0 to 1000000"],
+    k: ["1e61", "1e-60 to 1e60"],
+    yield_stress: ["", "k"],
 };
 
 export async function each_bad_input_is_named({ session, file }) {
     const page = await openPage(session, file);
     for (const [name, [text, words]] of Object.entries(bad)) {
         const texts = { ...usual, ...(name === "E2" || name === "nu2" ? { E2: "70000", nu2: "0.3" } : {}) };
-        for (const [one, other] of [["theta", "theta_deg"], ["a", "radius"], ["k", "yield_stress"]]) if (name === other) { delete texts[one]; texts[other] = "5"; }
+        for (const [one, other] of [
+            ["theta", "theta_deg"],
+            ["a", "radius"],
+            ["k", "yield_stress"],
+        ])
+            if (name === other) {
+                delete texts[one];
+                texts[other] = "5";
+            }
         await reopen(page, file, asAddress(texts));
         await enter(page, { [idOf(name)]: text });
         const [colour, status] = await statusOf(page);
@@ -98,16 +157,22 @@ export async function each_bad_input_is_named({ session, file }) {
             assert.match(status, /CAUTION: no yield stress is given, so there is no safety/);
         } else {
             assert.match(colour, /red/, `${name} = ${text}: ${status}`);
-            assert.ok(status.startsWith(`CHECK THE INPUTS: ${name} must be `) && status.includes(words), `${name} = ${text}: ${status}`);
+            assert.ok(
+                status.startsWith(`CHECK THE INPUTS: ${name} must be `) && status.includes(words),
+                `${name} = ${text}: ${status}`,
+            );
             assert.equal(await page.$eval(`#${idOf(name)}`, (e) => e.getAttribute("aria-invalid")), "true");
             assert.ok((await page.$eval(`#${idOf(name)}-note`, (e) => e.textContent)).includes(words));
         }
     }
     await reopen(page, file, asAddress(usual));
     for (const [texts, words] of [
-        [{ "in-P": "" }, "CHECK THE INPUTS: P is missing"], [{ "in-P": "190", "in-Q": "50" }, "SLIDES: Q is above f P, there is no equilibrium."],
-        [{ "in-Q": "20", "in-M": "1e12" }, "in magnitude: more lays a flank on the surface"], [{ "in-M": "0", "in-sigma": "5000" }, "sigma may change by"],
-        [{ "in-sigma": "0", "in-P": "900" }, "YIELDS: P is above the load at first yield."], [{ "in-P": "190", "in-E2": "70000" }, "E2 and nu2: give both"],
+        [{ "in-P": "" }, "CHECK THE INPUTS: P is missing"],
+        [{ "in-P": "190", "in-Q": "50" }, "SLIDES: Q is above f P, there is no equilibrium."],
+        [{ "in-Q": "20", "in-M": "1e12" }, "in magnitude: more lays a flank on the surface"],
+        [{ "in-M": "0", "in-sigma": "5000" }, "sigma may change by"],
+        [{ "in-sigma": "0", "in-P": "900" }, "YIELDS: P is above the load at first yield."],
+        [{ "in-P": "190", "in-E2": "70000" }, "E2 and nu2: give both"],
         [{ "in-nu2": "0.3" }, "CAUTION: Dundurs' beta is not 0"],
     ]) {
         await enter(page, texts);
@@ -117,29 +182,66 @@ export async function each_bad_input_is_named({ session, file }) {
 }
 
 export async function a_thousand_pasted_rows_are_solved({ session, file, tool }) {
-    const names = ["case", "E1", "nu1", "theta", "a", "P", "Q", "f", "k"], next = chance(7);
+    const names = ["case", "E1", "nu1", "theta", "a", "P", "Q", "f", "k"],
+        next = chance(7);
     const rows = Array.from({ length: 1000 }, (_, i) => {
-        const P = 50 + 400 * next(), f = 0.1 + 0.5 * next();
-        return [`row ${i}`, 210000, 0.3, (0.005 + 0.03 * next()).toFixed(5), (0.02 + 0.5 * next()).toFixed(4), P.toFixed(2), (i % 50 === 49 ? 2 * f * P : 0.8 * f * P).toFixed(3), f.toFixed(3), 400];
+        const P = 50 + 400 * next(),
+            f = 0.1 + 0.5 * next();
+        return [
+            `row ${i}`,
+            210000,
+            0.3,
+            (0.005 + 0.03 * next()).toFixed(5),
+            (0.02 + 0.5 * next()).toFixed(4),
+            P.toFixed(2),
+            (i % 50 === 49 ? 2 * f * P : 0.8 * f * P).toFixed(3),
+            f.toFixed(3),
+            400,
+        ];
     });
-    const told = run(tool, ["solve", "--input", "-", "--format", "csv"], [names, ...rows].map((row) => row.join(",")).join("\n") + "\n").stdout.trim().split("\n").map((line) => line.split(","));
+    const told = run(
+        tool,
+        ["solve", "--input", "-", "--format", "csv"],
+        [names, ...rows].map((row) => row.join(",")).join("\n") + "\n",
+    )
+        .stdout.trim()
+        .split("\n")
+        .map((line) => line.split(","));
     const page = await openPage(session, file, "#E1=1&tab=batch");
     const began = Date.now();
     await enter(page, { batch: [names, ...rows].map((row) => row.join("\t")).join("\n") });
     const took = Date.now() - began;
-    await page.evaluate(() => (navigator.clipboard ? (navigator.clipboard.writeText = async (text) => { window.copied = text; }) : (document.execCommand = () => { window.copied = document.activeElement.value; return true; })));
-    await page.evaluate(() => [...document.querySelectorAll("button")].find((b) => b.textContent.startsWith("Copy the solved")).click());
+    await page.evaluate(() =>
+        navigator.clipboard
+            ? (navigator.clipboard.writeText = async (text) => {
+                  window.copied = text;
+              })
+            : (document.execCommand = () => {
+                  window.copied = document.activeElement.value;
+                  return true;
+              }),
+    );
+    await page.evaluate(() =>
+        [...document.querySelectorAll("button")].find((b) => b.textContent.startsWith("Copy the solved")).click(),
+    );
     await pause(200);
-    const found = (await page.evaluate(() => window.copied)).trimEnd().split("\n").map((line) => line.split("\t"));
+    const found = (await page.evaluate(() => window.copied))
+        .trimEnd()
+        .split("\n")
+        .map((line) => line.split("\t"));
     assert.equal(found.length, 1001);
     assert.deepEqual(found[0], told[0]);
     let refused = 0;
     for (let i = 1; i < found.length; i++) {
         if (found[i].at(-1) !== "") refused++;
-        else found[i].forEach((cell, k) => {
-            const [a, b] = [Number(cell), Number(told[i][k])];
-            assert.ok(cell === told[i][k] || Math.abs(a - b) <= 1e-11 * Math.abs(b), `row ${i}, ${told[0][k]}: ${cell}, told ${told[i][k]}`);
-        });
+        else
+            found[i].forEach((cell, k) => {
+                const [a, b] = [Number(cell), Number(told[i][k])];
+                assert.ok(
+                    cell === told[i][k] || Math.abs(a - b) <= 1e-11 * Math.abs(b),
+                    `row ${i}, ${told[0][k]}: ${cell}, told ${told[i][k]}`,
+                );
+            });
     }
     assert.equal(refused, 20);
     await page.close();
@@ -148,12 +250,25 @@ export async function a_thousand_pasted_rows_are_solved({ session, file, tool })
 
 export async function an_address_brings_the_state_back({ session, file }) {
     const first = await openPage(session, file);
-    await enter(first, { "in-P": "123,5", "in-M": "2", "in-sigma": "7", "set-units": "in", "set-digits": "14", "set-sign": "," });
+    await enter(first, {
+        "in-P": "123,5",
+        "in-M": "2",
+        "in-sigma": "7",
+        "set-units": "in",
+        "set-digits": "14",
+        "set-sign": ",",
+    });
     await openTab(first, "stress");
     await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0.02" });
     await pause(600);
-    const hash = await first.evaluate(() => location.hash), second = await openPage(session, file, hash);
-    const seen = (page) => page.evaluate(() => ({ inputs: [...document.querySelectorAll("input[type=text], select")].map((e) => [e.id, e.value]), text: document.querySelector("main").innerText, plot: document.querySelector('[role="tabpanel"]:not([hidden]) svg').outerHTML }));
+    const hash = await first.evaluate(() => location.hash),
+        second = await openPage(session, file, hash);
+    const seen = (page) =>
+        page.evaluate(() => ({
+            inputs: [...document.querySelectorAll("input[type=text], select")].map((e) => [e.id, e.value]),
+            text: document.querySelector("main").innerText,
+            plot: document.querySelector('[role="tabpanel"]:not([hidden]) svg').outerHTML,
+        }));
     assert.deepEqual(await seen(second), await seen(first));
     await first.close();
     await second.close();
@@ -162,7 +277,8 @@ export async function an_address_brings_the_state_back({ session, file }) {
 export async function a_slider_redraws_at_once({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "stress" }));
     const times = await page.evaluate(() => {
-        const slider = document.querySelector("input[type=range]"), found = [];
+        const slider = document.querySelector("input[type=range]"),
+            found = [];
         for (let i = 0; i < 80; i++) {
             slider.value = String((i * 37) % 120);
             slider.dispatchEvent(new Event("input"));
@@ -185,15 +301,28 @@ export async function plots_are_saved({ session, file }) {
             window.files = [];
             URL.createObjectURL = (blob) => (window.files.push(blob), "#");
         });
-        await page.evaluate(() => document.querySelectorAll('[role="tabpanel"]:not([hidden]) .save button').forEach((button) => button.click()));
+        await page.evaluate(() =>
+            document
+                .querySelectorAll('[role="tabpanel"]:not([hidden]) .save button')
+                .forEach((button) => button.click()),
+        );
         await pause(1500);
-        const files = await page.evaluate(() => Promise.all(window.files.map(async (blob) => [blob.type, blob.size, (await blob.text()).slice(0, 3000)])));
+        const files = await page.evaluate(() =>
+            Promise.all(window.files.map(async (blob) => [blob.type, blob.size, (await blob.text()).slice(0, 3000)])),
+        );
         const of = (type) => files.filter((one) => one[0] === type);
         const plots = tab === "cycle" ? 3 : 1;
-        assert.deepEqual(["image/svg+xml", "image/png", "text/csv"].map((type) => of(type).length), [plots, plots, plots], `${tab}: ${files.map((f) => f[0])}`);
-        for (const [, , text] of of("image/svg+xml")) assert.ok(text.startsWith("<svg") && !/var\(--/.test(text), `${tab}: ${text.slice(0, 200)}`);
-        for (const [, size, text] of of("image/png")) assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
-        for (const [, , text] of of("text/csv")) assert.ok(/^\w+(,\w+)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
+        assert.deepEqual(
+            ["image/svg+xml", "image/png", "text/csv"].map((type) => of(type).length),
+            [plots, plots, plots],
+            `${tab}: ${files.map((f) => f[0])}`,
+        );
+        for (const [, , text] of of("image/svg+xml"))
+            assert.ok(text.startsWith("<svg") && !/var\(--/.test(text), `${tab}: ${text.slice(0, 200)}`);
+        for (const [, size, text] of of("image/png"))
+            assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
+        for (const [, , text] of of("text/csv"))
+            assert.ok(/^\w+(,\w+)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
     }
     await page.close();
 }
@@ -202,41 +331,71 @@ export async function a_case_goes_out_as_a_command_and_as_python({ session, file
     const page = await openPage(session, file, asAddress(usual));
     await page.evaluate(() => (document.querySelector("#case details").open = true));
     await pause(100);
-    const [command, program] = await page.evaluate(() => ["as-command", "as-python"].map((id) => document.getElementById(id).textContent));
+    const [command, program] = await page.evaluate(() =>
+        ["as-command", "as-python"].map((id) => document.getElementById(id).textContent),
+    );
     const shown = await shownNumbers(page);
     await page.close();
-    assertSame(shown, run("sh", ["-c", `${command.replace(/^rwedge/, `'${tool}'`)} --format json --digits 6`]).numbers(), 6, command);
+    assertSame(
+        shown,
+        run("sh", ["-c", `${command.replace(/^rwedge/, `'${tool}'`)} --format json --digits 6`]).numbers(),
+        6,
+        command,
+    );
     if (!python) return "Python: not tried, its package is not built";
     const told = run(python, ["-c", program]);
     assert.equal(told.status, 0, told.stderr);
-    const lines = Object.fromEntries(told.stdout.trim().split("\n").map((line) => line.split(" ")));
-    for (const [name, value] of Object.entries(lines)) assert.equal(Number(Number(value).toPrecision(6)), Number(shown[name]), `Python: ${name}`);
+    const lines = Object.fromEntries(
+        told.stdout
+            .trim()
+            .split("\n")
+            .map((line) => line.split(" ")),
+    );
+    for (const [name, value] of Object.entries(lines))
+        assert.equal(Number(Number(value).toPrecision(6)), Number(shown[name]), `Python: ${name}`);
     return `Python: ${Object.keys(lines).length} numbers`;
 }
 
 export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
-    const cycles = ["P\tQ\n190\t20\n190\t-20", "P,Q\n190,30\n120,-10\n190,5\n", "P\tM\tQ\tsigma\n190\t2\t0\t0\n190\t2\t20\t0\n190\t2\t-20\t0"];
+    const cycles = [
+        "P\tQ\n190\t20\n190\t-20",
+        "P,Q\n190,30\n120,-10\n190,5\n",
+        "P\tM\tQ\tsigma\n190\t2\t0\t0\n190\t2\t20\t0\n190\t2\t-20\t0",
+    ];
     const page = await openPage(session, file);
     for (const loads of cycles) {
         await reopen(page, file, asAddress(usual, { tab: "cycle" }));
         await enter(page, { loads });
         const { P, Q, ...rest } = usual;
         const told = run(tool, ["fretting", "-", ...optionsOf(rest)], loads.replaceAll("\t", ","));
-        const worst = Object.fromEntries([...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], Number(m[2])]));
+        const worst = Object.fromEntries(
+            [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], Number(m[2])]),
+        );
         const shown = await shownNumbers(page);
         assert.ok(Object.keys(worst).length >= 3, told.stderr);
         for (const [name, value] of Object.entries(worst))
-            assert.ok(Math.abs(Number(shown[name]) - value) <= 2e-6 * Math.abs(value), `${JSON.stringify(loads)}: ${name} ${shown[name]}, told ${value}`);
+            assert.ok(
+                Math.abs(Number(shown[name]) - value) <= 2e-6 * Math.abs(value),
+                `${JSON.stringify(loads)}: ${name} ${shown[name]}, told ${value}`,
+            );
     }
     await page.close();
 }
 
 export async function the_measures_are_the_librarys({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
-    const place = await page.evaluate(() => document.querySelector(".stage + .save + p").textContent.match(/stress: (\S+) MPa at x = (\S+), y = (\S+) mm/).slice(1));
+    const place = await page.evaluate(() =>
+        document
+            .querySelector(".stage + .save + p")
+            .textContent.match(/stress: (\S+) MPa at x = (\S+), y = (\S+) mm/)
+            .slice(1),
+    );
     await enter(page, { "probe-x": place[1], "probe-y": place[2] });
     const shown = await shownNumbers(page);
-    assert.ok(Math.abs(Number(shown.von_mises) - Number(place[0])) <= 1e-12 * Number(place[0]), `${shown.von_mises}, ${place}`);
+    assert.ok(
+        Math.abs(Number(shown.von_mises) - Number(place[0])) <= 1e-12 * Number(place[0]),
+        `${shown.von_mises}, ${place}`,
+    );
     await page.close();
 }
 
@@ -258,7 +417,17 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
             await reopen(page, file, asAddress(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" }));
             if (dark) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
             await page.evaluate(source);
-            const found = await page.evaluate(async () => (await window.axe.run()).violations.filter((v) => ["serious", "critical"].includes(v.impact)).map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).slice(0, 3).join(" | ")}`));
+            const found = await page.evaluate(async () =>
+                (await window.axe.run()).violations
+                    .filter((v) => ["serious", "critical"].includes(v.impact))
+                    .map(
+                        (v) =>
+                            `${v.id}: ${v.nodes
+                                .map((n) => n.html.slice(0, 120))
+                                .slice(0, 3)
+                                .join(" | ")}`,
+                    ),
+            );
             assert.deepEqual(found, [], `${tab}, ${scheme}`);
         }
     await page.close();
@@ -267,5 +436,8 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
 /** What was said and asked for in all the others: axe-core's own letters are data, and ask no one. */
 export function nothing_is_said_and_nothing_asked_for({ session }) {
     assert.deepEqual(session.said, []);
-    assert.deepEqual(session.asked.filter((url) => !/^(file:\/\/[^#]*rounded-wedge\.html|about:|data:|blob:)/.test(url)), []);
+    assert.deepEqual(
+        session.asked.filter((url) => !/^(file:\/\/[^#]*rounded-wedge\.html|about:|data:|blob:)/.test(url)),
+        [],
+    );
 }

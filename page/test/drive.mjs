@@ -4,7 +4,11 @@ import { spawnSync } from "node:child_process";
 import puppeteer from "puppeteer-core";
 
 export const browsers = {
-    chromium: { names: ["chromium", "chromium-browser", "google-chrome"], browser: "chrome", args: ["--no-sandbox", "--disable-background-networking"] },
+    chromium: {
+        names: ["chromium", "chromium-browser", "google-chrome"],
+        browser: "chrome",
+        args: ["--no-sandbox", "--disable-background-networking"],
+    },
     firefox: { names: ["firefox-esr", "firefox"], browser: "firefox", args: [] },
 };
 
@@ -16,7 +20,13 @@ export function programOf({ names }) {
 
 /** The browser, and what it said and asked for since it began. */
 export async function openBrowser(about) {
-    const browser = await puppeteer.launch({ browser: about.browser, executablePath: programOf(about), args: about.args, headless: true, protocolTimeout: 300000 });
+    const browser = await puppeteer.launch({
+        browser: about.browser,
+        executablePath: programOf(about),
+        args: about.args,
+        headless: true,
+        protocolTimeout: 300000,
+    });
     return { browser, said: [], asked: [] };
 }
 
@@ -50,8 +60,16 @@ export const enter = (page, texts) =>
 
 /** The numbers of the tab that is seen, by their names. */
 export const shownNumbers = (page) =>
-    page.evaluate(() => Object.fromEntries([...document.querySelectorAll('[role="tabpanel"]:not([hidden]) [data-name]')].map((cell) => [cell.dataset.name, cell.textContent])));
+    page.evaluate(() =>
+        Object.fromEntries(
+            [...document.querySelectorAll('[role="tabpanel"]:not([hidden]) [data-name]')].map((cell) => [
+                cell.dataset.name,
+                cell.textContent,
+            ]),
+        ),
+    );
 
-export const statusOf = (page) => page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);
+export const statusOf = (page) =>
+    page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);
 export const openTab = (page, name) => page.evaluate((id) => document.getElementById(id).click(), `tab-${name}`);
 export const pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));

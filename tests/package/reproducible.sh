@@ -148,7 +148,7 @@ generate "$work/other" "$work/other-build/cli/rwedge"
 compare "another math library" "$work/other"
 
 # What such a build says when it is asked for a spreadsheet file, and that it writes none.
-for test in spreadsheet workbook; do
+for test in files/spreadsheet workbook/workbook; do
     sh tests/cli/$test.sh "$work/other-build/cli/rwedge" tests/data >"$work/said" 2>&1 && ended=0 || ended=$?
     [ $ended = 77 ] && grep -q 'this build has no libxlsxwriter' "$work/said" ||
         { echo "FAILED: without libxlsxwriter, tests/cli/$test.sh ends with status $ended and says:"; cat "$work/said"; exit 1; }

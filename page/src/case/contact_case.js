@@ -15,7 +15,14 @@ function needsFriction(texts) {
 /** Complaints about what is missing or there twice, each with the input that it is shown at. */
 function incomplete(texts, withLoads) {
     const complaints = [];
-    const needed = ["E1", "nu1", "theta", "a", ...(withLoads ? ["P"] : []), ...(needsFriction(texts) || !withLoads ? ["f"] : [])];
+    const needed = [
+        "E1",
+        "nu1",
+        "theta",
+        "a",
+        ...(withLoads ? ["P"] : []),
+        ...(needsFriction(texts) || !withLoads ? ["f"] : []),
+    ];
     for (const name of needed) {
         const other = alternatives[name];
         if (!isGiven(texts, name) && !(other && isGiven(texts, other)))
@@ -26,18 +33,30 @@ function incomplete(texts, withLoads) {
             complaints.push({ input: other, text: `${one} and ${other}: give one of the two` });
     const [E2, nu2] = [isGiven(texts, "E2"), isGiven(texts, "nu2")];
     if (E2 !== nu2 && !(E2 && readInput("E2", texts.E2).value === Infinity))
-        complaints.push({ input: E2 ? "nu2" : "E2", text: "E2 and nu2: give both, or neither for two bodies of one material" });
+        complaints.push({
+            input: E2 ? "nu2" : "E2",
+            text: "E2 and nu2: give both, or neither for two bodies of one material",
+        });
     return complaints;
 }
 
 function fill(value) {
     const { E1, nu1 } = value;
-    const E2 = value.E2 ?? E1, nu2 = value.nu2 ?? nu1;
+    const E2 = value.E2 ?? E1,
+        nu2 = value.nu2 ?? nu1;
     const theta = value.theta ?? value.theta_deg * RADIANS_PER_DEGREE;
     return {
-        E1, nu1, E2, nu2, theta,
+        E1,
+        nu1,
+        E2,
+        nu2,
+        theta,
         a: value.a ?? rwedge.rounding(theta, value.radius),
-        P: value.P ?? 0, M: value.M ?? 0, Q: value.Q ?? 0, sigma: value.sigma ?? 0, f: value.f ?? 0,
+        P: value.P ?? 0,
+        M: value.M ?? 0,
+        Q: value.Q ?? 0,
+        sigma: value.sigma ?? 0,
+        f: value.f ?? 0,
         k: value.k ?? (value.yield_stress ?? NaN) / SQRT_3,
         A: rwedge.compliance(E1, nu1, E2, nu2),
         beta: rwedge.dundurs_beta(E1, nu1, E2, nu2),
@@ -58,7 +77,11 @@ export function readCase(texts, { withLoads = true } = {}) {
     if (complaints.length > 0) return { complaints };
     const what = fill(value);
     if (!isNormal(what.A) || !isNormal(what.theta / what.A) || !Number.isFinite(what.a))
-        return { complaints: [{ text: "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60" }] };
+        return {
+            complaints: [
+                { text: "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60" },
+            ],
+        };
     return { what };
 }
 

@@ -11,8 +11,21 @@ export const alternatives = { theta: "theta_deg", a: "radius", k: "yield_stress"
 
 /** What one input is. */
 export const dimensions = {
-    E1: "stress", nu1: "none", E2: "stress", nu2: "none", theta: "rad", theta_deg: "deg", a: "length", radius: "length",
-    P: "force/length", M: "force", Q: "force/length", sigma: "stress", f: "none", k: "stress", yield_stress: "stress",
+    E1: "stress",
+    nu1: "none",
+    E2: "stress",
+    nu2: "none",
+    theta: "rad",
+    theta_deg: "deg",
+    a: "length",
+    radius: "length",
+    P: "force/length",
+    M: "force",
+    Q: "force/length",
+    sigma: "stress",
+    f: "none",
+    k: "stress",
+    yield_stress: "stress",
 };
 
 export const isGiven = (texts, name) => (texts[name] ?? "").trim() !== "";
@@ -27,7 +40,9 @@ export function readInput(name, text) {
     if (rigid && name === "E2") return { value: Infinity };
     const value = readNumber(text);
     if (!Number.isFinite(value) || !isIn(value, input))
-        return { complaint: `${name} must be ${input.domain}${rigid && name === "E1" ? "; a rigid body is body 2" : ""}` };
+        return {
+            complaint: `${name} must be ${input.domain}${rigid && name === "E1" ? "; a rigid body is body 2" : ""}`,
+        };
     const size = Math.abs(value);
     if (withoutSize.includes(name) || size === 0 || (size >= 1e-60 && size <= 1e60)) return { value };
     return { complaint: `${name} must be 1e-60 to 1e60 in magnitude${isIn(0, input) ? ", or 0" : ""}` };

@@ -20,7 +20,8 @@ function isInDomain(contact, load) {
 
 /** The magnitude below which a moment lays no flank on the surface, to the digits that are shown. */
 function largestMoment(contact, load) {
-    let allowed = 0, refused = load.M;
+    let allowed = 0,
+        refused = load.M;
     while (Math.abs(refused - allowed) > 1e-7 * Math.abs(refused)) {
         const M = allowed + (refused - allowed) / 2;
         if (isInDomain(contact, { ...load, M })) allowed = M;
@@ -42,7 +43,11 @@ function pathFault(contact, load) {
     const why = `no closed form: ${contact.obstacle(load.P, load.M, load.Q, load.sigma)}`;
     const most = contact.largest_tension_step(load.Q);
     const isStep = load.P === last.P && load.M === last.M && Math.abs(load.sigma - last.sigma) > most;
-    return { input: "sigma", text: isStep ? `${why}; sigma may change by ${writeNumber(most, 6)} with this Q` : why, noClosedForm: true };
+    return {
+        input: "sigma",
+        text: isStep ? `${why}; sigma may change by ${writeNumber(most, 6)} with this Q` : why,
+        noClosedForm: true,
+    };
 }
 
 /** Why a contact as it is refuses a load: { input, text }, and whether it slides or has no closed form. */
@@ -50,7 +55,11 @@ export function faultOfLoad(answer, contact, load, f) {
     if (answer === status.EDOMAIN) return domainFault(contact, load);
     if (answer === status.EPATH) return pathFault(contact, load);
     if (answer === status.ESLIDING)
-        return { input: "Q", text: `Q must not exceed f P = ${writeNumber(f * load.P, 6)}: there is no equilibrium`, slides: true };
+        return {
+            input: "Q",
+            text: `Q must not exceed f P = ${writeNumber(f * load.P, 6)}: there is no equilibrium`,
+            slides: true,
+        };
     return { text: reason(answer) };
 }
 

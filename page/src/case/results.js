@@ -8,17 +8,29 @@ export const resultKinds = words.results;
 const WIDTH_MOST = 1e14; // the library looks for first yield up to this b/a
 
 function geometry(what, b, r) {
-    const alpha = what.a / b, unit = what.theta / what.A;
+    const alpha = what.a / b,
+        unit = what.theta / what.A;
     Object.assign(r, {
-        A: what.A, dundurs_beta: what.beta, a: what.a, radius: rwedge.radius(what.theta, what.a), b, a_over_b: alpha,
-        AP_over_theta_b: rwedge.load(alpha), p0: unit * rwedge.peak_pressure(alpha),
-        p_transition: unit * rwedge.transition_pressure(alpha), left: -b, right: b, tilt: 0,
+        A: what.A,
+        dundurs_beta: what.beta,
+        a: what.a,
+        radius: rwedge.radius(what.theta, what.a),
+        b,
+        a_over_b: alpha,
+        AP_over_theta_b: rwedge.load(alpha),
+        p0: unit * rwedge.peak_pressure(alpha),
+        p_transition: unit * rwedge.transition_pressure(alpha),
+        left: -b,
+        right: b,
+        tilt: 0,
     });
 }
 
 /** Without friction there is neither stick nor slip to speak of. */
 function friction(what, b, r) {
-    const alpha = what.a / b, ratio = shearRatio(what), rough = what.f > 0;
+    const alpha = what.a / b,
+        ratio = shearRatio(what),
+        rough = what.f > 0;
     const c = rwedge.stick_width(alpha, Math.abs(ratio));
     const sxx = ratio === 0 ? 0 : rwedge.stress(alpha, what.f, c, -1, 0).sxx;
     r.max_tension = (what.theta / what.A) * sxx;
@@ -53,9 +65,16 @@ function strength(what, b, r) {
 
 /** The pressure's top and its values at x = -a and a have no closed form under a moment. */
 function offCentre(what, contact, r) {
-    const b = contact.half_width(), edges = contact.edges();
+    const b = contact.half_width(),
+        edges = contact.edges();
     if (what.M !== 0)
-        Object.assign(r, { b, a_over_b: what.a / b, AP_over_theta_b: (what.A * what.P) / (what.theta * b), p0: null, p_transition: null });
+        Object.assign(r, {
+            b,
+            a_over_b: what.a / b,
+            AP_over_theta_b: (what.A * what.P) / (what.theta * b),
+            p0: null,
+            p_transition: null,
+        });
     Object.assign(r, { left: edges.left, right: edges.right, tilt: contact.tilt() });
     const sxx = contact.stresses(Float64Array.of(edges.left, edges.right), Float64Array.of(0, 0)).sxx;
     if (!Number.isNaN(what.k)) r.load_over_bk = what.P / b / what.k;
@@ -69,7 +88,8 @@ function offCentre(what, contact, r) {
 
 export function doubtTexts(doubts) {
     const texts = [];
-    for (let bit = 1; rwedge.validity_text(bit) !== ""; bit *= 2) if (doubts & bit) texts.push(rwedge.validity_text(bit));
+    for (let bit = 1; rwedge.validity_text(bit) !== ""; bit *= 2)
+        if (doubts & bit) texts.push(rwedge.validity_text(bit));
     return texts;
 }
 
@@ -93,7 +113,8 @@ export function hardestPlace(what, contact) {
 export function solve(what, contact, yieldFactor = null) {
     const r = Object.fromEntries(resultKinds.map(({ name }) => [name, null]));
     const b = rwedge.half_width(what.theta, what.a, what.A, what.P);
-    if (!(b > 0) || !Number.isFinite(what.a / b)) throw new Error("b: so large or small that results leave 1e-60 to 1e60");
+    if (!(b > 0) || !Number.isFinite(what.a / b))
+        throw new Error("b: so large or small that results leave 1e-60 to 1e60");
     geometry(what, b, r);
     if (isOffCentre(what)) offCentre(what, contact, r);
     else {
@@ -101,7 +122,9 @@ export function solve(what, contact, yieldFactor = null) {
         strength(what, b, r);
     }
     r.yield_factor = yieldFactor;
-    const warnings = doubtTexts(rwedge.validity(what.theta, what.a / r.b, what.beta, what.f, what.k / what.E1, r.safety ?? NaN));
+    const warnings = doubtTexts(
+        rwedge.validity(what.theta, what.a / r.b, what.beta, what.f, what.k / what.E1, r.safety ?? NaN),
+    );
     if (r.safety === Infinity) boundSafety(what, r, warnings);
     r.warnings = warnings.join("; ");
     return r;

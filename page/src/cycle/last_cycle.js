@@ -6,16 +6,29 @@ import { applyNext } from "../case/loads.js";
 const PARTS = 32;
 
 function stateOf(contact, isLoad, Q) {
-    const held = contact.copy(), edges = status.orNull(() => held.edges());
+    const held = contact.copy(),
+        edges = status.orNull(() => held.edges());
     const slip = edges && status.orNull(() => held.slip(Float64Array.of(edges.left, edges.right)));
-    return { contact: held, isLoad, Q, left: edges?.left ?? NaN, right: edges?.right ?? NaN, slipLeft: slip?.[0], slipRight: slip?.[1], slipKnown: !edges || Boolean(slip) };
+    return {
+        contact: held,
+        isLoad,
+        Q,
+        left: edges?.left ?? NaN,
+        right: edges?.right ?? NaN,
+        slipLeft: slip?.[0],
+        slipRight: slip?.[1],
+        slipKnown: !edges || Boolean(slip),
+    };
 }
 
-const between = (from, to, share) => Object.fromEntries(["P", "M", "Q", "sigma"].map((name) => [name, from[name] + (to[name] - from[name]) * share]));
+const between = (from, to, share) =>
+    Object.fromEntries(["P", "M", "Q", "sigma"].map((name) => [name, from[name] + (to[name] - from[name]) * share]));
 
 /** The states on the way to a load, but the last. Where one of them has no closed form, there are none: the whole step has. */
 export function statesOnTheWay(contact, to, parts) {
-    const trial = contact.copy(), from = contact.loads(), states = [];
+    const trial = contact.copy(),
+        from = contact.loads(),
+        states = [];
     for (let i = 1; i < parts; i++) {
         const { P, M, Q, sigma } = between(from, to, i / parts);
         if (status.of(() => trial.apply(P, M, Q, sigma)) !== status.OK) {
@@ -32,9 +45,11 @@ export function statesOnTheWay(contact, to, parts) {
 function goThrough(contact, what, loads, cycles, states) {
     for (let cycle = 1; cycle <= cycles; cycle++)
         for (const [row, load] of loads.entries()) {
-            const isLast = cycle === cycles, before = contact.loads();
+            const isLast = cycle === cycles,
+                before = contact.loads();
             if (isLast && row === 0) states.push(stateOf(contact, false, before.Q));
-            if (isLast && (before.P !== load.P || before.M !== load.M)) states.push(...statesOnTheWay(contact, load, PARTS));
+            if (isLast && (before.P !== load.P || before.M !== load.M))
+                states.push(...statesOnTheWay(contact, load, PARTS));
             const fault = applyNext(contact, load, what.f);
             if (fault) return `row ${row + 1}${cycle > 1 ? `, cycle ${cycle}` : ""}: ${fault.text}`;
             if (isLast) states.push(stateOf(contact, true, load.Q));
@@ -44,7 +59,8 @@ function goThrough(contact, what, loads, cycles, states) {
 
 /** { what, states, loads, slipKnown, free() } or { complaint }. */
 export function lastCycle(what, loads, cycles) {
-    const states = [], contact = new Contact(what.theta, what.a, what.A, what.f);
+    const states = [],
+        contact = new Contact(what.theta, what.a, what.A, what.f);
     const complaint = goThrough(contact, what, loads, cycles, states);
     contact.free();
     const free = () => states.forEach((state) => state.contact.free());

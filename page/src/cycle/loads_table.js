@@ -21,7 +21,8 @@ export function readLoads(text) {
         const load = { P: 0, M: 0, Q: 0, sigma: 0 };
         for (const [name, at] of Object.entries(column)) {
             load[name] = readNumber(row[at] ?? "");
-            if (!Number.isFinite(load[name])) return { complaint: `row ${i + 1}: ${name} must be a number, not '${row[at] ?? ""}'` };
+            if (!Number.isFinite(load[name]))
+                return { complaint: `row ${i + 1}: ${name} must be a number, not '${row[at] ?? ""}'` };
         }
         loads.push(load);
     }

@@ -10,8 +10,14 @@ export const isFriction = (name) => ["slip_range", "ruiz_f1", "ruiz_f2", "energy
 
 /** The stresses after each load: loads * n numbers each, row by row. */
 function stresses({ states }, x) {
-    const loaded = states.filter((state) => state.isLoad), n = x.length, y = new Float64Array(n);
-    const all = { sxx: new Float64Array(loaded.length * n), syy: new Float64Array(loaded.length * n), txy: new Float64Array(loaded.length * n) };
+    const loaded = states.filter((state) => state.isLoad),
+        n = x.length,
+        y = new Float64Array(n);
+    const all = {
+        sxx: new Float64Array(loaded.length * n),
+        syy: new Float64Array(loaded.length * n),
+        txy: new Float64Array(loaded.length * n),
+    };
     loaded.forEach((state, i) => {
         const found = state.contact.stresses(x, y);
         for (const name of ["sxx", "syy", "txy"]) all[name].set(found[name], i * n);
@@ -30,12 +36,19 @@ const degrees = (angles) => angles.map((v) => (v * 180) / Math.PI);
 
 function criticalPlanes({ what }, s, n) {
     const swt = rwedge.smith_watson_topper_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1);
-    const nothing = new Float64Array(n).fill(NaN), largest = most(s.sxx, s.loads, n, 1), smallest = most(s.sxx, s.loads, n, -1);
-    const socie = Number.isNaN(what.k) ? { value: nothing, angle: nothing }
+    const nothing = new Float64Array(n).fill(NaN),
+        largest = most(s.sxx, s.loads, n, 1),
+        smallest = most(s.sxx, s.loads, n, -1);
+    const socie = Number.isNaN(what.k)
+        ? { value: nothing, angle: nothing }
         : rwedge.fatemi_socie_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1, 1 / (SQRT_3 * what.k));
     return {
-        stress_range: largest.map((v, i) => v - smallest[i]), swt: swt.value, swt_angle: degrees(swt.angle),
-        fatemi_socie: socie.value, fs_angle: degrees(socie.angle), tension: largest,
+        stress_range: largest.map((v, i) => v - smallest[i]),
+        swt: swt.value,
+        swt_angle: degrees(swt.angle),
+        fatemi_socie: socie.value,
+        fs_angle: degrees(socie.angle),
+        tension: largest,
     };
 }
 
@@ -47,14 +60,17 @@ function inside({ left, right }, x) {
 
 /** p, q and slip of the places that touch in a state. */
 function touching(state, x) {
-    const at = [], places = [];
+    const at = [],
+        places = [];
     x.forEach((v, i) => {
         const place = inside(state, v);
-        if (!Number.isNaN(place)) at.push(i), places.push(place);
+        if (!Number.isNaN(place)) (at.push(i), places.push(place));
     });
-    const none = new Float64Array(x.length).fill(NaN), found = { p: none, q: none.slice(), slip: none.slice() };
+    const none = new Float64Array(x.length).fill(NaN),
+        found = { p: none, q: none.slice(), slip: none.slice() };
     if (at.length === 0) return found;
-    const { p, q } = state.contact.tractions(Float64Array.from(places)), slip = state.contact.slip(Float64Array.from(places));
+    const { p, q } = state.contact.tractions(Float64Array.from(places)),
+        slip = state.contact.slip(Float64Array.from(places));
     at.forEach((i, k) => ([found.p[i], found.q[i], found.slip[i]] = [p[k], q[k], slip[k]]));
     return found;
 }
@@ -70,7 +86,16 @@ function slipTo(at, slip, limit) {
 
 /** It slips until the edge comes by; the edge's own slip tells how far. */
 function leave(at, x, from, to) {
-    const [edge, slip] = x < to.left ? [[from.left, to.left], [from.slipLeft, to.slipLeft]] : [[from.right, to.right], [from.slipRight, to.slipRight]];
+    const [edge, slip] =
+        x < to.left
+            ? [
+                  [from.left, to.left],
+                  [from.slipLeft, to.slipLeft],
+              ]
+            : [
+                  [from.right, to.right],
+                  [from.slipRight, to.slipRight],
+              ];
     if (!Number.isNaN(to.left)) slipTo(at, slip[0] + ((slip[1] - slip[0]) * (x - edge[0])) / (edge[1] - edge[0]), 0);
     at.touches = false;
 }
@@ -92,7 +117,8 @@ function rubThrough({ what, states }, x, i, found) {
 }
 
 function friction(of, x, tension) {
-    const found = of.states.map((state) => touching(state, x)), nothing = () => new Float64Array(x.length).fill(NaN);
+    const found = of.states.map((state) => touching(state, x)),
+        nothing = () => new Float64Array(x.length).fill(NaN);
     const all = { slip_range: nothing(), ruiz_f1: nothing(), ruiz_f2: nothing(), energy_per_area: nothing() };
     x.forEach((v, i) => {
         const at = rubThrough(of, v, i, found);
@@ -109,6 +135,11 @@ function friction(of, x, tension) {
 /** All measures at places x of the surface, by name; NaN where there is none. The apex of a sharp wedge is none of the places. */
 export function measure(of, x) {
     const planes = criticalPlanes(of, stresses(of, x), x.length);
-    const nothing = Object.fromEntries(["slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area"].map((name) => [name, new Float64Array(x.length).fill(NaN)]));
+    const nothing = Object.fromEntries(
+        ["slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area"].map((name) => [
+            name,
+            new Float64Array(x.length).fill(NaN),
+        ]),
+    );
     return { ...planes, ...(of.slipKnown ? friction(of, x, planes.tension) : nothing) };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of the contact: the wedge as it touches, its loads, the pressure below, the stick zone. Heights are stretched.
 import { escaped } from "../elements.js";
+import { placesAcross } from "../stresses.js";
 
 const box = { width: 640, height: 300, middle: 320, surface: 178, flank: 108, deep: 78 };
 
@@ -11,26 +12,41 @@ function profile({ a, tilt, left, right }) {
 }
 
 function arrow(x1, y1, x2, y2, text, anchor = "middle") {
-    const length = Math.hypot(x2 - x1, y2 - y1), [u, v] = [(x2 - x1) / length, (y2 - y1) / length];
+    const length = Math.hypot(x2 - x1, y2 - y1),
+        [u, v] = [(x2 - x1) / length, (y2 - y1) / length];
     const [x, y] = [x2 - 9 * u, y2 - 9 * v];
     const [textX, textY] = v !== 0 ? [x1 + 8, y1 + 12] : [(x1 + x2) / 2, y1 - 8];
-    return `<path class="arrow" d="M${x1},${y1}L${x},${y}M${x2},${y2}L${x - 5 * v},${y + 5 * u}L${x + 5 * v},${y - 5 * u}Z"/>` +
-        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${v !== 0 ? "start" : anchor}">${text}</text>`;
+    return (
+        `<path class="arrow" d="M${x1},${y1}L${x},${y}M${x2},${y2}L${x - 5 * v},${y + 5 * u}L${x + 5 * v},${y - 5 * u}Z"/>` +
+        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${v !== 0 ? "start" : anchor}">${text}</text>`
+    );
 }
 
 function loads({ M, Q, sigma }) {
     const parts = [arrow(box.middle, 6, box.middle, 52, "P")];
-    if (Q) parts.push(Q > 0 ? arrow(box.middle - 78, 60, box.middle - 22, 60, "Q") : arrow(box.middle + 78, 60, box.middle + 22, 60, "Q"));
+    if (Q)
+        parts.push(
+            Q > 0
+                ? arrow(box.middle - 78, 60, box.middle - 22, 60, "Q")
+                : arrow(box.middle + 78, 60, box.middle + 22, 60, "Q"),
+        );
     if (M) {
-        const [from, to] = M > 0 ? [-1, 1] : [1, -1], c = box.middle;
-        parts.push(`<path class="arc" d="M${c + 34 * from},104A36,26 0 0 ${M > 0 ? 1 : 0} ${c + 34 * to},104"/>`,
-            `<path class="arrow" d="M${c + 34 * to},114l-5,-12h10Z"/><text class="mark" x="${c + 46}" y="90">M</text>`);
+        const [from, to] = M > 0 ? [-1, 1] : [1, -1],
+            c = box.middle;
+        parts.push(
+            `<path class="arc" d="M${c + 34 * from},104A36,26 0 0 ${M > 0 ? 1 : 0} ${c + 34 * to},104"/>`,
+            `<path class="arrow" d="M${c + 34 * to},114l-5,-12h10Z"/><text class="mark" x="${c + 46}" y="90">M</text>`,
+        );
     }
     if (sigma) {
-        const y = box.surface + 62, out = sigma > 0;
-        parts.push(arrow(out ? 594 : 636, y, out ? 636 : 594, y, "\u03c3"), arrow(out ? 46 : 4, y, out ? 4 : 46, y, "\u03c3"));
+        const y = box.surface + 62,
+            out = sigma > 0;
+        parts.push(
+            arrow(out ? 594 : 636, y, out ? 636 : 594, y, "\u03c3"),
+            arrow(out ? 46 : 4, y, out ? 4 : 46, y, "\u03c3"),
+        );
     }
-    return parts.join("").replaceAll('', "");
+    return parts.join("").replaceAll("", "");
 }
 
 const size = (from, to, y, text) =>
@@ -39,7 +55,8 @@ const size = (from, to, y, text) =>
 /** shape: { a, left, right, tilt (over theta), stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
 export function drawingText(shape) {
     const reach = 1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), shape.a);
-    const toX = (x) => box.middle + (x / reach) * 300, height = profile(shape);
+    const toX = (x) => box.middle + (x / reach) * 300,
+        height = profile(shape);
     const most = Math.max(height(reach), height(-reach)) || 1;
     const outline = Array.from({ length: 121 }, (_, i) => {
         const x = reach * (i / 60 - 1);
@@ -48,15 +65,22 @@ export function drawingText(shape) {
     const below = shape.pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.surface + box.deep * p).toFixed(1)}`);
     const [l, r] = [toX(shape.left), toX(shape.right)].map((v) => v.toFixed(1));
     const title = `Wedge on half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
-    return `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+    return (
+        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.height - box.surface}"/>` +
         `<path class="solid" d="M20,34L${outline.join("L")}L620,34Z"/>` +
         `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
-        (below.length ? `<path class="pressure" d="M${l},${box.surface}L${below.join("L")}L${r},${box.surface}Z"/>` : "") +
-        (shape.stickRight > shape.stickLeft ? `<path class="stuck" d="M${toX(shape.stickLeft).toFixed(1)},${box.surface}H${toX(shape.stickRight).toFixed(1)}"/><text class="mark" x="${(toX(shape.stickLeft) + toX(shape.stickRight)) / 2}" y="${box.surface + 16}" text-anchor="middle">sticks</text>` : "") +
+        (below.length
+            ? `<path class="pressure" d="M${l},${box.surface}L${below.join("L")}L${r},${box.surface}Z"/>`
+            : "") +
+        (shape.stickRight > shape.stickLeft
+            ? `<path class="stuck" d="M${toX(shape.stickLeft).toFixed(1)},${box.surface}H${toX(shape.stickRight).toFixed(1)}"/><text class="mark" x="${(toX(shape.stickLeft) + toX(shape.stickRight)) / 2}" y="${box.surface + 16}" text-anchor="middle">sticks</text>`
+            : "") +
         (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 18, "a") : "") +
-        size(+l, +r, box.height - 10, "contact") + loads(shape) +
-        `<text class="mark" x="70" y="62">wedge, body 2</text><text class="mark" x="20" y="${box.height - 12}">half-plane, body 1</text></svg>`;
+        size(+l, +r, box.height - 10, "contact") +
+        loads(shape) +
+        `<text class="mark" x="70" y="62">wedge, body 2</text><text class="mark" x="20" y="${box.height - 12}">half-plane, body 1</text></svg>`
+    );
 }
 
 const schematic = { a: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
@@ -64,11 +88,16 @@ const schematic = { a: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 
 /** The drawing of a case; one of no particular contact where there are no results. */
 export function drawingOf({ what, contact, results }) {
     if (!results) return drawingText(schematic);
-    const half = (results.right - results.left) / 2, middle = (results.left + results.right) / 2;
-    const x = Float64Array.from({ length: 60 }, (_, i) => middle + half * Math.sin((Math.PI / 2) * ((2 * i + 1) / 60 - 1)));
-    const { p } = contact.tractions(x), most = Math.max(...p.map(Math.abs));
+    const x = placesAcross(results.left, results.right, 60);
+    const { p } = contact.tractions(x),
+        most = Math.max(...p.map(Math.abs));
     return drawingText({
-        ...what, left: results.left, right: results.right, tilt: results.tilt / what.theta, stickLeft: results.stick_left, stickRight: results.stick_right,
+        ...what,
+        left: results.left,
+        right: results.right,
+        tilt: results.tilt / what.theta,
+        stickLeft: results.stick_left,
+        stickRight: results.stick_right,
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),
     });
 }

@@ -14,10 +14,21 @@ const groups = [
     { title: "Half-plane", names: ["E1", "nu1", "k", "sigma"], place: "below" },
 ];
 const labels = {
-    P: "Normal load P", Q: "Tangential load Q", M: "Moment M", sigma: "Bulk tension \u03c3", f: "Friction f",
-    theta: "Angle of the flank \u03b8", theta_deg: "Angle of the flank \u03b8", a: "Half-width of rounding a", radius: "Radius of rounding R",
-    E1: "Young\u2019s modulus E\u2081", nu1: "Poisson\u2019s ratio \u03bd\u2081", E2: "Young\u2019s modulus E\u2082", nu2: "Poisson\u2019s ratio \u03bd\u2082",
-    k: "Yield stress in shear k", yield_stress: "Yield stress in tension Y",
+    P: "Normal load P",
+    Q: "Tangential load Q",
+    M: "Moment M",
+    sigma: "Bulk tension \u03c3",
+    f: "Friction f",
+    theta: "Angle of the flank \u03b8",
+    theta_deg: "Angle of the flank \u03b8",
+    a: "Half-width of rounding a",
+    radius: "Radius of rounding R",
+    E1: "Young\u2019s modulus E\u2081",
+    nu1: "Poisson\u2019s ratio \u03bd\u2081",
+    E2: "Young\u2019s modulus E\u2082",
+    nu2: "Poisson\u2019s ratio \u03bd\u2082",
+    k: "Yield stress in shear k",
+    yield_stress: "Yield stress in tension Y",
 };
 const choiceTexts = { theta: "rad", theta_deg: "deg", a: "a", radius: "R", k: "k", yield_stress: "Y" };
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
@@ -26,8 +37,12 @@ const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k
 function converted(from, value, texts) {
     const angle = readNumber(texts.theta ?? "") || (readNumber(texts.theta_deg ?? "") * Math.PI) / 180;
     const other = {
-        theta: (value * 180) / Math.PI, theta_deg: (value * Math.PI) / 180, a: rwedge.radius(angle, value),
-        radius: rwedge.rounding(angle, value), k: value * SQRT_3, yield_stress: value / SQRT_3,
+        theta: (value * 180) / Math.PI,
+        theta_deg: (value * Math.PI) / 180,
+        a: rwedge.radius(angle, value),
+        radius: rwedge.rounding(angle, value),
+        k: value * SQRT_3,
+        yield_stress: value / SQRT_3,
     }[from];
     return Number.isFinite(other) ? writeNumber(other, 15) : "";
 }
@@ -39,13 +54,31 @@ class Field {
         this.state = state;
         this.change = change;
         const id = `in-${name}`;
-        this.input = element("input", { id, type: "text", inputmode: "text", autocomplete: "off", spellcheck: "false", size: 10, "aria-describedby": `${id}-note` });
+        this.input = element("input", {
+            id,
+            type: "text",
+            inputmode: "text",
+            autocomplete: "off",
+            spellcheck: "false",
+            size: 10,
+            "aria-describedby": `${id}-note`,
+        });
         this.label = element("label", { for: id });
         this.unit = element("span", { class: "unit" });
         this.note = element("p", { id: `${id}-note`, class: "note", "aria-live": "polite" });
         this.input.addEventListener("input", () => this.type(this.input.value));
-        this.slider = slider(name, () => this.state, (text) => this.type(text));
-        const row = element("div", { class: "row" }, this.input, this.ways.length > 1 ? this.chooser(name) : "", this.unit);
+        this.slider = slider(
+            name,
+            () => this.state,
+            (text) => this.type(text),
+        );
+        const row = element(
+            "div",
+            { class: "row" },
+            this.input,
+            this.ways.length > 1 ? this.chooser(name) : "",
+            this.unit,
+        );
         this.box = element("div", { class: "field" }, this.label, row, this.slider?.input ?? "", this.note);
     }
 
@@ -60,14 +93,18 @@ class Field {
     }
 
     chooser(name) {
-        this.choice = element("select", { "aria-label": `${labels[name]}, given as` },
-            ...this.ways.map((way) => element("option", { value: way }, choiceTexts[way])));
+        this.choice = element(
+            "select",
+            { "aria-label": `${labels[name]}, given as` },
+            ...this.ways.map((way) => element("option", { value: way }, choiceTexts[way])),
+        );
         this.choice.addEventListener("change", () => this.choose(this.choice.value));
         return this.choice;
     }
 
     choose(way) {
-        const from = this.name, text = this.state.texts[from] ?? "";
+        const from = this.name,
+            text = this.state.texts[from] ?? "";
         const value = isGiven(this.state.texts, from) ? readInput(from, text).value : undefined;
         const other = value === undefined ? text : converted(from, value, this.state.texts);
         for (const each of this.ways) this.state.way[each] = each === way;
@@ -81,11 +118,14 @@ class Field {
         this.label.title = words.inputs[this.name].help;
         this.input.placeholder = hints[this.name] ?? "";
         if (this.choice) this.choice.value = this.name;
-        this.unit.textContent = this.choice && dimensions[this.name].match(/rad|deg/) ? "" : model.unit[dimensions[this.name]];
+        this.unit.textContent =
+            this.choice && dimensions[this.name].match(/rad|deg/) ? "" : model.unit[dimensions[this.name]];
         const wrong = model.faults.filter((fault) => this.ways.includes(fault.input));
         this.input.setAttribute("aria-invalid", wrong.length > 0);
         this.note.className = wrong.length > 0 ? "note bad" : "note";
-        this.note.textContent = wrong.map((fault) => fault.text).join("; ") || (mayBeThousands(text) ? `read as ${readNumber(text)}: the comma is a decimal sign` : "");
+        this.note.textContent =
+            wrong.map((fault) => fault.text).join("; ") ||
+            (mayBeThousands(text) ? `read as ${readNumber(text)}: the comma is a decimal sign` : "");
         this.slider?.show(this.name);
     }
 }

@@ -8,12 +8,12 @@ const steps = 200;
 const valueOf = (texts, name) => (isGiven(texts, name) ? (readInput(name, texts[name]).value ?? NaN) : NaN);
 
 /** From -1 to 1 and back, about the number from which the drag began. */
-const byFactor = {
-    to: (base, share) => base * 10 ** share,
-    from: (base, value) => Math.log10(value / base),
-};
+const byFactor = { to: (base, share) => base * 10 ** share, from: (base, value) => Math.log10(value / base) };
 const ways = {
-    P: byFactor, theta: byFactor, a: byFactor, k: byFactor,
+    P: byFactor,
+    theta: byFactor,
+    a: byFactor,
+    k: byFactor,
     f: { to: (_, share) => (share + 1) / 2, from: (_, value) => 2 * value - 1 },
     Q: { to: (limit, share) => limit * share, from: (limit, value) => (limit > 0 ? value / limit : 0) },
 };
@@ -22,8 +22,15 @@ const ways = {
 export function slider(field, state, type) {
     const way = ways[field];
     if (!way) return null;
-    const input = element("input", { type: "range", min: -steps, max: steps, step: 1, "aria-label": `${field}, slider` });
-    let name = field, base = NaN;
+    const input = element("input", {
+        type: "range",
+        min: -steps,
+        max: steps,
+        step: 1,
+        "aria-label": `${field}, slider`,
+    });
+    let name = field,
+        base = NaN;
     const begin = () => {
         const { texts } = state();
         base = field === "Q" ? (valueOf(texts, "f") || 0) * valueOf(texts, "P") : valueOf(texts, name);

@@ -5,16 +5,16 @@ import { escaped } from "../elements.js";
 
 /** On a narrow screen fewer units across make letters larger. */
 export const narrow = matchMedia("(max-width: 520px)");
-const frames = [{ width: 640, height: 400, left: 70, right: 16, top: 28, bottom: 48 }, { width: 420, height: 340, left: 62, right: 12, top: 28, bottom: 46 }];
+const frames = [
+    { width: 640, height: 400, left: 70, right: 16, top: 28, bottom: 48 },
+    { width: 420, height: 340, left: 62, right: 12, top: 28, bottom: 46 },
+];
 export const frame = () => frames[narrow.matches ? 1 : 0];
 
 /** Scales from the domains of x and y to the frame; y may run downwards. */
 export function scales(x, y, box, down = false) {
     const range = [box.height - box.bottom, box.top];
-    return {
-        x: scaleLinear(x, [box.left, box.width - box.right]),
-        y: scaleLinear(y, down ? range.reverse() : range),
-    };
+    return { x: scaleLinear(x, [box.left, box.width - box.right]), y: scaleLinear(y, down ? range.reverse() : range) };
 }
 
 /** A domain with room around its numbers; never empty. */
@@ -24,28 +24,42 @@ export function roomy([lo, hi], share = 0.05) {
     return [lo === 0 ? 0 : lo - room, hi === 0 ? 0 : hi + room];
 }
 
-const superscript = (n) => String(n).replace(/./g, (c) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c] ?? "\u207b");
+const superscript = (n) =>
+    String(n).replace(/./g, (c) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c] ?? "\u207b");
 
 /** Short ticks: a power of ten that all have goes into the label. */
 function shortened(scale, count) {
-    const ticks = scale.ticks(count), most = Math.max(...ticks.map(Math.abs));
+    const ticks = scale.ticks(count),
+        most = Math.max(...ticks.map(Math.abs));
     const power = most > 0 && (most < 0.01 || most >= 1e5) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
     const text = (tick) => String(Number((tick / 10 ** power).toPrecision(8))).replace("-", "\u2212");
-    return { ticks: ticks.map((tick) => ({ at: scale(tick).toFixed(1), text: text(tick) })), note: power ? `, in 10${superscript(power)}` : "" };
+    return {
+        ticks: ticks.map((tick) => ({ at: scale(tick).toFixed(1), text: text(tick) })),
+        note: power ? `, in 10${superscript(power)}` : "",
+    };
 }
 
 export function axes({ x, y }, xLabel, yLabel, box) {
-    const bottom = box.height - box.bottom, right = box.width - box.right, parts = [];
-    const along = shortened(x, box.width / 90), up = shortened(y, 6);
+    const bottom = box.height - box.bottom,
+        right = box.width - box.right,
+        parts = [];
+    const along = shortened(x, box.width / 90),
+        up = shortened(y, 6);
     for (const { at, text } of along.ticks)
-        parts.push(`<line class="grid" x1="${at}" x2="${at}" y1="${box.top}" y2="${bottom}"/>`,
-            `<text class="tick" x="${at}" y="${bottom + 16}" text-anchor="middle">${text}</text>`);
+        parts.push(
+            `<line class="grid" x1="${at}" x2="${at}" y1="${box.top}" y2="${bottom}"/>`,
+            `<text class="tick" x="${at}" y="${bottom + 16}" text-anchor="middle">${text}</text>`,
+        );
     for (const { at, text } of up.ticks)
-        parts.push(`<line class="grid" x1="${box.left}" x2="${right}" y1="${at}" y2="${at}"/>`,
-            `<text class="tick" x="${box.left - 6}" y="${at}" dy="0.32em" text-anchor="end">${text}</text>`);
+        parts.push(
+            `<line class="grid" x1="${box.left}" x2="${right}" y1="${at}" y2="${at}"/>`,
+            `<text class="tick" x="${box.left - 6}" y="${at}" dy="0.32em" text-anchor="end">${text}</text>`,
+        );
     const middle = (box.top + bottom) / 2;
-    parts.push(`<rect class="frame" x="${box.left}" y="${box.top}" width="${right - box.left}" height="${bottom - box.top}"/>`,
+    parts.push(
+        `<rect class="frame" x="${box.left}" y="${box.top}" width="${right - box.left}" height="${bottom - box.top}"/>`,
         `<text class="label" x="${(box.left + right) / 2}" y="${box.height - 8}" text-anchor="middle">${escaped(xLabel + along.note)}</text>`,
-        `<text class="label" transform="translate(14 ${middle}) rotate(-90)" text-anchor="middle">${escaped(yLabel + up.note)}</text>`);
+        `<text class="label" transform="translate(14 ${middle}) rotate(-90)" text-anchor="middle">${escaped(yLabel + up.note)}</text>`,
+    );
     return parts.join("");
 }

@@ -11,7 +11,8 @@ function between(from, to, share) {
 }
 
 function along(colours, share) {
-    const at = Math.max(0, Math.min(1, share)) * (colours.length - 1), i = Math.min(colours.length - 2, Math.floor(at));
+    const at = Math.max(0, Math.min(1, share)) * (colours.length - 1),
+        i = Math.min(colours.length - 2, Math.floor(at));
     return between(colours[i], colours[i + 1], at - i);
 }
 

@@ -5,20 +5,25 @@ import { escaped } from "../elements.js";
 import { axes, frame, roomy, scales } from "./axes.js";
 
 const extent = (numbers) => {
-    let lo = Infinity, hi = -Infinity;
-    for (const v of numbers) if (Number.isFinite(v)) (lo = Math.min(lo, v)), (hi = Math.max(hi, v));
+    let lo = Infinity,
+        hi = -Infinity;
+    for (const v of numbers) if (Number.isFinite(v)) ((lo = Math.min(lo, v)), (hi = Math.max(hi, v)));
     return [lo, hi];
 };
 
 /** In one line above the frame: it covers no curve. */
 function legend(curves, box) {
     let x = box.left;
-    return curves.map(({ name, style }) => {
-        const at = x;
-        x += 46 + 6.6 * name.length;
-        return `<line class="curve ${style}" x1="${at}" x2="${at + 22}" y1="12" y2="12"/>` +
-            `<text class="legend" x="${at + 27}" y="12" dy="0.32em">${escaped(name)}</text>`;
-    }).join("");
+    return curves
+        .map(({ name, style }) => {
+            const at = x;
+            x += 46 + 6.6 * name.length;
+            return (
+                `<line class="curve ${style}" x1="${at}" x2="${at + 22}" y1="12" y2="12"/>` +
+                `<text class="legend" x="${at + 27}" y="12" dy="0.32em">${escaped(name)}</text>`
+            );
+        })
+        .join("");
 }
 
 /**
@@ -30,18 +35,39 @@ export function curvesText({ title, xLabel, yLabel, curves, bands = [], points =
     const x = xDomain ?? extent(curves.flatMap((c) => extent(c.x)));
     const y = yDomain ?? roomy(extent([0, ...curves.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
     const scale = scales(x, y, box);
-    const path = line().defined(([, v]) => Number.isFinite(v)).x(([u]) => scale.x(u)).y(([, v]) => scale.y(v)).digits(2);
+    const path = line()
+        .defined(([, v]) => Number.isFinite(v))
+        .x(([u]) => scale.x(u))
+        .y(([, v]) => scale.y(v))
+        .digits(2);
     const [top, bottom] = [box.top, box.height - box.bottom];
-    const areas = bands.map((b) =>
-        `<rect class="${b.style}" x="${scale.x(b.from).toFixed(1)}" width="${Math.max(0, scale.x(b.to) - scale.x(b.from)).toFixed(1)}" y="${top}" height="${bottom - top}"><title>${escaped(b.name)}</title></rect>`);
-    const paths = curves.map((c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`);
+    const areas = bands.map(
+        (b) =>
+            `<rect class="${b.style}" x="${scale.x(b.from).toFixed(1)}" width="${Math.max(0, scale.x(b.to) - scale.x(b.from)).toFixed(1)}" y="${top}" height="${bottom - top}"><title>${escaped(b.name)}</title></rect>`,
+    );
+    const paths = curves.map(
+        (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
+    );
     const marks = points.map((p) => {
-        const [u, v] = [scale.x(p.x), scale.y(p.y)], right = u > 0.6 * box.width;
-        return `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
-            `<text class="mark" x="${(u + (right ? -9 : 9)).toFixed(1)}" y="${(v + (p.below ? 20 : -9)).toFixed(1)}" text-anchor="${right ? "end" : "start"}">${escaped(p.name)}</text>`;
+        const [u, v] = [scale.x(p.x), scale.y(p.y)],
+            right = u > 0.6 * box.width;
+        return (
+            `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
+            `<text class="mark" x="${(u + (right ? -9 : 9)).toFixed(1)}" y="${(v + (p.below ? 20 : -9)).toFixed(1)}" text-anchor="${right ? "end" : "start"}">${escaped(p.name)}</text>`
+        );
     });
-    return `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        areas.join("") + axes(scale, xLabel, yLabel, box) + paths.join("") + legend(curves.filter((c) => c.name), box) + marks.join("") + "</svg>";
+    return (
+        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+        areas.join("") +
+        axes(scale, xLabel, yLabel, box) +
+        paths.join("") +
+        legend(
+            curves.filter((c) => c.name),
+            box,
+        ) +
+        marks.join("") +
+        "</svg>"
+    );
 }
 
 /** The curves' numbers as a table: all of one x. */

@@ -6,14 +6,18 @@ import { escaped } from "../elements.js";
 import { axes, narrow, scales } from "./axes.js";
 import { colourOf } from "./colours.js";
 
-const frames = [{ width: 640, height: 424, left: 60, right: 96, top: 14, bottom: 48 }, { width: 420, height: 290, left: 58, right: 74, top: 14, bottom: 46 }];
+const frames = [
+    { width: 640, height: 424, left: 60, right: 96, top: 14, bottom: 48 },
+    { width: 420, height: 290, left: 58, right: 74, top: 14, bottom: 46 },
+];
 const fieldFrame = () => frames[narrow.matches ? 1 : 0];
 const LEVELS = 10;
 
 /** A few of the highest and lowest values may be far from the rest, as near a sharp apex: they set no level. */
 function range(values) {
     const some = Float64Array.from({ length: 1500 }, (_, i) => values[Math.floor((i * values.length) / 1500)]).sort();
-    let lowest = Infinity, highest = -Infinity;
+    let lowest = Infinity,
+        highest = -Infinity;
     for (let i = 0; i < values.length; i++) {
         if (values[i] < lowest) lowest = values[i];
         if (values[i] > highest) highest = values[i];
@@ -35,11 +39,14 @@ function pathOf(polygons, toX, toY) {
 }
 
 function key(levels, colours, box, unit) {
-    const x = box.width - box.right + 12, height = (box.height - box.bottom - box.top - 18) / levels.length;
+    const x = box.width - box.right + 12,
+        height = (box.height - box.bottom - box.top - 18) / levels.length;
     const boxes = levels.map((level, i) => {
         const y = box.top + 18 + (levels.length - 1 - i) * height;
-        return `<rect x="${x}" y="${y.toFixed(1)}" width="16" height="${height.toFixed(1)}" fill="${colours[i]}"/>` +
-            `<text class="tick" x="${x + 20}" y="${(y + height).toFixed(1)}" dy="0.32em">${i === 0 ? "below" : String(Number(level.toPrecision(6))).replace("-", "\u2212")}</text>`;
+        return (
+            `<rect x="${x}" y="${y.toFixed(1)}" width="16" height="${height.toFixed(1)}" fill="${colours[i]}"/>` +
+            `<text class="tick" x="${x + 20}" y="${(y + height).toFixed(1)}" dy="0.32em">${i === 0 ? "below" : String(Number(level.toPrecision(6))).replace("-", "\u2212")}</text>`
+        );
     });
     return `<text class="tick" x="${x}" y="${box.top + 8}">${escaped(unit)}</text>` + boxes.join("");
 }
@@ -49,28 +56,47 @@ function key(levels, colours, box, unit) {
  * points: [{ x, y, name }]; surface: [{ from, to, style, name }] above the frame.
  */
 export function fieldText({ title, values, nx, ny, x0, x1, depth, xLabel, yLabel, unit, points = [], surface = [] }) {
-    const box = fieldFrame(), scale = scales([x0, x1], [0, depth], box, true);
+    const box = fieldFrame(),
+        scale = scales([x0, x1], [0, depth], box, true);
     const [lo, hi] = range(values);
     const levels = [-Infinity, ...ticks(lo, hi, LEVELS).filter((v) => v > lo && v < hi)];
-    const toX = (i) => scale.x(x0 + ((i - 0.5) / (nx - 1)) * (x1 - x0)), toY = (j) => scale.y(((j - 0.5) / (ny - 1)) * depth);
+    const toX = (i) => scale.x(x0 + ((i - 0.5) / (nx - 1)) * (x1 - x0)),
+        toY = (j) => scale.y(((j - 0.5) / (ny - 1)) * depth);
     const find = contours().size([nx, ny]).smooth(true);
     const ends = [...levels.slice(1), hi];
     const colours = levels.map((level, i) => colourOf(((i === 0 ? lo : level) + ends[i]) / 2, lo, hi));
     const [width, height] = [box.width - box.left - box.right, box.height - box.top - box.bottom];
-    const bands = levels.slice(1).map((level, i) =>
-        `<path class="level" fill="${colours[i + 1]}" d="${pathOf(find.contour(values, level).coordinates, toX, toY)}"/>`);
-    const marks = points.map((p) => `<circle class="point" cx="${scale.x(p.x).toFixed(1)}" cy="${scale.y(p.y).toFixed(1)}" r="5"><title>${escaped(p.name)}</title></circle>`);
-    const bars = surface.map((s) => `<line class="${s.style}" x1="${scale.x(s.from).toFixed(1)}" x2="${scale.x(s.to).toFixed(1)}" y1="${box.top - 4}" y2="${box.top - 4}"><title>${escaped(s.name)}</title></line>`);
-    return `<svg class="plot field" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+    const bands = levels
+        .slice(1)
+        .map(
+            (level, i) =>
+                `<path class="level" fill="${colours[i + 1]}" d="${pathOf(find.contour(values, level).coordinates, toX, toY)}"/>`,
+        );
+    const marks = points.map(
+        (p) =>
+            `<circle class="point" cx="${scale.x(p.x).toFixed(1)}" cy="${scale.y(p.y).toFixed(1)}" r="5"><title>${escaped(p.name)}</title></circle>`,
+    );
+    const bars = surface.map(
+        (s) =>
+            `<line class="${s.style}" x1="${scale.x(s.from).toFixed(1)}" x2="${scale.x(s.to).toFixed(1)}" y1="${box.top - 4}" y2="${box.top - 4}"><title>${escaped(s.name)}</title></line>`,
+    );
+    return (
+        `<svg class="plot field" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         `<clipPath id="inside"><rect x="${box.left}" y="${box.top}" width="${width}" height="${height}"/></clipPath>` +
         `<g clip-path="url(#inside)"><rect x="${box.left}" y="${box.top}" width="${width}" height="${height}" fill="${colours[0]}"/>${bands.join("")}</g>` +
-        axes(scale, xLabel, yLabel, box).replaceAll('class="grid"', 'class="none"') + bars.join("") + key(levels, colours, box, unit) + marks.join("") + `<g class="probe"></g></svg>`;
+        axes(scale, xLabel, yLabel, box).replaceAll('class="grid"', 'class="none"') +
+        bars.join("") +
+        key(levels, colours, box, unit) +
+        marks.join("") +
+        `<g class="probe"></g></svg>`
+    );
 }
 
 /** The place under a point of the plot, given in the units of its view box; null outside. */
 export function placeAt(u, v, { x0, x1, depth }) {
     const scale = scales([x0, x1], [0, depth], fieldFrame(), true);
-    const x = scale.x.invert(u), y = scale.y.invert(v);
+    const x = scale.x.invert(u),
+        y = scale.y.invert(v);
     return x >= x0 && x <= x1 && y >= 0 && y <= depth ? { x, y } : null;
 }
 

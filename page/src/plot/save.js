@@ -16,13 +16,17 @@ export function svgText(svg) {
     const [, , width, height] = copy.getAttribute("viewBox").split(" ");
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);
-    copy.insertAdjacentHTML("afterbegin", `<style>${styleOfFile()}</style><rect width="100%" height="100%" fill="#fff"/>`);
+    copy.insertAdjacentHTML(
+        "afterbegin",
+        `<style>${styleOfFile()}</style><rect width="100%" height="100%" fill="#fff"/>`,
+    );
     return new XMLSerializer().serializeToString(copy);
 }
 
 function savePng(name, svg) {
     const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-    const image = new Image(), scale = 2;
+    const image = new Image(),
+        scale = 2;
     image.onload = () => {
         const canvas = element("canvas", { width: scale * width, height: scale * height });
         canvas.getContext("2d").drawImage(image, 0, 0, scale * width, scale * height);
@@ -33,16 +37,24 @@ function savePng(name, svg) {
 
 /** Rows of numbers, columns by name. */
 export const csvText = (names, rows) =>
-    [names.join(","), ...rows.map((row) => row.map((v) => (v === null || Number.isNaN(v) ? "" : v)).join(","))].join("\n") + "\n";
+    [names.join(","), ...rows.map((row) => row.map((v) => (v === null || Number.isNaN(v) ? "" : v)).join(","))].join(
+        "\n",
+    ) + "\n";
 
 /** Three buttons. svg() is the plot, table() is { names, rows }. */
 export function saveButtons(name, svg, table) {
     const button = (form, save) =>
         element("button", { type: "button", "aria-label": `Save ${name} as ${form}`, onclick: save }, form);
     return element(
-        "p", { class: "save" }, "Save as ",
-        button("SVG", () => download(`${name}.svg`, new Blob([svgText(svg())], { type: "image/svg+xml" }))), " ",
-        button("PNG", () => savePng(name, svg())), " ",
-        button("CSV", () => download(`${name}.csv`, new Blob([csvText(table().names, table().rows)], { type: "text/csv" }))),
+        "p",
+        { class: "save" },
+        "Save as ",
+        button("SVG", () => download(`${name}.svg`, new Blob([svgText(svg())], { type: "image/svg+xml" }))),
+        " ",
+        button("PNG", () => savePng(name, svg())),
+        " ",
+        button("CSV", () =>
+            download(`${name}.csv`, new Blob([csvText(table().names, table().rows)], { type: "text/csv" })),
+        ),
     );
 }

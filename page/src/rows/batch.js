@@ -12,8 +12,11 @@ const pairs = [...Object.entries(alternatives), ["E2", "nu2"]];
 
 /** The inputs of the case that no column has, and none the other way. */
 function constantsFor(names, texts) {
-    const isColumn = (input) => names.includes(input) || pairs.some((pair) => pair.includes(input) && pair.some((one) => names.includes(one)));
-    return Object.fromEntries(inputNames.filter((input) => isGiven(texts, input) && !isColumn(input)).map((input) => [input, texts[input]]));
+    const isColumn = (input) =>
+        names.includes(input) || pairs.some((pair) => pair.includes(input) && pair.some((one) => names.includes(one)));
+    return Object.fromEntries(
+        inputNames.filter((input) => isGiven(texts, input) && !isColumn(input)).map((input) => [input, texts[input]]),
+    );
 }
 
 function textsOf(row, column, constants) {
@@ -32,7 +35,8 @@ function gapIn(texts, column) {
 /** { results } or { error }. */
 function solveRow(row, names, column, constants) {
     if (row.length !== names.length) return { error: `${row.length} cells in this row, ${names.length} in the header` };
-    const texts = textsOf(row, column, constants), gap = gapIn(texts, column);
+    const texts = textsOf(row, column, constants),
+        gap = gapIn(texts, column);
     if (gap) return { error: gap };
     const { what, complaints } = readCase(texts);
     if (complaints) return { error: complaints.map((c) => c.text).join("; ") };
@@ -52,10 +56,17 @@ function solveRow(row, names, column, constants) {
 /** A result that the rows have as an input is not repeated. */
 function columnsOfResults(names, constants, wanted) {
     const edges = [...names, ...Object.keys(constants)].some((name) => name === "M" || name === "sigma");
-    return resultKinds.map(({ name }) => name).filter((name) => wanted(name) && !names.includes(name) && (edges || !edgeResults.includes(name)));
+    return resultKinds
+        .map(({ name }) => name)
+        .filter((name) => wanted(name) && !names.includes(name) && (edges || !edgeResults.includes(name)));
 }
 
-const cellOf = (value, sign) => (value === null || Number.isNaN(value) ? "" : typeof value === "number" ? wholeNumber(value).replace(".", sign) : value);
+const cellOf = (value, sign) =>
+    value === null || Number.isNaN(value)
+        ? ""
+        : typeof value === "number"
+          ? wholeNumber(value).replace(".", sign)
+          : value;
 
 /** { names, rows: [[text ...]], errors, warnings } or { complaint }; rows are those that were pasted, with results behind. */
 export function solveRows(text, texts, sign) {
@@ -66,13 +77,21 @@ export function solveRows(text, texts, sign) {
     const shown = columnsOfResults(names, constants, (name) => name !== "yield_factor");
     const taken = shown.concat("error").find((name) => names.includes(name) && !inputNames.includes(name));
     if (taken) complaints.push(`column ${taken}: a result has that name; allowed: any other`);
-    if (Object.keys(column).length === 0) complaints.push(`the first row must name the columns, as ${inputNames.join(", ")}`);
+    if (Object.keys(column).length === 0)
+        complaints.push(`the first row must name the columns, as ${inputNames.join(", ")}`);
     if (complaints.length > 0) return { complaint: complaints.join("; ") };
     const solved = rows.map((row) => solveRow(row, names, column, constants));
     return {
-        names: [...names, ...shown, "error"], constants,
-        rows: solved.map((one, i) => [...names.map((_, k) => rows[i][k] ?? ""), ...shown.map((name) => (one.results ? cellOf(one.results[name], sign) : "")), one.error ?? ""]),
-        state: solved.map((one) => (one.error ? "red" : one.results.warnings || one.results.safety < 1 ? "amber" : "green")),
+        names: [...names, ...shown, "error"],
+        constants,
+        rows: solved.map((one, i) => [
+            ...names.map((_, k) => rows[i][k] ?? ""),
+            ...shown.map((name) => (one.results ? cellOf(one.results[name], sign) : "")),
+            one.error ?? "",
+        ]),
+        state: solved.map((one) =>
+            one.error ? "red" : one.results.warnings || one.results.safety < 1 ? "amber" : "green",
+        ),
         errors: solved.filter((one) => one.error).length,
     };
 }

@@ -9,7 +9,9 @@ const other = (name) => alternatives[name] ?? Object.keys(alternatives).find((ke
 
 /** The input that the name nearly is: "Yield stress", " f" and "Q [N/mm]" are slips. But p beside P may be another thing. */
 function slipFor(name, given) {
-    return inputNames.find((input) => isLike(name, input) && (input.length > 1 || name.includes(input) || !given(input)));
+    return inputNames.find(
+        (input) => isLike(name, input) && (input.length > 1 || name.includes(input) || !given(input)),
+    );
 }
 
 function complaintAbout(name, given) {
@@ -22,13 +24,18 @@ function complaintAbout(name, given) {
 
 /** Where each input stands among the names; or complaints. constants: inputs that are given without a column. */
 export function readHeader(names, wanted, constants = {}) {
-    const column = Object.fromEntries(wanted.filter((input) => names.includes(input)).map((input) => [input, names.indexOf(input)]));
+    const column = Object.fromEntries(
+        wanted.filter((input) => names.includes(input)).map((input) => [input, names.indexOf(input)]),
+    );
     const isThere = (input) => input in column || input in constants;
     const given = (input) => isThere(input) || (other(input) !== undefined && isThere(other(input)));
     const twice = Object.keys(column).filter((input) => names.indexOf(input) !== names.lastIndexOf(input));
     const complaints = [
         ...twice.map((input) => `column ${input}: there twice; allowed: once`),
-        ...names.filter((name) => !(name in column)).map((name) => complaintAbout(name, given)).filter(Boolean),
+        ...names
+            .filter((name) => !(name in column))
+            .map((name) => complaintAbout(name, given))
+            .filter(Boolean),
     ];
     return { column, complaints };
 }

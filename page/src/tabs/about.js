@@ -5,7 +5,9 @@ import { rwedge } from "../library.js";
 import { unitsRemark } from "../units.js";
 import { texts } from "texts";
 
-const licences = texts.licences.map(({ name, text }) => `<h3>${escaped(name)}</h3><pre>${escaped(text)}</pre>`).join("");
+const licences = texts.licences
+    .map(({ name, text }) => `<h3>${escaped(name)}</h3><pre>${escaped(text)}</pre>`)
+    .join("");
 
 const html = () => `
 <h2>What this is</h2>

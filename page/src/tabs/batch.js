@@ -4,7 +4,8 @@ import { copyButton, download, element, escaped } from "../elements.js";
 import { solveRows } from "../rows/batch.js";
 
 const SHOWN = 100; // rows that are drawn; all are copied
-const example = "case\tE1\tnu1\ttheta_deg\tradius\tP\tQ\tf\tyield_stress\nsteel on steel\t210000\t0.3\t2\t10\t300\t40\t0.3\t900\na sharper one\t210000\t0.3\t2\t2\t70\t15\t0.3\t900";
+const example =
+    "case\tE1\tnu1\ttheta_deg\tradius\tP\tQ\tf\tyield_stress\nsteel on steel\t210000\t0.3\t2\t10\t300\t40\t0.3\t900\na sharper one\t210000\t0.3\t2\t2\t70\t15\t0.3\t900";
 
 const asText = ({ names, rows }) => [names, ...rows].map((row) => row.join("\t")).join("\n") + "\n";
 
@@ -13,26 +14,54 @@ const csvOf = ({ names, rows }) => [names, ...rows].map((row) => row.map(quoted)
 
 function tableOf({ names, rows, state }) {
     const head = names.map((name) => `<th scope="col">${escaped(name)}</th>`).join("");
-    const body = rows.slice(0, SHOWN).map((row, i) => `<tr class="${state[i]}">${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`).join("");
+    const body = rows
+        .slice(0, SHOWN)
+        .map((row, i) => `<tr class="${state[i]}">${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`)
+        .join("");
     return `<table class="numbers rows"><caption class="hidden">Solved rows</caption><thead><tr>${head}</tr></thead><tbody>${body}</tbody></table>`;
 }
 
 export function makeBatch(state, changed) {
-    const pasted = element("textarea", { id: "batch", rows: 8, spellcheck: "false", "aria-describedby": "batch-note", placeholder: example });
+    const pasted = element("textarea", {
+        id: "batch",
+        rows: 8,
+        spellcheck: "false",
+        "aria-describedby": "batch-note",
+        placeholder: example,
+    });
     const note = element("p", { id: "batch-note", class: "note", "aria-live": "polite" });
     const numbers = element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "Solved rows" });
-    let solved = null, model;
-    const tools = element("p", { class: "tools" }, copyButton("Copy the solved rows", () => asText(solved)),
-        element("button", { type: "button", onclick: () => download("solved.csv", new Blob([csvOf(solved)], { type: "text/csv" })) }, "Save as CSV"));
+    let solved = null,
+        model;
+    const tools = element(
+        "p",
+        { class: "tools" },
+        copyButton("Copy the solved rows", () => asText(solved)),
+        element(
+            "button",
+            { type: "button", onclick: () => download("solved.csv", new Blob([csvOf(solved)], { type: "text/csv" })) },
+            "Save as CSV",
+        ),
+    );
     const faults = () => {
         const found = solved.rows.map((row, i) => [i + 1, row.at(-1)]).filter(([, error]) => error !== "");
-        return found.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`).join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "");
+        return (
+            found
+                .slice(0, 5)
+                .map(([i, error]) => `Row ${i}: ${error}.`)
+                .join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "")
+        );
     };
     const words = () => {
         if (solved.complaint !== undefined) return solved.complaint;
-        const from = Object.entries(solved.constants).map(([name, text]) => `${name} = ${text}`).join(", ");
-        return `${solved.rows.length} rows, ${solved.errors} could not be solved. ${faults()}` +
-            (from ? ` From the case at the left: ${from}.` : "") + (solved.rows.length > SHOWN ? ` The first ${SHOWN} are drawn; all are copied.` : "");
+        const from = Object.entries(solved.constants)
+            .map(([name, text]) => `${name} = ${text}`)
+            .join(", ");
+        return (
+            `${solved.rows.length} rows, ${solved.errors} could not be solved. ${faults()}` +
+            (from ? ` From the case at the left: ${from}.` : "") +
+            (solved.rows.length > SHOWN ? ` The first ${SHOWN} are drawn; all are copied.` : "")
+        );
     };
     const show = (present) => {
         model = present;
@@ -49,11 +78,34 @@ export function makeBatch(state, changed) {
         show(model);
         changed();
     });
-    const panel = element("div", {},
-        element("label", { for: "batch" }, "Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does"), pasted,
-        element("p", { class: "tools" }, element("button", { type: "button", onclick: () => {
-            pasted.value = example;
-            pasted.dispatchEvent(new Event("input"));
-        } }, "Try an example"), element("span", {}, "What the rows lack is taken from the case at the left.")), note, tools, numbers);
+    const panel = element(
+        "div",
+        {},
+        element(
+            "label",
+            { for: "batch" },
+            "Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does",
+        ),
+        pasted,
+        element(
+            "p",
+            { class: "tools" },
+            element(
+                "button",
+                {
+                    type: "button",
+                    onclick: () => {
+                        pasted.value = example;
+                        pasted.dispatchEvent(new Event("input"));
+                    },
+                },
+                "Try an example",
+            ),
+            element("span", {}, "What the rows lack is taken from the case at the left."),
+        ),
+        note,
+        tools,
+        numbers,
+    );
     return { panel, show };
 }

@@ -5,52 +5,84 @@ import { resultKinds, safetyOnStrength } from "../case/results.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
 import { saveButtons } from "../plot/save.js";
 import { withUnit } from "../model.js";
+import { placesAcross } from "../stresses.js";
 import { noResults, tableText } from "./table.js";
-
-const COUNT = 400; // even: none at the apex of a sharp wedge, where the pressure is infinite
-
-/** Places across the contact, dense at its edges. */
-export function placesAcross(left, right) {
-    return Float64Array.from({ length: COUNT }, (_, i) =>
-        i === 0 ? left : i === COUNT - 1 ? right : (left + right) / 2 + ((right - left) / 2) * Math.sin((Math.PI / 2) * ((2 * i) / (COUNT - 1) - 1)));
-}
 
 const minus = (numbers) => numbers.map((v) => -v + 0);
 
 function tractions({ contact, what, results }) {
-    const x = placesAcross(results.left, results.right), { p, q } = contact.tractions(x);
+    const x = placesAcross(results.left, results.right, 400),
+        { p, q } = contact.tractions(x);
     return [
         { name: "pressure \u2212p", column: "minus_p", style: "one", x, y: minus(p) },
-        ...(what.f > 0 ? [{ name: "shear \u2212q", column: "minus_q", style: "two", x, y: minus(q) }, { name: "limit f|p|", column: "f_p", style: "thin", x, y: p.map((v) => what.f * Math.abs(v)) }] : []),
+        ...(what.f > 0
+            ? [
+                  { name: "shear \u2212q", column: "minus_q", style: "two", x, y: minus(q) },
+                  { name: "limit f|p|", column: "f_p", style: "thin", x, y: p.map((v) => what.f * Math.abs(v)) },
+              ]
+            : []),
     ];
 }
 
 function plotOf(model, curves) {
     const { left, right, stick_left: from, stick_right: to } = model.results;
     const sticks = from !== null && to > from;
-    const bands = model.what.f === 0 ? [] : sticks
-        ? [{ from: left, to: from, style: "slip", name: "slips" }, { from, to, style: "stick", name: "sticks" }, { from: to, to: right, style: "slip", name: "slips" }]
-        : [{ from: left, to: right, style: "slip", name: "slides" }];
+    const bands =
+        model.what.f === 0
+            ? []
+            : sticks
+              ? [
+                    { from: left, to: from, style: "slip", name: "slips" },
+                    { from, to, style: "stick", name: "sticks" },
+                    { from: to, to: right, style: "slip", name: "slips" },
+                ]
+              : [{ from: left, to: right, style: "slip", name: "slides" }];
     return curvesText({
-        title: "Pressure and shear traction along the surface", curves, bands,
-        xLabel: withUnit("x", model.unit.length), yLabel: withUnit("traction", model.unit.stress),
+        title: "Pressure and shear traction along the surface",
+        curves,
+        bands,
+        xLabel: withUnit("x", model.unit.length),
+        yLabel: withUnit("traction", model.unit.stress),
     });
 }
 
 /** All that "rwedge solve" says, and the workbook's safety on strength. */
 function resultRows(model) {
-    const rows = resultKinds.map(({ name, meaning, dimension }) => ({ name, meaning, unit: model.unit[dimension], value: model.write(model.results[name]) }));
+    const rows = resultKinds.map(({ name, meaning, dimension }) => ({
+        name,
+        meaning,
+        unit: model.unit[dimension],
+        value: model.write(model.results[name]),
+    }));
     const at = rows.findIndex((row) => row.name === "safety") + 1;
-    rows.splice(at, 0, { name: "safety_strength", meaning: "k or Y may fall by this factor under this P", value: model.write(safetyOnStrength(model.results)) });
+    rows.splice(at, 0, {
+        name: "safety_strength",
+        meaning: "k or Y may fall by this factor under this P",
+        value: model.write(safetyOnStrength(model.results)),
+    });
     return rows;
 }
 
 export function makeContact() {
-    const plot = element("div"), numbers = element("div", { class: "wide" });
+    const plot = element("div"),
+        numbers = element("div", { class: "wide" });
     let curves;
-    const panel = element("div", {}, plot,
-        saveButtons("tractions", () => plot.querySelector("svg"), () => curvesTable("x", curves)),
-        element("p", { class: "note" }, "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips."), numbers);
+    const panel = element(
+        "div",
+        {},
+        plot,
+        saveButtons(
+            "tractions",
+            () => plot.querySelector("svg"),
+            () => curvesTable("x", curves),
+        ),
+        element(
+            "p",
+            { class: "note" },
+            "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.",
+        ),
+        numbers,
+    );
     const show = (model) => {
         panel.classList.toggle("empty", !model.results);
         if (!model.results) {

@@ -13,41 +13,96 @@ const COUNT = 101;
 const frictions = (f) => Float64Array.from({ length: COUNT }, (_, i) => (Math.max(0.8, 1.25 * f) * i) / (COUNT - 1));
 
 function branches({ what, results }) {
-    const alpha = results.a_over_b, f = frictions(what.f);
+    const alpha = results.a_over_b,
+        f = frictions(what.f);
     const each = (branch) => f.map((v) => status.orNull(() => branch(alpha, v, what.nu1))?.limit ?? NaN);
     return [
         { name: "elastic limit", column: "P_over_bk", style: "one", x: f, y: rwedge.elastic_limit(alpha, f, what.nu1) },
-        { name: "below the surface", column: "P_over_bk_subsurface", style: "two", x: f, y: each(rwedge.subsurface_yield) },
+        {
+            name: "below the surface",
+            column: "P_over_bk_subsurface",
+            style: "two",
+            x: f,
+            y: each(rwedge.subsurface_yield),
+        },
         { name: "at the surface", column: "P_over_bk_surface", style: "three", x: f, y: each(rwedge.surface_yield) },
     ];
 }
 
 /** A branch far above the limit is left out of the picture, not out of the table. */
 function plotOf({ what, results, write }, curves) {
-    const present = results.load_over_bk === null ? [] : [{ x: what.f, y: results.load_over_bk, name: `this load, P/(bk) = ${write(results.load_over_bk)}`, below: true }];
+    const present =
+        results.load_over_bk === null
+            ? []
+            : [
+                  {
+                      x: what.f,
+                      y: results.load_over_bk,
+                      name: `this load, P/(bk) = ${write(results.load_over_bk)}`,
+                      below: true,
+                  },
+              ];
     const highest = Math.max(...curves[0].y, ...present.map((p) => p.y));
-    const kink = results.f_critical > 0 ? [{ x: results.f_critical, y: rwedge.elastic_limit(results.a_over_b, results.f_critical, what.nu1), name: "critical friction" }] : [];
+    const kink =
+        results.f_critical > 0
+            ? [
+                  {
+                      x: results.f_critical,
+                      y: rwedge.elastic_limit(results.a_over_b, results.f_critical, what.nu1),
+                      name: "critical friction",
+                  },
+              ]
+            : [];
     const shown = curves.map((c, i) => (i === 0 ? c : { ...c, y: c.y.map((v) => (v > 1.2 * highest ? NaN : v)) }));
     return curvesText({
-        title: `Elastic limit over friction for a/b = ${write(results.a_over_b)}`, curves: shown, points: [...kink, ...present],
-        xLabel: "coefficient of friction f", yLabel: "P/(bk)", yDomain: [0, 1.25 * highest],
+        title: `Elastic limit over friction for a/b = ${write(results.a_over_b)}`,
+        curves: shown,
+        points: [...kink, ...present],
+        xLabel: "coefficient of friction f",
+        yLabel: "P/(bk)",
+        yDomain: [0, 1.25 * highest],
     });
 }
 
 const shownRows = {
-    a_over_b: "of this contact: the limit below is for it", load_over_bk: "of the load given", P_over_bk: "it yields above, in full sliding",
-    P_yield: "with the contact that it makes", safety: "on load: P may grow by this factor, and the contact grows with it",
-    safety_strength: "on strength: k or Y may fall by this factor under this P", yield_factor: "k over the largest sqrt(J2) under P and Q as they are",
-    f_critical: "above it, yield starts at the surface", yield_branch: "where, at that load", yield_x: "", yield_y: "",
+    a_over_b: "of this contact: the limit below is for it",
+    load_over_bk: "of the load given",
+    P_over_bk: "it yields above, in full sliding",
+    P_yield: "with the contact that it makes",
+    safety: "on load: P may grow by this factor, and the contact grows with it",
+    safety_strength: "on strength: k or Y may fall by this factor under this P",
+    yield_factor: "k over the largest sqrt(J2) under P and Q as they are",
+    f_critical: "above it, yield starts at the surface",
+    yield_branch: "where, at that load",
+    yield_x: "",
+    yield_y: "",
 };
 
 export function makeStrength() {
-    const plot = element("div"), numbers = element("div", { class: "wide" }), remark = element("p", { class: "note" });
+    const plot = element("div"),
+        numbers = element("div", { class: "wide" }),
+        remark = element("p", { class: "note" });
     let curves;
-    const panel = element("div", {}, plot, saveButtons("elastic-limit", () => plot.querySelector("svg"), () => curvesTable("f", curves)), remark, numbers);
+    const panel = element(
+        "div",
+        {},
+        plot,
+        saveButtons(
+            "elastic-limit",
+            () => plot.querySelector("svg"),
+            () => curvesTable("f", curves),
+        ),
+        remark,
+        numbers,
+    );
     const show = (model) => {
-        const reason = !model.results ? noResults : model.results.a_over_b === 0 ? "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>"
-            : model.results.a_over_b < 1e-14 ? "<p>a/b must be 0 or at least 1e-14 here.</p>" : "";
+        const reason = !model.results
+            ? noResults
+            : model.results.a_over_b === 0
+              ? "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>"
+              : model.results.a_over_b < 1e-14
+                ? "<p>a/b must be 0 or at least 1e-14 here.</p>"
+                : "";
         numbers.textContent = remark.textContent = "";
         panel.classList.toggle("empty", reason !== "");
         if (reason) {
@@ -57,9 +112,20 @@ export function makeStrength() {
         curves = branches(model);
         plot.innerHTML = plotOf(model, curves);
         if (isOffCentre(model.what))
-            remark.textContent = "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
+            remark.textContent =
+                "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
         const values = { ...model.results, safety_strength: safetyOnStrength(model.results) };
-        numbers.innerHTML = tableText("Strength", Object.entries(shownRows).map(([name, meaning]) => ({ name, meaning, value: model.write(values[name]), unit: { P_yield: model.unit["force/length"], yield_x: model.unit.length, yield_y: model.unit.length }[name] })));
+        numbers.innerHTML = tableText(
+            "Strength",
+            Object.entries(shownRows).map(([name, meaning]) => ({
+                name,
+                meaning,
+                value: model.write(values[name]),
+                unit: { P_yield: model.unit["force/length"], yield_x: model.unit.length, yield_y: model.unit.length }[
+                    name
+                ],
+            })),
+        );
     };
     return { panel, show };
 }

@@ -9,13 +9,18 @@ import { makeStrength } from "./strength.js";
 import { makeStress } from "./stress.js";
 
 const titles = {
-    contact: ["Contact", makeContact], stress: ["Stress", makeStress], strength: ["Strength", makeStrength],
-    cycle: ["Cycle", makeCycle], batch: ["Batch", makeBatch], about: ["About", makeAbout],
+    contact: ["Contact", makeContact],
+    stress: ["Stress", makeStress],
+    strength: ["Strength", makeStrength],
+    cycle: ["Cycle", makeCycle],
+    batch: ["Batch", makeBatch],
+    about: ["About", makeAbout],
 };
 
 /** The list of tabs, their panels, and show(model). model() is the present case; changed() follows a change of the state. */
 export function makeTabs(state, model, changed) {
-    const names = Object.keys(titles), parts = {};
+    const names = Object.keys(titles),
+        parts = {};
     const open = (name, focus) => {
         state.tab = name;
         show(model());
@@ -24,11 +29,25 @@ export function makeTabs(state, model, changed) {
     };
     for (const [name, [title, make]] of Object.entries(titles)) {
         const { panel, show: draw } = make(state, changed);
-        const button = element("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `panel-${name}`, onclick: () => open(name) }, title);
+        const button = element(
+            "button",
+            {
+                type: "button",
+                role: "tab",
+                id: `tab-${name}`,
+                "aria-controls": `panel-${name}`,
+                onclick: () => open(name),
+            },
+            title,
+        );
         const box = element("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` }, panel);
         parts[name] = { button, box, draw };
     }
-    const list = element("div", { role: "tablist", "aria-label": "Answers" }, ...names.map((name) => parts[name].button));
+    const list = element(
+        "div",
+        { role: "tablist", "aria-label": "Answers" },
+        ...names.map((name) => parts[name].button),
+    );
     list.addEventListener("keydown", (event) => {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (!step) return;

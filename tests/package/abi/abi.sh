@@ -23,7 +23,7 @@ library=$build/abi/lib/librwedge.so
 if [ "$store" = --store ]; then
     cp "$work/interface.txt" "$here/interface.txt"
 elif ! diff "$here/interface.txt" "$work/interface.txt"; then
-    echo "FAILED: < stored, > exported now"
+    echo "FAILED: < stored, > exported now; after an addition: sh tests/package/abi/abi.sh . build --store"
     exit 1
 else
     echo "ok: soname, symbols and status codes as stored"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where stresses are looked at, and what of them: places across the contact, a grid below it, one number or all of a place.
+import { rwedge, status } from "./library.js";
+
+const inPlane = (sxx, syy, txy) => Math.hypot((sxx - syy) / 2, txy);
+
+/** One number of the stresses. The library has the same for one point; the tests compare. nu: Poisson's ratio, plane strain. */
+export const measures = {
+    von_mises: {
+        name: "von Mises",
+        of: (sxx, syy, txy, nu) => {
+            const szz = nu * (sxx + syy),
+                [a, b, c] = [sxx - syy, syy - szz, szz - sxx];
+            return Math.sqrt((a * a + b * b + c * c) / 2 + 3 * txy * txy);
+        },
+    },
+    s1: { name: "largest principal stress s1", of: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
+    tau_max: {
+        name: "largest shear stress \u03c4max",
+        of: (sxx, syy, txy, nu) => {
+            const mean = (sxx + syy) / 2,
+                radius = inPlane(sxx, syy, txy),
+                szz = nu * (sxx + syy);
+            return (Math.max(mean + radius, szz) - Math.min(mean - radius, szz)) / 2;
+        },
+    },
+    sxx: { name: "stress along the surface sxx", of: (sxx) => sxx },
+    syy: { name: "stress across the surface syy", of: (sxx, syy) => syy },
+    txy: { name: "shear stress txy", of: (sxx, syy, txy) => txy },
+};
+
+/** Places across the contact, dense at its edges; none is the apex of a sharp wedge, where the pressure is infinite. */
+export function placesAcross(left, right, count) {
+    const middle = (left + right) / 2;
+    const half = (right - left) / 2;
+    const x = Float64Array.from({ length: count }, (_, i) => {
+        const angle = (Math.PI / 2) * ((2 * i) / (count - 1) - 1);
+        return middle + half * Math.sin(angle) || 1e-9 * half;
+    });
+    x[0] = left;
+    x[count - 1] = right;
+    return x;
+}
+
+export const NX = 200,
+    NY = 150;
+
+/** The grid, square cells: as wide as 3.2 half-widths of the contact. */
+export function gridOf({ left, right }) {
+    const half = (right - left) / 2,
+        middle = (left + right) / 2,
+        depth = (3.2 * half * (NY - 1)) / (NX - 1);
+    const x = new Float64Array(NX * NY),
+        y = new Float64Array(NX * NY);
+    const [x0, x1] = [middle - 1.6 * half, middle + 1.6 * half];
+    for (let j = 0, n = 0; j < NY; j++)
+        for (let i = 0; i < NX; i++, n++) {
+            x[n] = x0 + ((x1 - x0) * i) / (NX - 1) || 1e-9 * half; // not the apex of a sharp wedge
+            y[n] = (depth * j) / (NY - 1);
+        }
+    return { x, y, x0, x1, depth };
+}
+
+/** The stresses on the grid, and one measure of them. */
+export function fieldOf({ contact, what }, grid, measure) {
+    const s = contact.stresses(grid.x, grid.y),
+        values = new Float64Array(NX * NY),
+        { of } = measures[measure];
+    for (let i = 0; i < values.length; i++) values[i] = of(s.sxx[i], s.syy[i], s.txy[i], what.nu1);
+    return { ...s, values };
+}
+
+/** All numbers of one place; null where there are none. */
+export function valuesAt({ contact, what }, place) {
+    const s = status.orNull(() => contact.stresses(place.x, place.y));
+    if (!s) return null;
+    const { s1, s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
+    return {
+        ...s,
+        szz: rwedge.out_of_plane_stress(s.sxx, s.syy, what.nu1),
+        s1,
+        s2,
+        angle: (angle * 180) / Math.PI,
+        tau_max: rwedge.largest_shear(s.sxx, s.syy, s.txy, what.nu1),
+        von_mises: rwedge.von_mises(s.sxx, s.syy, s.txy, what.nu1),
+    };
+}

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The numbers behind the figures, against reference values and formulas that the figures do not use; gnuplot is not needed.
+. "$(dirname "$0")/../claims.sh"
+exact() { # awk with all digits; keys are numbers as meant, not their last bits
+    awk -F, -v OFMT=%.17g -v CONVFMT=%.17g "$@"
+}
+load_of() { # a/b: A P/(theta b)
+    awk -v t="$1" 'BEGIN { c = sqrt(1 - t * t); printf "%.17g", (t > 0 ? (atan2(t, c) + t * c) / t : 2) }'
+}
+
+# Figs. 3, 4 and 5 against the paper's grid of 20 digits.
+run figure 4 --data
+status_is 0
+message_is ""
+same "columns" "a_over_b,f,nu,P_over_bk,branch" "$(head -n 1 out)"
+cp out fig4
+exact 'function key(v) { return sprintf("%.9g", v) }
+    NR == FNR { if (FNR > 1) { limit[key($1), key($2)] = $3; branch[key($1), key($2)] = $6 } next }
+    FNR > 1 && (key($1), key($2)) in limit {
+        if (branch[key($1), key($2)] != $5) $4 = "-"
+        print limit[key($1), key($2)], $4 }' \
+    "$data/paper_grid.csv" fig4 >both
+close_rows "Fig. 4: limit, and the right branch" 1e-12 0
+same "rows of the paper's grid" 170 "$(wc -l <both | tr -d ' ')"
+
+run figure 5 --data
+status_is 0
+same "columns" "a_over_b,f,nu,x_over_b,y_over_b,point" "$(head -n 1 out)"
+cp out fig5
+exact 'function key(v) { return sprintf("%.9g", v) }
+    NR == FNR { if (FNR > 1 && $6 == "subsurface") { x[key($1), key($2)] = $4; y[key($1), key($2)] = $5 } next }
+    FNR > 1 && (key($1), key($2)) in x { print x[key($1), key($2)], $4; print y[key($1), key($2)], $5 }' \
+    "$data/paper_grid.csv" fig5 >both
+close_rows "Fig. 5: the point" 0 1e-6
+same "points of the paper's grid" "$(grep -c subsurface "$data/paper_grid.csv")" "$(awk 'END { print NR / 2 }' both)"
+same "steps of f" 0 "$(exact '$6 == "step" { if ($1 == last && ($2 - f - 0.0125) ^ 2 > 1e-20) bad++
+    last = $1; f = $2 } END { print bad + 0 }' fig5)"
+
+run figure 3 --data
+status_is 0
+same "columns" "a_over_b,nu,P_over_bk,y_over_b,branch" "$(head -n 1 out)"
+cp out fig3
+exact 'function key(v) { return sprintf("%.9g", v) }
+    NR == FNR { if (FNR > 1 && $2 == 0) { limit[key($1)] = $3; y[key($1)] = $5 } next }
+    FNR > 1 && key($1) in limit { print limit[key($1)], $3; print y[key($1)], $4 }' "$data/paper_grid.csv" fig3 >both
+close_rows "Fig. 3: limit and depth" 0 1e-6
+same "a/b of the paper's grid" 20 "$(wc -l <both | tr -d ' ')"
+
+# The jump of the yield point, where both branches have the same limit; there is none for nu = 0.5.
+jump=$(exact '$5 == "subsurface" { print $1, $3; exit }' fig3)
+exact -v jump="$jump" 'BEGIN { split(jump, of, " ") }
+    $1 == of[1] && $5 == "surface" { print 0.0176467412, $1; print of[2], $3 }' fig3 >both
+close_rows "Fig. 3: jump" 1e-8 0
+same "values at the jump" 2 "$(wc -l <both | tr -d ' ')"
+run figure 3 --nu 0.5 --data
+same "rows at the surface for nu = 0.5, that of the sharp wedge" 1 "$(grep -c ',surface$' out)"
+
+# Figs. 4 and 5: the cusp is a row of both branches, at the critical friction.
+run table critical-friction --a-over-b 0.1:1:0.1
+exact 'NR == FNR { if (FNR > 1) { f[$1] = $3; limit[$1] = $4 } next }
+    FNR > 1 && ($1 in f) && $2 == f[$1] { print limit[$1], $4; n[$5]++ }
+    END { print 10, n["surface"] + 0; print 10, n["subsurface"] + 0 }' out fig4 >both
+close_rows "Fig. 4: cusps" 1e-10 0
+exact 'NR == FNR { if (FNR > 1) f[$1] = $3; next } $6 == "jump" { print f[$1], $2; n++ } END { print 10, n + 0 }' out fig5 >both
+close_rows "Fig. 5: jumps" 0 0
+
+# Fig. 2: Hertz, the sharp wedge, and the peaks.
+run figure 2 --data
+status_is 0
+same "columns" "a_over_b,x_over_b,minus_pi_A_p_over_theta" "$(head -n 1 out)"
+cp out fig2
+exact '$1 == 1 && FNR > 1 { print 3.14159265358979324 * sqrt((1 - $2) * (1 + $2)), $3 }' fig2 >both
+close_rows "Fig. 2: Hertz" 1e-9 1e-9
+exact '$1 == 0 && FNR > 1 && $2 > 0 { print 2 * log((1 + sqrt((1 - $2) * (1 + $2))) / $2), $3 }' fig2 >both
+close_rows "Fig. 2: sharp wedge" 1e-9 1e-9
+same "Fig. 2: empty at the sharp apex" "0,0," "$(grep '^0,0,' fig2)"
+run table contact-law --a-over-b 0.1:1:0.1
+exact 'NR == FNR { peak[$1] = $4 * 3.14159265358979324; next } $1 > 0 && $2 == 0 { print peak[$1], $3 }' out fig2 >both
+close_rows "Fig. 2: peaks" 1e-12 0
+same "peaks" 10 "$(wc -l <both | tr -d ' ')"
+
+# The sharp wedge's pressure is drawn higher than that of any rounded one.
+run figure 2 --data --a-over-b 0,0.001
+exact 'FNR > 1 && $3 > top[$1] { top[$1] = $3 } END { print (top[0] > 1.2 * top[0.001]) ? "yes" : "no" }' out >higher
+same "Fig. 2: the sharp wedge is above a/b = 0.001" yes "$(cat higher)"
+
+# Fig. 6 in its closed form.
+run figure 6 --data
+status_is 0
+same "columns" "a_over_b,b_sigma_over_fP" "$(head -n 1 out)"
+exact 'FNR > 2 { c = sqrt((1 - $1) * (1 + $1)); print 2 * $1 / (atan2($1, c) + $1 * c), $2 }' out >both
+close_rows "Fig. 6" 1e-12 0
+same "Fig. 6: sharp wedge" "0,1" "$(sed -n 2p out)"
+
+# Fig. 7: full sliding is the pressure; inside c < a the difference to it is Cattaneo's and Mindlin's ellipse.
+run figure 7 --data
+status_is 0
+same "columns" "c_over_b,x_over_b,minus_pi_A_q_over_f_theta" "$(head -n 1 out)"
+cp out fig7
+run figure 2 --data --a-over-b 0.25
+exact 'NR == FNR { p[$2] = $3; next } FNR > 1 && $1 == 0 && ($2 in p) { print p[$2], $3 }' out fig7 >both
+close_rows "Fig. 7: c = 0" 1e-13 1e-13
+exact 'FNR > 1 && $1 == 0 { p[$2] = $3 }
+    $1 > 0 && $1 < 0.25 && ($2 in p) && $2 ^ 2 < $1 ^ 2 {
+        print 4 * 3.14159265358979324 * sqrt(($1 - $2) * ($1 + $2)), p[$2] - $3 }' fig7 >both
+close_rows "Fig. 7: c = 1/6" 1e-9 1e-9
+same "Fig. 7: rows at the edges of the stick zones" 4 \
+    "$(exact 'FNR > 1 && $1 > 0 && $2 * $2 == $1 * $1' fig7 | wc -l | tr -d ' ')"
+run table stick-zone --a-over-b 0.25 --q-over-fp 0.5
+width=$(tail -n 1 out | cut -d , -f 3)
+run figure 7 --data --c-over-b "$width"
+exact -v load="$(load_of 0.25)" 'NR == 2 { x = $2; q = $3 } NR > 2 { sum += ($3 + q) / 2 * ($2 - x); x = $2; q = $3 }
+    END { print 3.14159265 * load / 2, sum }' out >both
+close_rows "Fig. 7: its area is half of the sliding force" 1e-3 0
+
+# The field: von Mises' stress of its components, a peak that is the elastic limit's, two ways to say how far it slips.
+run figure field --data
+status_is 0
+same "columns" "x_over_b,y_over_b,A_sxx_over_theta,A_syy_over_theta,A_txy_over_theta,A_sqrt_J2_over_theta" "$(head -n 1 out)"
+cp out field
+exact 'FNR > 1 { z = 0.3 * ($3 + $4)
+    print sqrt((($3 - $4) ^ 2 + ($4 - z) ^ 2 + (z - $3) ^ 2) / 6 + $5 ^ 2), $6 }' field >both
+close_rows "field: sqrt(J2)" 1e-12 1e-15
+run table elastic-limit --a-over-b 0.5 --friction 0.3
+limit=$(tail -n 1 out | cut -d , -f 4)
+exact -v limit="$limit" -v load="$(load_of 0.5)" 'FNR > 1 && $6 > top { top = $6 } END { print load / limit, top }' field >both
+close_rows "field: peak" 1e-3 0
+run figure field --data --c-over-b "$width" --a-over-b 0.25
+cp out field
+run figure field --data --q-over-fp 0.5 --a-over-b 0.25
+same "field by c/b and by Q/(fP)" "" "$(cmp out field 2>&1)"
+run figure field --data --a-over-b 0
+same "field: empty at the sharp apex" "0,0,,,," "$(grep '^0,0,' out)"
+
+# The loop: its area is the energy dissipated; the displacement grows by (A/pi) ln(b/c) dQ; it closes, and is symmetric.
+for alpha in 0 0.25 1; do
+    run figure loop --data --a-over-b $alpha --q-over-fp 0.9
+    status_is 0
+    exact -v load="$(load_of $alpha)" 'FNR == 1 { next } $7 == "first loading" { start = $6; Q = $3; d = $4; next }
+        { area += ($3 + Q) / 2 * ($4 - d); Q = $3; d = $4; end = $6 }
+        END { print end - start, area * load }' out >both
+    close_rows "loop: area for a/b = $alpha" 1e-3 0
+    exact -v load="$(load_of $alpha)" '
+        $7 == "first loading" { if (n++) sum += load / 3.14159265 * log(1 / sqrt($5 * c)) * ($3 - Q); Q = $3; c = $5; d = $4 }
+        END { print sum, d }' out >both
+    close_rows "loop: first loading for a/b = $alpha" 2e-3 0
+    exact '$7 == "first loading" { d = $4 } $7 == "unloading" { low = $4 } { high = $4 }
+        END { print d, -low; print d, high }' out >both
+    close_rows "loop: it closes for a/b = $alpha" 1e-12 0
+done
+same "columns" \
+    "a_over_b,amplitude_over_fP,Q_over_fP,displacement_over_f_theta_b,c_over_b,A_energy_over_f2_theta2_b2,part" \
+    "$(head -n 1 out)"
+
+# The other formats of rows, and whole or not at all.
+run figure 6 --data --format json --digits 3
+same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
+run figure 6 --data --decimal-comma --digits 3
+same "decimal comma" "0,005;1" "$(sed -n 3p out)"
+echo old >old.csv
+run figure 6 --data -o none/new.csv
+status_is 1
+message_is "rwedge figure: none/new.csv: No such file or directory"
+run figure 6 --data -o old.csv
+same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
+
+# Mistakes.
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting"
+refuses "rwedge figure: which figure must follow; allowed: $all" figure
+refuses "rwedge figure: 1: unknown figure; allowed: $all" figure 1
+refuses "rwedge figure: 3: unexpected; allowed: one figure, and options" figure 2 3
+refuses "rwedge figure: --friction 0.1: figure 4 does not depend on it; allowed: --a-over-b, --nu" figure 4 --friction 0.1
+refuses "rwedge figure: --nu 0.3: figure 6 does not depend on it; allowed: none of the variables" figure 6 --nu 0.3
+refuses "rwedge figure: --nu 0.6: Poisson's ratio must be a number from 0 to 0.5" figure 3 --nu 0.6
+refuses "rwedge figure: --nu 0.2,0.3: must be one number" figure 3 --nu 0.2,0.3
+refuses "rwedge figure: --c-over-b 1.1: c/b must be a number from 0 to 1" figure 7 --c-over-b 1.1
+refuses "rwedge figure: --a-over-b 0:1:0.05: must not have more than 12 values, a curve each" figure 2 --a-over-b 0:1:0.05
+refuses "rwedge figure: --c-over-b 0.5: not with --q-over-fp, which says the same; allowed: one of the two" \
+    figure field --c-over-b 0.5 --q-over-fp 0.5
+refuses "rwedge figure: --format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
+    figure 2 --format gif
+refuses "rwedge figure: --format csv: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
+    figure 2 --format csv
+refuses "rwedge figure: --digits 5: not for a picture; allowed with: --data" figure 2 --digits 5
+refuses "rwedge figure: --decimal-comma: not for a picture; allowed with: --data" figure 2 --decimal-comma
+run figure 2 --data --format svg
+status_is 2
+message_has "--format svg: unknown format"
+
+# Every option and figure is in the help and the README.
+run figure --help
+status_is 0
+same "lines over 80 columns" 0 "$(awk 'length > 80' out | wc -l | tr -d ' ')"
+for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,); do
+    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../../cli/README.md" |
+        grep -q -e "\`$word[\` ]" && echo yes)"
+done
+
+# Figures of a contact and its loads. The loop: its area is the energy of the cycle, it closes, and its end on first loading is that
+# of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
+run figure loop --history loads.csv $specimen --data
+status_is 0
+awk -F, 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }
+    $1 == 2 { print end, $6 } $1 == 3 { print -end, $6 } $1 == 4 { print end, $6 }
+    NR > 1 && $1 >= 2 { if (n++) area += ($4 + q) / 2 * ($6 - d); else first = $7; q = $4; d = $6; last = $7 }
+    END { print last - first, area }' out >both
+close_rows "loop of a history" 3e-3 0
+run figure history --history loads.csv $specimen --at -0.2,0.01 --data
+status_is 0
+awk -F, -v OFS=, 'NR > 1 && $1 == int($1) { print $2, $3, $4, $5, $6, $7 }' out >drawn
+run history loads.csv $specimen --at -0.2,0.01
+same "stresses of history" "$(tail -n +2 out | cut -d , -f 2-7)" "$(cat drawn)"
+run figure fretting --history loads.csv $specimen --data --cycles 2
+status_is 0
+cut -d , -f 1-2 out | tail -n +2 >drawn
+run fretting loads.csv $specimen --cycles 2
+same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
+refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
+refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
+    figure fretting --history loads.csv --a-over-b 1
+cannot "rwedge figure: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+    figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
+
+finish

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Pictures of usual and unusual choices can be read: no text is cut, none lies on another or on the mark of first yield. Names
+# of curves stand on their curves, or below the picture. What would be empty axes is refused.
+. "$(dirname "$0")/../claims.sh"
+
+# Nothing to draw; the numbers are still there.
+nothing() { # MESSAGE ARGUMENTS...
+    message=$1
+    shift
+    run figure "$@" -o none.svg
+    status_is 1
+    message_is "rwedge figure: figure $1: nothing to draw: $message"
+    same "files" "" "$(ls none.svg 2>/dev/null)"
+    run figure "$@" --data
+    status_is 0
+}
+nothing "it yields at the surface, whatever f is" 5 --a-over-b 0
+nothing "it yields at the surface, whatever f is" 5 --nu 0
+nothing "the elastic limit of a sharp wedge is 0" 4 --a-over-b 0
+nothing "without slip there is no shear traction" 7 --c-over-b 1
+nothing "without an amplitude nothing slips" loop --q-over-fp 0
+nothing "without Q there is no shear traction" eccentric --q-over-fp 0
+
+if ! command -v gnuplot >/dev/null 2>&1; then
+    [ "$failures" -eq 0 ] || finish
+    skip "gnuplot is not here; $checks checks do without it"
+fi
+
+draws() {
+    run figure "$@" -o drawn.svg
+    status_is 0
+    message_is ""
+    awk -f "$here/figure_texts.awk" drawn.svg >texts
+    same "texts that cannot be read" "" "$(grep -v '^text ' texts)"
+}
+number_of() { # REGULAR EXPRESSION: texts that match as a whole
+    cut -d ' ' -f 5- texts | grep -c -x -e "$1"
+}
+shows() {
+    for text; do
+        same "'$text' is in the picture" 1 "$(number_of "$text")"
+    done
+}
+height_of() { # TEXT: its y, downwards
+    awk -v text="$1" '{ y = $4; sub(/^text [^ ]* [^ ]* [^ ]* /, "") } $0 == text { print y; exit }' texts
+}
+above() { # TEXT TEXT
+    same "'$1' is above '$2'" yes \
+        "$(awk -v one="$(height_of "$1")" -v other="$(height_of "$2")" 'BEGIN { print (one != "" && one + 0 < other + 0) ? "yes" : one " against " other }')"
+}
+
+draws 2
+draws 2 --a-over-b 5,50
+above 5 50 # on their curves
+draws 2 --a-over-b 0,0.001,0.01
+draws 2 --a-over-b 0.1:2:0.17272727
+draws 2 --a-over-b 0.5:0.61:0.01 # too near to each other for names on them
+above x/b 0.61
+draws 2 --a-over-b 0.123456789,0.333333333
+shows 0.123457 0.333333
+draws 2 --a-over-b 0.5,0.50000001 # names tell curves apart
+shows 0.50000001
+
+draws 3
+shows "jump at 0.01765"
+draws 3 --nu 0.2
+draws 3 --nu 0
+draws 3 --nu 0.333333
+shows "Elastic limit under a normal load, ν = 0.333333"
+
+draws 4
+above 0.9 0.8
+above 0.1 f # on their curves
+draws 4 --a-over-b 0,0.01,0.5 --nu 0.333
+draws 4 --a-over-b 0:1:0.0909090909
+shows 0.0909091 0.909091
+draws 4 --a-over-b 1:3:0.2
+above f 1.2
+draws 4 --a-over-b 0.001,0.002,0.003 --nu 0.5
+draws 4 --a-over-b 0.9:0.95:0.01
+
+# One below the other, at least as far as a text is high; the axis has other tics.
+draws 5
+for value in 0.1 0.3 0.5 0.7 0.9; do
+    shows $value
+done
+above 0.7 0.9
+above "x/b" "every 0.0125 in f"
+draws 5 --nu 0.5
+draws 5 --a-over-b 0.95,0.96,0.97,0.98,0.99,1,1.5,2,3
+above 0.95 0.96
+above 2 3
+draws 5 --a-over-b 0.02,0.05
+draws 5 --a-over-b 0,0.1
+shows "always at the surface: a/b = 0"
+
+draws 6
+
+draws 7
+above "c/b = 0" "c/b = 1/6"
+draws 7 --c-over-b 0:1:0.2
+draws 7 --c-over-b 0.1:0.15:0.01
+draws 7 --a-over-b 0 --c-over-b 0,0.1,1
+draws 7 --c-over-b 0:1:0.09090909
+same "twelve names" 12 "$(number_of 'c/b = [0-9./]*')"
+
+# The contours around the peak have their numbers, and the title the digits that were given.
+draws field
+shows 0.45 "circle: first yield, 0.578" "bar: contact, sliding; lines: every 0.05;"
+draws field --a-over-b 0.333 --friction 0.6666 --nu 0.333 --c-over-b 0.4444
+shows 0.6 "c/b = 0.4444, ν = 0.333"
+draws field --friction 5 --a-over-b 1
+shows 4 3.5 3
+draws field --a-over-b 0.05 --friction 0.2 --c-over-b 0.8
+draws field --a-over-b 0.001 --friction 0.8 --nu 0.5
+draws field --a-over-b 0 --friction 0
+draws field --a-over-b 3 --c-over-b 1
+draws field --a-over-b 0.333333 --friction 0.123456 --nu 0.333333 --q-over-fp 0.777777
+shows "Q/(fP) = 0.777777, ν = 0.333333"
+
+# The legend is below the curves.
+draws loop
+draws loop --q-over-fp 0.1:0.6:0.1
+above "displacement by slip / (fθb)" "0.1: W = 0.000855"
+draws loop --q-over-fp 0.05:0.6:0.05
+same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
+draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
+shows "a/b = 0.123456"
+
+draws eccentric
+above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"
+draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5
+draws eccentric --a-over-b 2 --q-over-fp 1
+draws eccentric --sigma-over-max=-1:1:0.4
+same "six names" 6 "$(number_of 'πbσ/(4Q) = [-0-9.]*')"
+
+finish

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The pictures: each figure in each format, if gnuplot is there. If it is missing, old or fails: the message, and the files that
+# are left alone.
+. "$(dirname "$0")/../claims.sh"
+
+mkdir fake files
+old_file() {
+    echo old >files/f.svg
+}
+old_file_stays() {
+    same "old file" old "$(cat files/f.svg)"
+    same "files" f.svg "$(ls -A files)"
+}
+
+# draw_with PATH ARGUMENTS...: with gnuplot looked for there.
+draw_with() {
+    path=$1
+    shift
+    called="PATH=$path rwedge figure $*"
+    status=0
+    PATH=$path "$rwedge" figure "$@" >out 2>err || status=$?
+}
+
+needed="; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo (package gnuplot-nox)"
+
+# A gnuplot that does as the body of a shell script says.
+fails_with() { # MESSAGE BODY
+    printf '#!/bin/sh\n%s\n' "$2" >fake/gnuplot
+    chmod +x fake/gnuplot
+    old_file
+    draw_with "$scratch/fake:/usr/bin:/bin" field -o files/f.svg
+    status_is 1
+    message_is "rwedge figure: gnuplot $1$needed"
+    old_file_stays
+    draw_with "$scratch/fake:/usr/bin:/bin" field
+    status_is 1
+    output_is ""
+}
+
+# None at all.
+old_file
+draw_with /nonexistent 4 -o files/f.svg
+status_is 1
+message_is "rwedge figure: gnuplot: not found on PATH; it draws the figures: install it (on Debian and \
+Ubuntu the package gnuplot-nox), or use --data"
+old_file_stays
+
+# One that is too old, one that fails without a word, is killed, answers at once with something else, stops half way.
+fails_with "ended with status 1: line 0: unknown or ambiguous terminal type; type just 'set terminal' for a list" \
+    'echo >&2; echo "set terminal svg" >&2; echo "             ^" >&2
+    echo "         line 0: unknown or ambiguous terminal type; type just '"'set terminal'"' for a list" >&2
+    echo >&2; exit 1'
+fails_with "ended with status 3" 'cat >/dev/null; exit 3'
+fails_with "was ended by signal 9" 'kill -9 $$'
+fails_with "was ended by signal 13" 'kill -PIPE $$' # which the tool itself ignores
+fails_with "gave no whole picture, but bytes: 8" 'echo garbage'
+fails_with "gave no whole picture, but bytes: 0" 'cat >/dev/null'
+fails_with "gave no whole picture, but bytes: 15: trouble" 'cat >/dev/null; printf "<?xml?><svg><g>"; echo trouble >&2'
+fails_with "gave no whole picture, but bytes: 12" 'cat >/dev/null; printf "<svg></svg> "'
+
+# One that fills its output before it reads a line of the script: neither waits for the other.
+cat >fake/gnuplot <<'FAKE'
+#!/bin/sh
+echo '<?xml version="1.0"?><svg>'
+head -c 300000 /dev/zero | tr '\0' ' '
+head -c 300000 /dev/zero | tr '\0' ' ' >&2
+wc -c
+echo '</svg>'
+FAKE
+draw_with "$scratch/fake:/usr/bin:/bin" 2 -o files/f.svg
+status_is 0
+message_is ""
+same "the whole script was read" yes "$([ "$(grep -o -E '[0-9]+$' files/f.svg)" -gt 65536 ] && echo yes)"
+same "spaces are kept" 1 "$(grep -c '<svg xml:space="preserve">' files/f.svg)"
+
+# One that looks at what it is given: no locale, no start file of the user's, no time.
+cat >fake/gnuplot <<'FAKE'
+#!/bin/sh
+cat >/dev/null
+echo "<?xml?> $LC_ALL $* $SOURCE_DATE_EPOCH $TZ</svg>"
+FAKE
+draw_with "$scratch/fake:/usr/bin:/bin" 6
+output_is "<?xml?> C --default-settings - 0 UTC0</svg>"
+
+# The target is refused before gnuplot is asked.
+draw_with /nonexistent 4 -o none/f.svg
+status_is 1
+message_is "rwedge figure: none/f.svg: No such file or directory"
+if [ -c /dev/full ]; then
+    draw_with "$scratch/fake:/usr/bin:/bin" 6 -o /dev/full
+    status_is 1
+    message_is "rwedge figure: /dev/full: No space left on device"
+fi
+
+rm -r files
+if ! command -v gnuplot >/dev/null 2>&1; then
+    [ "$failures" -eq 0 ] || finish
+    skip "gnuplot is not here; $checks checks do without it"
+fi
+
+is_picture() { # FILE FORMAT
+    case $2 in
+    svg)
+        same "start of SVG" "<?xml" "$(head -c 5 "$1")"
+        same "end of SVG" "</svg>" "$(tail -c 8 "$1" | tr -d '\n')"
+        same "root" 1 "$(grep -c '^<svg xml:space="preserve"' "$1")"
+        ! command -v xmllint >/dev/null 2>&1 || same "well-formed" "" "$(xmllint --noout "$1" 2>&1)"
+        ;;
+    png)
+        same "start of PNG" "89504e470d0a1a0a" "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')"
+        same "width" 1004 "$(head -c 20 "$1" | tail -c 2 | od -An -tu1 | awk '{ print $1 * 256 + $2 }')"
+        ;;
+    pdf)
+        same "start of PDF" "%PDF-" "$(head -c 5 "$1")"
+        same "end of PDF" "%%EOF" "$(tail -n 1 "$1")"
+        same "dates but the usual one" "" "$(grep -a -o 'CreationDate (D:[0-9]*' "$1" | grep -v 'D:20000101000000')"
+        ;;
+    esac
+}
+
+draws() { # FORMAT ARGUMENTS...: the same bytes again, elsewhere and in another locale
+    format=$1
+    shift
+    run figure "$@" -o "drawn.$format"
+    status_is 0
+    message_is ""
+    is_picture "drawn.$format" "$format"
+    LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo "$rwedge" figure "$@" --format "$format" >again
+    same "the same bytes" "" "$(cmp "drawn.$format" again 2>&1)"
+}
+
+for name in 2 3 4 5 6 7 field loop eccentric; do
+    for format in svg png pdf; do
+        draws $format $name
+    done
+done
+
+# Curves, labels and axes are in the picture.
+has() {
+    for text; do
+        same "picture has $text" yes "$(sed 's/<[^>]*>//g' drawn.svg | grep -q -F -e "$text" && echo yes)"
+    done
+}
+draws svg 2
+has x/b −pAπ/θ 0.1 0.9 "Contact pressure"
+draws svg 3 --nu 0.2
+has a/b "P/(bk)" y/b "ν = 0.2" "jump at 0.5542"
+draws svg 4
+has f "P/(bk)" 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "ν = 0.3"
+same "curves of Fig. 4" 10 "$(grep -c '<title>gnuplot_plot_' drawn.svg)"
+draws svg 5
+has "every 0.0125 in f" "jump to the surface"
+draws svg 6
+has "bσ1/(fP)" "1, sharp wedge" "4/π, Hertz"
+draws svg 7
+has "c/b = 0" "c/b = 1/6" "c/b = 0.5"
+draws svg field --c-over-b 0.5 --friction 0.6
+has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
+
+# The circle is at the largest stress of what is drawn, in partial slip too: no point of the grid is
+# higher than its three digits allow, and one comes near.
+for stick in 0.1 0.4 0.8; do
+    draws svg field --a-over-b 0.25 --friction 0.6 --c-over-b $stick
+    top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
+    run figure field --a-over-b 0.25 --friction 0.6 --c-over-b $stick --data
+    peak=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /J2/) j = i }
+        NR > 1 && $j + 0 > top { top = $j + 0 } END { printf "%.6f", top }' out)
+    called="figure field --c-over-b $stick"
+    same "the circle's stress is the largest" "yes" \
+        "$(awk -v circle="$top" -v grid="$peak" 'BEGIN { print (grid > 0 && grid < circle * 1.006 && grid > circle * 0.99) ? "yes" : circle " against " grid }')"
+done
+draws svg loop --q-over-fp 0.9
+has "Q/(fP)" "W = 1.10"
+draws svg 4 --no-title
+same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
+
+# Odd cases that are drawn all the same: the sharp wedge beside others, no slip, one curve.
+draws svg 4 --a-over-b 0,0.01,0.5
+draws svg 3 --nu 0.5
+draws svg 2 --a-over-b 0
+draws svg 7 --a-over-b 0 --c-over-b 0,0.1,1
+draws svg field --a-over-b 0.001 --friction 0.8 --nu 0.5
+draws svg field --a-over-b 3 --c-over-b 1
+draws svg loop --q-over-fp 1 --a-over-b 0
+
+finish

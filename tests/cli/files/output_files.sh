@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# -o FILE: it is written whole or not at all. What happens to the output when something is in the way.
+. "$(dirname "$0")/../claims.sh"
+
+small="table contact-law --a-over-b 1 --digits 3"
+text="a_over_b,AP_over_theta_b,AP_over_theta_a,peak_pressure,transition_pressure
+1,1.57,1.57,1,0"
+large="table max-tension --a-over-b 1 --friction 0:1:0.0001"
+mkdir files
+files_are() {
+    same "files" "$1" "$(ls -A files | paste -s -d ' ' -)"
+}
+
+# Writes what standard output would have got, over an old file or none.
+prints "$text" $small
+prints "" $small -o files/new.csv
+same "new file" "$text" "$(cat files/new.csv)"
+echo old >files/new.csv
+prints "" $small --output=files/new.csv
+same "replaced file" "$text" "$(cat files/new.csv)"
+prints "$text" $small -o -
+files_are new.csv
+(cd files && "$rwedge" $small -o here.csv)
+files_are "here.csv new.csv"
+rm files/here.csv
+
+# Permissions: those of open(), or the old file's.
+rm files/new.csv
+(umask 027 && "$rwedge" $small -o files/new.csv)
+called="rwedge $small -o FILE, umask 027"
+same "permissions of a new file" "-rw-r-----" "$(ls -l files/new.csv | cut -c 1-10)"
+chmod 604 files/new.csv
+run $small -o files/new.csv
+same "permissions of a replaced file" "-rw----r--" "$(ls -l files/new.csv | cut -c 1-10)"
+
+# What else a file has: access lists, other attributes, hard links.
+if command -v python3 >/dev/null 2>&1 && python3 -c '
+import os; open("files/kept.csv", "w").close(); os.setxattr("files/kept.csv", "user.note", b"mine")' 2>/dev/null; then
+    prints "" $small -o files/kept.csv
+    same "an attribute stays" mine "$(python3 -c 'import os; print(os.getxattr("files/kept.csv", "user.note").decode())')"
+    rm files/kept.csv
+    # user::rw, user:1234:rw, group::---, mask::rw, other::---: the bits of the group show the mask
+    cat >list.py <<'EOF'
+import os, struct, sys
+name, kind = sys.argv[1], "system.posix_acl_" + sys.argv[2]
+if sys.argv[3:] == ["show"]:
+    try:
+        print(os.getxattr(name, kind).hex(), oct(os.stat(name).st_mode & 0o777))
+    except OSError:
+        print("none", oct(os.stat(name).st_mode & 0o777))
+else:
+    entries = (0x01, 6, -1), (0x02, 6, 1234), (0x04, 0, -1), (0x10, 6, -1), (0x20, 0, -1)
+    os.setxattr(name, kind, struct.pack("<I", 2) + b"".join(struct.pack("<HHi", *entry) for entry in entries))
+EOF
+    echo old >files/listed.csv
+    if python3 list.py files/listed.csv access 2>/dev/null; then
+        before=$(python3 list.py files/listed.csv access show)
+        prints "" $small -o files/listed.csv
+        same "an access list stays" "$before" "$(python3 list.py files/listed.csv access show)"
+        mkdir listed
+        echo old >listed/old.csv
+        chmod 604 listed/old.csv
+        python3 list.py listed default
+        (umask 022 && "$rwedge" $small -o listed/new.csv && : >listed/like.csv)
+        same "a new file has the folder's list" "$(python3 list.py listed/like.csv access show)" \
+            "$(python3 list.py listed/new.csv access show)"
+        prints "" $small -o listed/old.csv
+        same "an old file does not get it" "none 0o604" "$(python3 list.py listed/old.csv access show)"
+    else
+        echo "SKIPPED: access lists, which this file system does not have"
+    fi
+    rm -f files/listed.csv
+else
+    echo "SKIPPED: attributes of files, which this file system does not have, or for lack of python3"
+fi
+echo old >files/one.csv
+ln files/one.csv two.csv
+run $small -o files/one.csv
+status_is 0
+message_is "rwedge table: files/one.csv: it had other names (hard links), which keep the old content"
+same "the other name" old "$(cat two.csv)"
+rm files/one.csv
+
+# A link stays, and what it leads to is replaced or made.
+mkdir elsewhere
+echo old >elsewhere/real.csv
+ln -s ../elsewhere/real.csv files/link.csv
+ln -s link.csv files/link_to_link.csv
+run $small -o files/link_to_link.csv
+status_is 0
+same "link" "../elsewhere/real.csv" "$(readlink files/link.csv)"
+same "file behind the links" "$text" "$(cat elsewhere/real.csv)"
+ln -s "$scratch/elsewhere/not_yet.csv" files/dangling.csv
+run $small -o files/dangling.csv
+same "file behind a dangling link" "$text" "$(cat elsewhere/not_yet.csv)"
+ln -s loop.csv files/loop.csv
+run $small -o files/loop.csv
+status_is 1
+message_is "rwedge table: files/loop.csv: Too many levels of symbolic links"
+rm files/link.csv files/link_to_link.csv files/dangling.csv files/loop.csv
+
+# A pipe or a device is written to, not replaced.
+mkfifo files/fifo
+cat files/fifo >through &
+run $small -o files/fifo
+status_is 0
+wait $!
+same "through a fifo" "$text" "$(cat through)"
+same "fifo" p "$(ls -l files/fifo | cut -c 1)"
+rm files/fifo
+prints "" $small -o /dev/null
+prints "$text" $small -o /dev/stdout
+
+# What cannot be written to: status 1, one line, nothing left behind.
+run $small -o files
+status_is 1
+message_is "rwedge table: files: Is a directory"
+run $small -o nowhere/new.csv
+status_is 1
+message_is "rwedge table: nowhere/new.csv: No such file or directory"
+run $small -o files/new.csv/more.csv
+status_is 1
+message_is "rwedge table: files/new.csv/more.csv: Not a directory"
+files_are new.csv
+
+# A full disk.
+if [ -c /dev/full ]; then
+    run $small -o /dev/full
+    status_is 1
+    message_is "rwedge table: /dev/full: No space left on device"
+    called="rwedge $large >/dev/full"
+    status=0
+    "$rwedge" $large >/dev/full 2>err || status=$?
+    status_is 1
+    message_is "rwedge table: standard output: No space left on device"
+fi
+
+# A limit on the size of files, with the signal that comes with it.
+echo old >files/new.csv
+called="rwedge $large -o files/new.csv, ulimit -f 8"
+status=0
+(ulimit -f 8 && "$rwedge" $large -o files/new.csv 2>err) || status=$?
+status_is 1
+message_is "rwedge table: files/new.csv: File too large"
+same "old file" old "$(cat files/new.csv)"
+files_are new.csv
+
+# A closed pipe, a closed standard output.
+called="rwedge $large | head -n 1"
+first=$( (
+    status=0
+    "$rwedge" $large 2>err || status=$?
+    echo "$status" >status
+) | head -n 1)
+status=$(cat status)
+status_is 1
+message_is "rwedge table: standard output: Broken pipe"
+same "first line" "a_over_b,f,b_sigma_over_P,b_sigma_over_fP" "$first"
+called="rwedge $small >&-"
+status=0
+"$rwedge" $small >&- 2>err || status=$?
+status_is 1
+message_is "rwedge table: standard output: Bad file descriptor"
+
+# With stderr closed, no message ends up in the file.
+called="rwedge $small -o files/new.csv 2>&-"
+status=0
+"$rwedge" $small -o files/new.csv <&- >&- 2>&- || status=$?
+status_is 0
+same "file written without standard streams" "$text" "$(cat files/new.csv)"
+
+# An output that is the input is refused before anything is written, whatever it is called.
+contact="--E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.3"
+printf 'P,Q\n2000,300\n' >input.csv
+cp input.csv before.csv
+ln -s input.csv symbolic.csv
+ln input.csv hard.csv
+input_stays() { # how the message calls it
+    status_is 2
+    same "message" "--output $1: it is the input; allowed: another file" "$(sed 's/^rwedge [a-z]*: //' err)"
+    same "the input" "" "$(cmp input.csv before.csv 2>&1)"
+    same "no other file" "" "$(find . -name '.rwedge-*')"
+}
+for name in input.csv ./input.csv "$PWD/input.csv" symbolic.csv hard.csv; do
+    for input in "solve --input" "profile --history" "field --history"; do
+        run $input input.csv $contact -o "$name"
+        input_stays "$name"
+    done
+    run solve --input "$name" $contact -o input.csv
+    input_stays input.csv
+    called="rwedge solve --input - <$name -o input.csv"
+    status=0
+    "$rwedge" solve --input - $contact -o input.csv <"$name" >out 2>err || status=$?
+    input_stays input.csv
+    called="rwedge solve --input input.csv >>$name"
+    status=0
+    "$rwedge" solve --input input.csv $contact >>"$name" 2>err || status=$?
+    input_stays -
+done
+run solve --input input.csv $contact -o beside.csv
+status_is 0
+
+# Protected files and folders; for root they are no obstacle, so another user is borrowed.
+as_user=
+if [ "$(id -u)" = 0 ]; then
+    command -v setpriv >/dev/null 2>&1 && as_user="setpriv --reuid=65534 --regid=65534 --clear-groups"
+    chmod 755 "$scratch"
+    cp "$rwedge" "$scratch/rwedge" && chmod 755 "$scratch/rwedge"
+    rwedge=$scratch/rwedge
+fi
+if { [ -n "$as_user" ] || [ "$(id -u)" != 0 ]; } && $as_user "$rwedge" --version >/dev/null 2>&1; then
+    mkdir closed open
+    echo old | tee closed/old.csv >open/old.csv
+    chmod 777 open
+    chmod 444 open/old.csv
+    chmod 666 closed/old.csv
+    chmod 555 closed
+    for file in closed/old.csv closed/new.csv open/old.csv; do
+        called="rwedge $small -o $file, protected"
+        status=0
+        $as_user "$rwedge" $small -o $file 2>err || status=$?
+        status_is 1
+        message_is "rwedge table: $file: Permission denied"
+    done
+    same "files in the closed folder" old.csv "$(ls -A closed)"
+    same "files in the open folder" old.csv "$(ls -A open)"
+    same "old files" "old old" "$(cat closed/old.csv open/old.csv | paste -s -d ' ' -)"
+    chmod 755 closed
+fi
+
+# As root: a file of another user and group. Whoever could not read it before cannot afterwards.
+if [ "$(id -u)" = 0 ] && setpriv --reuid=65534 --regid=65534 --clear-groups true 2>/dev/null; then
+    replaced() { # GROUPS OWNER MODE: what a file of 1234:2000 with the mode 664 becomes
+        rm -f open/theirs.csv
+        echo old >open/theirs.csv
+        chown 1234:2000 open/theirs.csv
+        chmod "$2" open/theirs.csv
+        called="rwedge $small -o open/theirs.csv, groups $1, mode $2"
+        status=0
+        setpriv --reuid=1235 --regid=1235 --groups "$1" "$rwedge" $small -o open/theirs.csv >out 2>err || status=$?
+        same "what it becomes" "$3" "$status $(stat -c '%u:%g %a' open/theirs.csv)"
+    }
+    replaced 2000 660 "0 1235:2000 660"
+    message_is "rwedge table: open/theirs.csv: its owner could not be kept, it is yours now"
+    replaced 3000 666 "0 1235:1235 606"
+    message_is "rwedge table: open/theirs.csv: its group could not be kept, and may not read it any more"
+    replaced 3000 646 "0 1235:1235 604"
+    replaced 3000 660 "1 1234:2000 660"
+    message_is "rwedge table: open/theirs.csv: Permission denied"
+    # A link of another user in a folder for all is not followed where the system does not follow it.
+    if [ "$(cat /proc/sys/fs/protected_symlinks 2>/dev/null)" = 1 ]; then
+        mkdir sticky
+        chmod 1777 sticky
+        echo old >open/led.csv
+        chmod 666 open/led.csv
+        ln -s ../open/led.csv sticky/link.csv
+        ln -s ../open/not_yet.csv sticky/dangling.csv
+        chown -h 1234:1234 sticky/link.csv sticky/dangling.csv
+        for link in link dangling; do
+            called="rwedge $small -o sticky/$link.csv"
+            status=0
+            setpriv --reuid=1235 --regid=1235 --clear-groups "$rwedge" $small -o sticky/$link.csv >out 2>err || status=$?
+            status_is 1
+            message_is "rwedge table: sticky/$link.csv: Permission denied"
+        done
+        same "what they lead to" "old no" "$(cat open/led.csv) $([ -e open/not_yet.csv ] && echo yes || echo no)"
+    fi
+fi
+
+# Another program does not inherit the file.
+if command -v strace >/dev/null 2>&1 && strace -o trace true 2>/dev/null; then
+    called="rwedge $small -o files/new.csv, strace"
+    strace -o trace -e trace=openat,open "$rwedge" $small -o files/new.csv
+    same "descriptors that another program would inherit" "" "$(grep 'rwedge-' trace | grep -v -e O_CLOEXEC -e O_RDWR)"
+    same "the file is opened" 1 "$(grep -c 'rwedge-.*O_WRONLY.*O_CLOEXEC' trace)"
+fi
+
+finish

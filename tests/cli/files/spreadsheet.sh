@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# --format xlsx: the same rows as CSV, in cells.
+#
+#     spreadsheet.sh PROGRAM REFERENCES [all]    all: also a table of more rows than fit
+extent=${3:-}
+. "$(dirname "$0")/../claims.sh"
+
+run table contact-law -o law.xlsx
+if [ "$status" -eq 2 ]; then
+    message_is "rwedge table: --format xlsx: this build cannot write XLSX: it was made without libxlsxwriter (on Debian \
+and Ubuntu the package libxlsxwriter-dev)"
+    same "no file" "" "$(ls ./*.xlsx 2>&1 | grep -v "No such file")"
+    [ "$failures" -eq 0 ] || finish
+    skip "this build has no libxlsxwriter"
+fi
+status_is 0
+message_is ""
+
+refuses "rwedge table: --decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
+    table contact-law --format xlsx --decimal-comma -o law.xlsx
+if [ "$extent" = all ]; then
+    run table max-tension --a-over-b 0:2:0.000001 --friction 0.3 --format xlsx -o long.xlsx
+    status_is 1
+    message_is "rwedge table: long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json"
+    same "no file" "law.xlsx" "$(ls ./*.xlsx | sed 's,./,,')"
+fi
+
+# Elsewhere, to standard output, and in a comma locale: the same bytes.
+run table contact-law --format xlsx --output=law.xlsx
+mkdir folder
+(cd folder && "$rwedge" table contact-law --format xlsx --output=law.xlsx)
+same "the same again" "" "$(cmp law.xlsx folder/law.xlsx 2>&1)"
+run table contact-law --format xlsx
+same "a file on standard output" PK "$(head -c 2 out)"
+mkdir locales
+if localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1; then
+    called="LC_ALL=de_DE.UTF-8 rwedge table contact-law --format xlsx"
+    LOCPATH=$scratch/locales LC_ALL=de_DE.UTF-8 "$rwedge" table contact-law --format xlsx --output=folder/law.xlsx
+    same "in a comma locale" "" "$(cmp law.xlsx folder/law.xlsx 2>&1)"
+fi
+
+[ "$failures" -eq 0 ] || finish
+command -v python3 >/dev/null 2>&1 || skip "Python, which reads the cells here, is missing (package python3)"
+cat >cells.py <<'EOF'
+# Prints a sheet's cells as CSV, numbers as they are read.
+import csv, re, sys, zipfile
+import xml.etree.ElementTree as ET
+M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+archive = zipfile.ZipFile(sys.argv[1])
+def column(name):
+    number = 0
+    for letter in re.match("[A-Z]+", name).group():
+        number = 26 * number + ord(letter) - 64
+    return number - 1
+out = csv.writer(sys.stdout, lineterminator="\n")
+wide = 0
+for row in ET.fromstring(archive.read("xl/worksheets/sheet%s.xml" % sys.argv[2])).iter(M + "row"):
+    cells = {}
+    for cell in row.iter(M + "c"):
+        value = cell.find(M + "v")
+        if cell.get("t") == "inlineStr":
+            cells[column(cell.get("r"))] = "".join(cell.find(M + "is").itertext())
+        elif value is not None:
+            cells[column(cell.get("r"))] = repr(float(value.text))
+    wide = max(wide, 1 + max(cells))
+    out.writerow([cells.get(i, "") for i in range(wide)])
+EOF
+same_cells() { # SHEET CSV: XLSX has 16 digits
+    python3 cells.py book.xlsx "$1" >cells
+    same "cells of sheet $1" close "$(awk -F, 'NR == FNR { row[NR] = $0; rows = NR; next }
+        { n = split(row[FNR], cell, ","); if (n != NF) { print "row " FNR ": " n " cells, not " NF; bad = 1; exit } }
+        { for (i = 1; i <= NF; i++) { d = cell[i] - $i; if (cell[i] != $i && !($i + 0 == $i && d * d <= 1e-30 * $i * $i)) {
+            print "row " FNR ": " cell[i] ", not " $i; bad = 1; exit } } }
+        END { if (!bad) print (rows == FNR ? "close" : rows " rows, not " FNR) }' cells "$2")"
+}
+compare() {
+    run "$@" --format xlsx -o book.xlsx
+    status_is 0
+    run "$@"
+    same_cells 1 out
+}
+compare table elastic-limit
+compare table elastic-limit --layout grid --digits 6
+compare table elastic-limit --a-over-b 0,1 --friction 0,0.8 --layout grid --quantity branch
+compare table contact-law --a-over-b 0:1.5:0.5
+compare table critical-friction --nu 0.3,0.35 --layout grid
+compare table stick-zone --digits 4
+
+# CSV files as sheets: numbers are numbers, what is none stays a text.
+"$rwedge" table contact-law --a-over-b 0:1.5:0.5 -o law.csv
+"$rwedge" table elastic-limit --a-over-b 0.1,1 -o limits.csv
+printf 'name,P\n007,1e3\n,x\n' >"a[1].csv"
+run workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
+status_is 0
+message_is ""
+same_cells 1 law.csv
+same_cells 2 limits.csv
+same "another sheet" 'name,P;007,1000.0;,x;' "$(python3 cells.py book.xlsx 3 | tr '\n' ';')"
+same "names of sheets" "law limits a_1_ Columns About " "$(python3 -c 'import re, zipfile
+print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode()), "")')"
+run workbook law.csv --digits 3 -o book.xlsx
+same "three digits" 0.5,1.91,3.83,1.51,1.02 "$(python3 cells.py book.xlsx 1 | sed -n 3p)"
+fails() { # MESSAGE FILE...
+    expected=$1
+    shift
+    run workbook "$@" -o new.xlsx
+    status_is 1
+    message_is "$expected"
+    same "no file" "" "$(ls new.xlsx 2>/dev/null)"
+}
+: >empty.csv
+printf 'a,b\n1,"2\n' >quote.csv
+fails "rwedge workbook: nowhere.csv: No such file or directory" nowhere.csv
+fails "rwedge workbook: empty.csv: no rows" law.csv empty.csv
+fails "rwedge workbook: quote.csv: line 2: a quote that is not closed" quote.csv
+fails "rwedge workbook: LAW.csv: a second sheet of the name law; allowed: files with different names" law.csv LAW.csv
+refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
+
+# The header stays, a page is as wide as the table, another sheet says how it was made.
+text() { python3 -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' book.xlsx "$1"; }
+run table elastic-limit --format xlsx --digits 6 -o "$scratch/book.xlsx"
+same "frozen header" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'state="frozen"')"
+same "fit to the page" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'fitToHeight="0"')"
+same "one page of columns" 1 "$(text xl/worksheets/sheet2.xml | grep -c 'fitToPage="1"')"
+same "column widths" 1 "$(text xl/worksheets/sheet1.xml | grep -c '<cols>')"
+same "the command, without folders" 1 \
+    "$(text xl/worksheets/sheet3.xml | grep -c 'rwedge table elastic-limit --format xlsx --digits 6 -o book.xlsx')"
+
+# What the columns mean, and their units, on a sheet of its own; at least six digits show, in cells that are wide enough.
+cat >shown.py <<'EOF'
+# One line: columns without meaning or unit; numbers of which fewer than six digits show; what does not fit its column.
+import sys, zipfile
+import xml.etree.ElementTree as ET
+M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+archive = zipfile.ZipFile(sys.argv[1])
+part = lambda name: ET.fromstring(archive.read("xl/" + name))
+texts = lambda row: ["".join(c.itertext()) for c in row.iter(M + "c")]
+rows = list(part("worksheets/sheet1.xml").iter(M + "row"))
+described = {t[0]: t[1:] for t in map(texts, list(part("worksheets/sheet2.xml").iter(M + "row"))[1:]) if len(t) == 3 and all(t)}
+unknown = [name for name in texts(rows[0]) if name not in described and name not in sys.argv[2:]]
+styles = part("styles.xml")
+code = {f.get("numFmtId"): f.get("formatCode") for f in styles.iter(M + "numFmt")}
+style = [code.get(x.get("numFmtId"), "") for x in styles.find(M + "cellXfs")]
+widths = [float(c.get("width")) for c in part("worksheets/sheet1.xml").iter(M + "col")]
+blurred, cut = [], []
+for row in rows[1:]:
+    for cell in row.iter(M + "c"):
+        if cell.find(M + "v") is None:
+            continue
+        value, form = float(cell.find(M + "v").text), style[int(cell.get("s", 0))]
+        decimals = len(form.split("E")[0].partition(".")[2])
+        shown = "%.*E" % (decimals, value) if "E" in form else "%.*f" % (decimals, value) if form else "%.15g" % value
+        if abs(float(shown) - value) > 5e-6 * abs(value):
+            blurred.append(shown)
+        if len(shown) > min(widths):
+            cut.append(shown)
+print(len(described), unknown, blurred, cut)
+EOF
+shows() { # COUNT COLUMNS-OF-THE-FILE COMMAND...
+    count=$1 own=$2
+    shift 2
+    run "$@" --format xlsx -o book.xlsx
+    status_is 0
+    same "columns and digits of $*" "$count [] [] []" "$(python3 shown.py book.xlsx $own)"
+}
+shows 9 "" table elastic-limit --a-over-b 0.001,0.5
+shows 4 "" table max-tension --a-over-b 0:1:0.1
+shows 5 "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
+shows 4 "" table critical-friction
+shows 3 "" table stick-zone
+printf 'E1,nu1,theta,a,P,M,f,k\n210000,0.3,0.03,0.3,300,10,0.3,500\n21e9,0.31,0.003,0.3e-5,123456.789,0,0.3,5e8\n' >cases.csv
+shows 30 "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
+shows 29 "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
+
+finish

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Texts that come in: encodings, files as spreadsheets write them, and what no text may hold. Whatever the format of the output, a
+# text that is not UTF-8 is refused where it is read, and nothing that XML cannot hold gets into a spreadsheet.
+. "$(dirname "$0")/../claims.sh"
+
+fixed="--theta 0.01 --E1 2e5 --nu1 0.3"
+solved() { # FILE OPTIONS...: the first columns and the error of each row
+    file=$1
+    shift
+    run solve -i "$file" $fixed "$@"
+    status_is 0
+    cut -d , -f 1-"${columns:-4}" out
+}
+utf8="case,a,P,f
+Prüfling 1,2,2000,0.3
+größer,1,100,0.1"
+printf '%s\n' "$utf8" >utf8.csv
+
+# What is not UTF-8 is refused, with its place, in every format, and before anything is written.
+printf 'case,a,P,f\nPr\374fling 1,2,2000,0.3\n' >latin.csv
+formats="csv tsv json"
+run table contact-law --a-over-b 1 --format xlsx -o probe.xlsx
+[ "$status" -eq 0 ] && formats="$formats xlsx"
+refused="the byte FC is not UTF-8; allowed: UTF-8, UTF-16 with its mark, or --encoding, such as windows-1252"
+for format in $formats; do
+    cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed --format $format -o solved.$format
+    same "no file" "" "$(ls solved.$format 2>/dev/null)"
+done
+cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
+# A file is read as it is solved. What went to standard output before stays, and its last row tells; a file is not written.
+awk 'BEGIN { print "a,P,f"; for (i = 0; i < 10000; i++) print "1,100,0.1"; print "1,100,0.1,\374" }' >late.csv
+for format in $formats; do
+    cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format $format -o solved.$format
+    same "no file" "" "$(ls solved.$format 2>/dev/null)"
+done
+run solve -i late.csv $fixed --format json
+status_is 1
+message_is "rwedge solve: late.csv: line 10002, column 11: $refused"
+same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
+    "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
+same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
+printf 'P,Q,\374\n' >history.csv
+for command in profile field; do
+    cannot "rwedge $command: history.csv: line 1, column 5: $refused" $command $fixed --a 1 --f 0.3 --history history.csv
+done
+
+# Other encodings are read as UTF-8.
+if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev/null 2>&1; then
+    for encoding in windows-1252 utf-16le iso-8859-1; do
+        iconv -f UTF-8 -t "$encoding" utf8.csv >other.csv
+        same "$encoding" "$utf8" "$(solved other.csv --encoding $encoding)"
+    done
+    same "from standard input" "$(iconv -f UTF-8 -t WINDOWS-1252 utf8.csv | "$rwedge" solve -i - $fixed --encoding CP1252)" \
+        "$("$rwedge" solve -i utf8.csv $fixed)"
+    # UTF-16 says so itself, in both orders of its bytes; the result has the mark of UTF-8.
+    for encoding in utf-16le utf-16be; do
+        { printf '\357\273\277'; cat utf8.csv; } | iconv -f UTF-8 -t $encoding >marked.csv
+        for option in "" "--encoding utf-16" "--encoding $encoding"; do
+            same "$encoding with its mark, $option" "$(printf '\357\273\277')$utf8" "$(solved marked.csv $option)"
+        done
+    done
+    # A character may be cut where the file is read in pieces.
+    note=$(printf 'é€𝄞%.0s' $(seq 50))
+    awk -v note="$note" 'BEGIN { print "note,a,P,f"; for (i = 0; i < 1500; i++) print note ",1,100,0.1" }' >long.csv
+    for encoding in UTF-16 WINDOWS-1252//TRANSLIT; do
+        iconv -f UTF-8 -t "${encoding}" long.csv 2>/dev/null >long16.csv || continue
+        run solve -i long16.csv $fixed --encoding "${encoding%//*}"
+        status_is 0
+        same "rows" 1501 "$(wc -l <out | tr -d ' ')"
+    done
+    run solve -i long.csv $fixed
+    same "rows" 1500 "$(grep -c "^$note,1,100,0.1," out)"
+fi
+refuses "rwedge solve: --encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
+    solve -i utf8.csv $fixed --encoding klingon
+refuses "rwedge solve: --encoding utf-8: needs --input or --history" solve --encoding utf-8
+refuses "rwedge profile: --encoding utf-8: needs --history" profile --encoding utf-8 --a-over-b 1
+printf '\357\273\277a,P,f\n1,100,0.1\n' >marked.csv
+cannot "rwedge solve: --encoding windows-1252: marked.csv begins with the mark of UTF-8; allowed: utf-8" \
+    solve -i marked.csv $fixed --encoding windows-1252
+
+# No text at all: cut characters, surrogates, long forms, codes beyond Unicode, control characters.
+no_text() { # BYTES MESSAGE
+    printf "a,P,f,note\n1,100,0.1,é$1\n" >none.csv
+    cannot "rwedge solve: none.csv: line 2, column 12: $2" solve -i none.csv $fixed --format json
+}
+for bytes in '\303' '\342\202' '\355\240\200' '\300\200' '\340\200\200' '\364\220\200\200' '\200' '\376'; do
+    no_text "$bytes" "the byte $(printf "$bytes" | head -c 1 | od -An -tx1 | tr -d ' \n' | tr a-f A-F) is${refused#*is}"
+done
+for code in '\357\277\276=U+FFFE' '\357\277\277=U+FFFF' '\000=U+0000' '\001=U+0001' '\013=U+000B' '\033=U+001B'; do
+    no_text "${code%=*}" "the character ${code#*=} belongs to no text; allowed: text, no binary files"
+done
+printf 'a,P,f,note\n1,100,0.1,"tab\there, a return\r\nand \360\235\204\236"\n' >fine.csv
+run solve -i fine.csv $fixed --format json
+status_is 0
+
+# As spreadsheets write them: "sep=;", tabs, rows of empty cells; what is a number stays one.
+rows='case;a;P;f
+007;2;2000;0.3
+;;;
+8;1;100;0.1'
+wanted="case,a,P,f
+007,2,2000,0.3
+8,1,100,0.1"
+for first in 'sep=;' 'SEP=;\r'; do
+    { printf "$first\n"; echo "$rows"; } >sep.csv
+    same "$first" "$wanted" "$(solved sep.csv)"
+done
+{ echo 'sep=;'; echo "$rows" | tr . ,; } >sep.csv
+run solve -i sep.csv $fixed --decimal-comma
+same "sep and a decimal comma" '007;2;2000;0,3' "$(sed -n 2p out | cut -d ';' -f 1-4)"
+echo "$rows" | tr ';' "$tab" >tabs.txt
+same "tabs" "$wanted" "$(solved tabs.txt)"
+echo "$rows" | tr ';' "$tab" | sed 's/case/case, or none/' >tabs.tsv
+columns=5
+same "tabs, by the ending" '"case, or none",a,P,f' "$(solved tabs.tsv | sed -n 1p)"
+columns=
+echo "$rows" | tr ';' "$tab" | tr . , >tabs.txt
+run solve -i tabs.txt $fixed --decimal-comma
+same "tabs and a decimal comma" '007;2;2000;0,3' "$(sed -n 2p out | cut -d ';' -f 1-4)"
+{ echo 'sep=;'; echo 'P;Q'; echo '100;10'; echo ';'; } >history.csv
+run profile $fixed --a 1 --f 0.3 --history history.csv --x 0
+status_is 0
+echo "$rows" | tr ';' , | sed 's/100,/1e2,/' >numbers.csv
+run solve -i numbers.csv $fixed --format json --digits 2
+same "numbers in JSON, with all their digits" '{"case": "007", "a": 2, "P": 2000, "f": 0.3,|{"case": 8, "a": 1, "P": 100, "f": 0.1,' \
+    "$(sed -n 2,3p out | cut -d ' ' -f 1-8 | paste -s -d '|' -)"
+printf 'a,P,f,n\n1,100,0.1234,+49\n1,100,0.1234,12345678901234567890\n1,100,0.1234,-0.5\n1,100,0.1234,1e-5\n' >numbers.csv
+run solve -i numbers.csv $fixed --format json --digits 2
+same "what a number would not keep" '"n": "+49"|"n": "12345678901234567890"|"n": -0.5|"n": 1e-05' \
+    "$(sed -n 's/.*\("n": [^,]*\).*/\1/p' out | paste -s -d '|' -)"
+same "with all its digits" 4 "$(grep -c '"f": 0.1234,' out)"
+
+# A text that a spreadsheet would compute gets a ' in front, if that is wished for. Numbers are not texts.
+printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n' >formulas.csv
+run solve -i formulas.csv $fixed
+same "as they are" "$(cat formulas.csv)" "$(sed 's/,A,dundurs.*//; s/,1.82.*//' out)"
+same "guarded" "a,P,f,'=n|1,100,0.1,'=1+1|1,100,0.1,\"'@a|1,100,0.1,-5|1,100,0.1,+49|1,100,0.1,'-x" \
+    "$(solved formulas.csv --no-formulas | paste -s -d '|' -)"
+columns=
+
+# Messages: neither control characters of two bytes, nor marks of direction, nor broken characters reach the terminal.
+for bytes in '\302\233' '\342\200\256' '\342\201\246' '\033' '\377' '\303'; do
+    refuses "rwedge table: x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" \
+        table "$(printf "x${bytes}y")"
+done
+refuses "rwedge table: ü: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" table ü
+
+# The command line in a spreadsheet: as far as it goes, in whole characters.
+case $formats in *xlsx*) ;; *) finish ;; esac
+command -v python3 >/dev/null 2>&1 || { echo "SKIPPED: what is in the spreadsheets, for lack of python3"; finish; }
+cat >read.py <<'EOF'
+import sys, zipfile, xml.etree.ElementTree as ET
+archive = zipfile.ZipFile(sys.argv[1])
+for name in archive.namelist():
+    if name.endswith((".xml", ".rels")):
+        ET.fromstring(archive.read(name))
+text = "".join(archive.read(name).decode() for name in archive.namelist() if "sheet" in name or "Strings" in name)
+print(text[text.index("with the command:"):].split("<")[0])
+EOF
+command_in() { # FILE: of the sheet About, where the file is sound
+    python3 read.py "$1" 2>&1 | tail -n 1
+}
+bad=$(printf 'Pr\374fung\001\357\277\277.xlsx')
+for command in "workbook" "table contact-law --format xlsx"; do
+    run $command -o "$bad"
+    status_is 0
+    same "command" "with the command:  rwedge $command -o 'Pr�fung��.xlsx'" "$(command_in "$bad")"
+    rm "$bad"
+done
+for length in 460 461 462 463; do
+    list=$(awk -v n=$length 'BEGIN { for (i = 0; i < n; i++) printf "0,"; print 0 }')
+    run table contact-law --a-over-b "$list" --format xlsx -o "ééééééééééééééééééééééééééééééééééééééé.xlsx"
+    status_is 0
+    same "cut in whole characters" 1 "$(command_in é*.xlsx | grep -c 'é[.]xlsx.$\|é ...$')"
+done
+run solve -i utf8.csv $fixed --format xlsx -o cells.xlsx
+same "cells are text and numbers" "Prüfling 1|2|2000|0.3" "$(python3 -c '
+import zipfile, xml.etree.ElementTree as ET
+M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+sheet = ET.fromstring(zipfile.ZipFile("cells.xlsx").read("xl/worksheets/sheet1.xml"))
+row = list(sheet.iter(M + "row"))[1]
+print("|".join("".join(cell.itertext()) if cell.get("t") == "inlineStr" else cell.find(M + "v").text for cell in list(row)[:4]))')"
+
+# The date of a spreadsheet, which SOURCE_DATE_EPOCH gives, ends with the year 9999.
+SOURCE_DATE_EPOCH=253402300799
+export SOURCE_DATE_EPOCH
+for command in "workbook" "table contact-law --format xlsx"; do
+    run $command -o dated.xlsx
+    status_is 0
+    same "date" 1 "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' |
+        grep -c 9999-12-31T23:59:59Z)"
+done
+for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
+    for command in "workbook" "table contact-law --format xlsx"; do
+        cannot "rwedge ${command%% *}: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
+253402300799, the end of the year 9999" $command -o new.xlsx
+        same "no file" "" "$(ls new.xlsx 2>/dev/null)"
+    done
+done
+finish

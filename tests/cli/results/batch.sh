@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge solve --input: rows in, rows out. A bad row spoils no other row. A bad file is refused before its first row.
+#
+#     batch.sh PROGRAM REFERENCES [ROWS]     ROWS: of the long file (default 20000)
+rows=${3:-20000}
+. "$(dirname "$0")/../claims.sh"
+
+fixed="--E1 210000 --nu1 0.3 --theta 0.05"
+
+# A row is what the single contact is.
+awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
+    for (i = 0; i < 12; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
+        printf "n%d,%.4g,%.4g,%.5g,%.4g,%.3g,%.4g\n", i, 0.2 + 5 * rand(), 20 * rand(), P, f * P * (2 * rand() - 1) * 0.98, f,
+               100 + 900 * rand() } }' >cases.csv
+run solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
+status_is 0
+message_is "rwedge solve: cases.csv, in some rows: P is above P_yield: the contact yields in full sliding"
+cp out solved.csv
+same "rows" 13 "$(wc -l <solved.csv | tr -d ' ')"
+same "the rows come back as they were" "" "$(cut -d , -f 1-7 solved.csv | diff cases.csv -)"
+same "errors" "" "$(column error solved.csv | tr -d '\n-')"
+n=1
+tail -n +2 cases.csv >rows
+while IFS=, read -r name theta radius P Q f Y; do
+    n=$((n + 1))
+    run solve --E1 210000 --nu1 0.3 --theta-deg "$theta" --radius "$radius" --P "$P" --Q "$Q" --f "$f" \
+        --yield-stress "$Y" --yield-factor --layout row
+    # Every column of the single row, by its name, against that row of the batch; radius is an input there.
+    sed -n "1p;${n}p" solved.csv >row
+    same "single and batch, $name" "" "$(awk -F, 'NR == FNR { if (FNR == 1) split($0, h, ","); else for (i in h) batch[h[i]] = $i; next }
+        FNR == 1 { split($0, g, ","); next }
+        { for (i in g) if (g[i] != "radius" && batch[g[i]] != $i) print g[i], batch[g[i]], $i }' row out)"
+done <rows
+
+# What is not an input passes through, with its quotes, spaces and line breaks; blank lines and rows of empty cells are no rows;
+# CR LF and a missing last line end change nothing. The mark in front of UTF-8 stays there.
+printf 'note,P,a\n"one, ""1""",100,1\n two ,200, 1\n"three\nlines",1e2,1\n' >plain.csv
+run solve -i plain.csv $fixed
+cp out plain_solved
+{ printf '\357\273\277'; cat out; } >marked_solved
+printf '\357\273\277note,P,a\r\n"one, ""1""",100,1\r\n\r\n two ,200, 1\r\n,,\r\n"", ,\r\n"three\nlines",1e2,1' >marked.csv
+run solve -i marked.csv $fixed
+same "mark, CR LF, blank lines" "" "$(diff marked_solved out)"
+sed 's/^\xef\xbb\xbf//' out >unmarked && mv unmarked out
+same "first note" '"one, ""1""",100,1,1' "$(sed -n 2p out | cut -d , -f 1-4,6 | sed 's/,[^,]*$/,1/')"
+same "spaces" ' two ,200, 1' "$(sed -n 3p out | cut -d , -f 1-3)"
+same "lines of the last row" '"three' "$(sed -n 4p out)"
+same "errors" 0 "$(grep -c 'must be\|quotes\|cells' out)"
+called="rwedge solve -i - in pieces"
+(head -c 2 marked.csv; sleep 0.1; tail -c +3 marked.csv | head -c 20; sleep 0.1; tail -c +23 marked.csv) |
+    "$rwedge" solve -i - $fixed >out 2>err
+same "from a pipe, in pieces" "" "$(diff marked_solved out)"
+message_is ""
+
+# The comma as decimal sign goes for what is read and what is written; options keep the point.
+printf 'note;P;a\nx;100,5;0,25\ny;100.5;0,25\n' >comma.csv
+run solve -i comma.csv $fixed --decimal-comma --digits 5
+message_is "rwedge solve: comma.csv: 1 of 2 rows could not be solved: see the column error"
+same "comma" 'x;100,5;0,25;1,7333e-05' "$(sed -n 2p out | cut -d ';' -f 1-4)"
+same "point where a comma is due" \
+    "P 100.5: the normal force must be a number above 0; the decimal sign is a comma" \
+    "$(sed -n 3p out | sed 's/.*"\(P 100.*\)"$/\1/')"
+run solve -i plain.csv $fixed --format json --digits 4
+same "in JSON, the inputs are numbers" '{"note": "one, \"1\"", "P": 100, "a": 1, "A": 1.733e-05,' \
+    "$(sed -n 2p out | cut -d ' ' -f 1-9)"
+
+# Bad rows, each for its own reason; the others are as if alone.
+cat >bad.csv <<'ROWS'
+id,E1,nu1,theta,a,P,Q,f,k
+1,210000,0.3,0.05,1,100,10,0.2,300
+2,-1,0.3,0.05,1,100,10,0.2,300
+3,210000,0.6,0.05,1,100,10,0.2,300
+4,210000,0.3,2,1,100,10,0.2,300
+5,210000,0.3,0.05,-1,100,10,0.2,300
+6,210000,0.3,0.05,1,0,10,0.2,300
+7,210000,0.3,0.05,1,100,21,0.2,300
+8,210000,0.3,0.05,1,100,10,-0.2,300
+9,210000,0.3,0.05,1,100,10,0.2,0
+10,2e5 MPa,0.3,0.05,1,100,10,0.2,300
+11,,0.3,0.05,1,100,10,0.2,300
+12,210000,0.3,0.05,1,100,10
+13,210000,0.3,0.05,1,100,10,0.2,300,extra
+14,210000,"0.3"5,0.05,1,100,10,0.2,300
+15,210000,"0,3",0.05,1,100,10,0.2,300
+16,inf,0.3,0.05,1,100,10,0.2,300
+17,210000,nan,0.05,1,100,10,0.2,300
+18,1e40,0.3,0.05,1e-15,100,10,0.2,300
+19,210000,0.3,0.05,1,100,0,0.2,
+20,210000,0.3,0.05,1,100,10,,300
+21,210000,0.3,0.05,1,100, ,0.2,300
+22,210000,0.3,0.05,,100,10,0.2,300
+23,210000,0.3,0.05,1,100,10,0.2,300
+ROWS
+cat >expected <<'ERRORS'
+E1 -1: Young's modulus of body 1 must be a number above 0
+nu1 0.6: Poisson's ratio must be a number from 0 to 0.5
+theta 2: the angle must be a number above 0 and below pi/2, in radians
+a -1: the half-width of the rounding must be a number not below 0
+P 0: the normal force must be a number above 0
+Q 21: must not exceed f P = 20: there is no equilibrium
+f -0.2: the coefficient of friction must be a number from 0 to 1000000
+k 0: the yield stress must be a number above 0
+E1 2e5 MPa: Young's modulus of body 1 must be a number above 0
+E1: the cell is empty
+7 cells in this row, 9 in the header
+10 cells in this row, 9 in the header: 13,210000,0.3,0.05,1,100,10,0.2,300,extra
+misplaced quotes in the row of line 15: 14,210000,""0.3""5,0.05,1,100,10,0.2,300
+nu1 0,3: Poisson's ratio must be a number from 0 to 0.5; the decimal sign is a point, or a comma with --decimal-comma
+E1 inf: Young's modulus of body 1 must be a number above 0; a rigid body is body 2, with --E2 inf
+nu1 nan: Poisson's ratio must be a number from 0 to 0.5
+k: the cell is empty
+f: the cell is empty
+Q: the cell is empty
+a: the cell is empty
+ERRORS
+run solve -i bad.csv
+status_is 0
+message_is "rwedge solve: bad.csv: 20 of 23 rows could not be solved: see the column error
+rwedge solve: bad.csv, in some rows: P is above P_yield: the contact yields in full sliding
+rwedge solve: bad.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?
+rwedge solve: bad.csv, in some rows: k/E is below 0.00001 or above 0.1: are the stresses in one unit?"
+same "rows" 24 "$(wc -l <out | tr -d ' ')"
+awk -F, '{ gsub(/.*,,,,/, ""); gsub(/^,*"?|"$/, ""); print }' out | sed '1,2d;/^18,/d;$d' >got
+same "errors" "" "$(diff expected got)"
+same "first and last, but for the number" "$(sed -n 2p out | cut -d , -f 2-)" "$(tail -n 1 out | cut -d , -f 2-)"
+same "rows that were misread keep their number" "$(seq 23 | paste -s -d ' ' -)" \
+    "$(tail -n +2 out | cut -d , -f 1 | paste -s -d ' ' -)"
+printf 'P,radius,theta_deg,yield_stress\n100,,1,900\n100,1,,900\n100,1,1,\n100,1,1,900\n' >gap.csv
+run solve -i gap.csv --E1 210000 --nu1 0.3 --f 0
+same "empty cells name their own column" \
+    "radius: the cell is empty|theta_deg: the cell is empty|yield_stress: the cell is empty|-" \
+    "$(column error out | paste -s -d '|' -)"
+
+# Without friction there may be none, or it was forgotten.
+printf 'P,a\n100,1\n' >frictionless.csv
+run solve -i frictionless.csv $fixed
+same "friction that nothing gives" "no friction given" "$(column warnings out)"
+run solve -i frictionless.csv --E1 210000 --nu1 0.3 --theta 0.2
+same "with another warning" "theta is above 0.1 rad: the wedge is hardly a half-plane; no friction given" \
+    "$(column warnings out)"
+message_is "rwedge solve: frictionless.csv, in some rows: theta is above 0.1 rad: the wedge is hardly a half-plane"
+run solve -i frictionless.csv $fixed --f 0
+same "friction 0 by an option" "-" "$(column warnings out)"
+printf 'P,a,f\n100,1,0\n' >frictionless.csv
+run solve -i frictionless.csv $fixed
+same "friction 0 in a column" "-" "$(column warnings out)"
+# Where Q or a yield stress is given, a default of 0 would look like a result.
+no_default="missing: f; friction has no default where Q, sigma or a yield stress is given; allowed: columns or options"
+printf 'P,a,Q\n100,1,0\n' >frictionless.csv
+cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed
+for strength in k yield_stress; do
+    printf 'P,a,%s\n100,1,300\n' $strength >frictionless.csv
+    cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed
+done
+printf 'P,a\n100,1\n' >frictionless.csv
+cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed --k 300
+
+# Where every row has an error, it could not be done; the rows are written all the same.
+printf 'P,a\n-1,1\n100,-1\n' >hopeless.csv
+cannot "rwedge solve: hopeless.csv: 2 of 2 rows could not be solved: see the column error" \
+    solve -i hopeless.csv $fixed -o hopeless_solved.csv
+same "rows with errors" \
+    "P -1: the normal force must be a number above 0|a -1: the half-width of the rounding must be a number not below 0" \
+    "$(column error hopeless_solved.csv | paste -s -d '|' -)"
+printf 'P,a\n' >hopeless.csv
+run solve -i hopeless.csv $fixed
+status_is 0
+
+# Lines are counted whatever ends them, and a bad row may be longer than what is read at once.
+for end in '\r' '\n' '\r\n'; do
+    printf "P,a,note${end}100,1,\"two\nlines\"$end\"1\"2,1,x${end}100,1,x$end" >ends.csv
+    run solve -i ends.csv $fixed
+    same "lines with ends $end" 5 "$(wc -l <out | tr -d ' ')"
+    same "line with ends $end" '"misplaced quotes in the row of line 4: ""1""2,1,x"' "$(sed -n 4p out | sed 's/.*,"m/"m/')"
+    same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
+done
+{ printf 'P,a\n"1"2'; head -c 200000 /dev/zero | tr '\0' ,; printf '\n100,1\n'; } >long.csv
+run solve -i long.csv $fixed
+same "rows" 3 "$(wc -l <out | tr -d ' ')"
+same "error" '"misplaced quotes in the row of line 2: ""1""2' "$(sed -n 2p out | sed 's/.*,"m/"m/; s/,.*//')"
+same "all of it is in the error" 200000 "$(sed -n 2p out | sed 's/.*""2//' | tr -d -c , | wc -c | tr -d ' ')"
+same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
+
+{ printf 'P,a\n'; head -c 1200000 /dev/zero | tr '\0' '\n'; printf '100,1\n\n\n"1"2,1\n'; } >blank.csv
+run solve -i blank.csv $fixed
+same "rows among blank lines" 3 "$(wc -l <out | tr -d ' ')"
+same "line after blank lines" '"misplaced quotes in the row of line 1200005: ""1""2,1"' "$(sed -n 3p out | sed 's/.*,"m/"m/')"
+
+# A rigid body in a column needs no Poisson's ratio; an elastic one does, in its row.
+printf 'P,a,E2,nu2\n100,1,inf,\n100,1,7e4,\n' >rigid.csv
+run solve -i rigid.csv $fixed
+same "errors with an empty nu2" "-|nu2: the cell is empty" "$(column error out | paste -s -d '|' -)"
+printf 'P,a,E2\n100,1,inf\n100,1,7e4\n' >rigid.csv
+run solve -i rigid.csv $fixed
+same "errors" ",7e4: needs nu2" "$(sed -n 2p out | sed 's/.*,/,/')$(sed -n 3p out | sed 's/.*E2 \(7e4: needs [-a-z0-9]*\).*/\1/')"
+
+# A quote that is left open costs its own line. The rows behind it are solved: where it is closed nowhere, where it is closed by
+# a quote that is out of place, and where what it closes is no row like the header. Whatever ends the lines.
+errors() { # FILE: of each row, with its first cells where it was solved
+    run solve -i "$1" $fixed --f 0.1
+    status_is 0
+    tail -n +2 out | sed 's/^\(.*\),1[.]73.*,$/solved \1/; s/.*,"\(.* in the row\)/\1/' | paste -s -d '|' -
+}
+for end in '\r' '\n' '\r\n'; do
+    printf "P,a,n${end}1,1,x$end\"2,1,x${end}3,1,x$end${end}4,1,x$end" >open.csv
+    same "closed nowhere" 'solved 1,1,x|a quote that is not closed in the row of line 3: ""2,1,x"|solved 3,1,x|solved 4,1,x' \
+        "$(errors open.csv)"
+    printf "P,a,n${end}1,1,\"x${end}2,1,x${end}3,1,x$end\"4\",1,x${end}\"5,1,x$end" >open.csv
+    same "closed out of place, then not" 'misplaced quotes in the row of line 2: 1,1,""x"|solved 2,1,x|solved 3,1,x|solved 4,1,x|'\
+'a quote that is not closed in the row of line 6: ""5,1,x"' "$(errors open.csv)"
+    printf "P,a,n${end}1,\"1,x${end}2,1,x${end}3,1,x\"${end}4,1,\"y, z\"" >open.csv
+    same "no row like the header" 'a quote over several lines, and too few or too many cells, in the row of line 2: 1,""1,x"|'\
+'solved 2,1,x|misplaced quotes in the row of line 4: 3,1,x"""|solved 4,1,"y, z"' "$(errors open.csv)"
+done
+message_is "rwedge solve: open.csv: 2 of 4 rows could not be solved: see the column error"
+# In time that grows with the file, and memory that does not.
+awk 'BEGIN { print "P,a,n"; print "1,1,\"x"; for (i = 0; i < 60000; i++) print ",,,,,,,,,,,,,,,,,,,,,"; print "2,1,x" }' >open.csv
+run solve -i open.csv $fixed --f 0.1
+same "the row behind 1.3 MB" "2,1,x" "$(tail -n 1 out | cut -d , -f 1-3)"
+
+# A header that cannot be right is an error before any row, and before the output is touched.
+echo old >kept.csv
+header() { # MESSAGE HEADER OPTIONS...
+    message=$1
+    printf '%b\n100,1\n' "$2" >header.csv
+    shift 2
+    cannot "rwedge solve: header.csv: $message" solve -i header.csv "$@" -o kept.csv
+    output_is ""
+    same "the old file" old "$(cat kept.csv)"
+}
+columns="; allowed: columns or options"
+header "missing: E1, nu1, theta or theta_deg$columns" "P,a"
+header "missing: P$columns" "Pmax,a" $fixed
+header "missing: a or radius$columns" "P,A1" $fixed
+header "missing: theta or theta_deg$columns" "P,a" --E1 1 --nu1 0
+header "column P: there twice; allowed: once" "P,P" $fixed
+header "radius (a column): given together with a; allowed: one of the two" "P,a,radius" $fixed
+header "theta_deg (a column): given together with --theta; allowed: one of the two" "P,a,theta_deg" $fixed
+header "--nu2 0.3: needs E2; allowed: both, or neither for two bodies of one material" "P,a" $fixed --nu2 0.3
+header "column 'Yield stress': allowed: yield_stress" "P,a,Yield stress" $fixed
+header "column 'e1': allowed: E1" "P,a,e1" $fixed
+# What is meant for an input must not pass for a remark: the contact would be solved without it.
+for name in " f" "f " F "f [-]" "F (1)"; do
+    header "column '$name': allowed: f" "P,a,$name" $fixed
+done
+for name in " f" "f [-]"; do
+    header "column '$name': allowed: f" "P,a,$name" $fixed --f 0.3
+done
+for name in "Q " "Q [N/mm]" "Q(N/mm)" "Q / (N/mm)" q; do
+    header "column '$name': allowed: Q" "P,a,$name" $fixed --f 0.3
+done
+header "column 'p': allowed: P" "p,a" $fixed
+header "column 'K': allowed: k" "P,a,K" $fixed
+header "column 'Yield stress (MPa)': allowed: yield_stress" "P,a,Yield stress (MPa)" $fixed
+header "column 'P [N/mm]': allowed: P" "P [N/mm],a" $fixed
+header "column 'theta (deg)': allowed: theta_deg" "P,a,theta (deg)" --E1 1 --nu1 0
+header "column 'theta [x]': allowed: theta in radians or theta_deg" "P,a,theta [x]" --E1 1 --nu1 0
+synonym() { # ALLOWED HEADER OPTIONS...
+    allowed=$1
+    names=$2
+    shift 2
+    header "column '${names##*,}': allowed: $allowed, or another name if it is something else" "$names" "$@"
+}
+for name in mu Mu friction "friction coefficient" friction_coefficient "mu [-]" μ µ "μ [-]" Reibwert REIBWERT Reibungszahl "coefficient de frottement" Attrito "Coeficiente de fricción"; do
+    synonym f "P,a,$name" $fixed
+done
+for name in sigma_y yield "Sigma_Y [MPa]" σy σ_y Sy sy S_y Rp0.2 "Rp0.2 [MPa]" Re Streckgrenze Fließgrenze "limite élastique" "Limite d'élasticité" Snervamento "límite elástico"; do
+    synonym yield_stress "P,a,$name" $fixed
+done
+synonym P "a,load" $fixed
+synonym P "a,force" $fixed
+synonym Q "P,a,shear force" $fixed
+synonym E1 "P,a,E" --nu1 0.3 --theta 0.05
+synonym nu1 "P,a,nu" --E1 1 --theta 0.05
+synonym nu1 "P,a,ν1" --E1 1 --theta 0.05
+synonym nu1 "P,a,ν" --E1 1 --theta 0.05
+synonym nu2 "P,a,E2,ν2" $fixed
+synonym radius "P,R" $fixed
+# Where what they may mean is given, they are columns like any other.
+printf 'P,a,p,q,mu,load,sigma_y,E,nu,K,f,Q\n100,1,x,x,x,x,x,x,x,x,0.3,20\n' >others.csv
+run solve -i others.csv $fixed --yield-stress 900
+status_is 0
+message_is ""
+same "columns that pass through" "100,1,x,x,x,x,x,x,x,x,0.3,20" "$(sed -n 2p out | cut -d , -f 1-12)"
+# But for numbers, which are named: they may be meant for something. What labels a row is not.
+printf 'P,a,μ,ν1,case,note\n100,1,0.5,0.33,x,0.5 x\n100,1,,,7,\n' >others.csv
+run solve -i others.csv $fixed --f 0.05
+status_is 0
+message_is "rwedge solve: others.csv: columns with numbers that are not used: 'μ', 'ν1'"
+printf 'P,a,F,mu\n100,1,x,x\n' >others.csv
+run solve -i others.csv $fixed --f 0.3
+status_is 0
+message_is ""
+header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
+header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
+header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed
+header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ';': --decimal-comma reads that" \
+    "P;a" $fixed
+header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ',': leave --decimal-comma out" \
+    "P,a" $fixed --decimal-comma
+refuses "rwedge solve: --P 5: plain.csv has a column for it; allowed: one of the two" solve -i plain.csv $fixed --P 5
+refuses "rwedge solve: --layout list: a file has a row for each contact; allowed with --input: row" \
+    solve -i plain.csv --layout list
+: >empty.csv
+cannot "rwedge solve: empty.csv: empty; needed: a header row with the names of the columns" solve -i empty.csv $fixed
+cannot "rwedge solve: nowhere.csv: No such file or directory" solve -i nowhere.csv $fixed
+cannot "rwedge solve: .: Is a directory" solve -i . $fixed
+prints "$(head -n 1 plain_solved)" solve -i - $fixed <<'ROWS'
+note,P,a
+ROWS
+
+# What is no CSV: binary, endless, too wide. The message names the line, the old file stays.
+hopeless() { # MESSAGE: what is in the file "input"
+    cannot "rwedge solve: standard input: $1" solve -i - $fixed -o kept.csv <input
+    same "the old file" old "$(cat kept.csv)"
+}
+printf 'P,a\n100,1\n\000\001\002\n' >input
+hopeless "line 3, column 1: the character U+0000 belongs to no text; allowed: text, no binary files"
+{ printf 'P,a\n100,1\n'; head -c 1100000 /dev/zero | tr '\0' 9; } >input
+hopeless "line 3: a line of more than 1 MiB; allowed: CSV"
+{ printf 'P,a\n100,1\n'; head -c 2000 /dev/zero | tr '\0' ,; } >input
+hopeless "line 3: more than 1000 cells in a row, or out of memory"
+called="an endless line"
+if command -v timeout >/dev/null; then
+    status=0
+    { printf 'P,a\n100,1\n'; tr '\0' 9 </dev/zero; } 2>/dev/null |
+        timeout 60 "$rwedge" solve -i - $fixed >out 2>err || status=$?
+    status_is 1
+    message_is "rwedge solve: standard input: line 3: a line of more than 1 MiB; allowed: CSV"
+    same "on standard output, the rows before it, and that there may be more" 3 "$(wc -l <out | tr -d ' ')"
+fi
+
+# Many rows in little memory (an address sanitizer reserves more than any limit, and takes its time).
+limit=65536
+(ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || { limit=unlimited; rows=3000; }
+awk -v rows=$rows 'BEGIN { srand(7); print "case,theta,a,P,Q,f,k"
+    for (i = 1; i <= rows; i++) printf "%d,%.4g,%.4g,%.5g,%.3g,%.3g,300\n", i, 0.005 + 0.09 * rand(), 2 * rand(),
+        10 + 300 * rand(), 0.5 * rand(), 0.05 + rand() / 2 }' >many.csv
+called="rwedge solve -i many.csv, $rows rows"
+started=$(date +%s)
+status=0
+(ulimit -v $limit; "$rwedge" solve -i many.csv --E1 210000 --nu1 0.3 -o many_solved.csv 2>err) || status=$?
+echo "$rows rows in $(($(date +%s) - started)) s"
+status_is 0
+message_is "rwedge solve: many.csv, in some rows: P is above P_yield: the contact yields in full sliding
+rwedge solve: many.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?"
+same "rows" "$((rows + 1))" "$(wc -l <many_solved.csv | tr -d ' ')"
+same "last case" "$rows" "$(tail -n 1 many_solved.csv | cut -d , -f 1)"
+same "rows without an error" "$rows" "$(grep -c ',$' many_solved.csv)"
+
+# Memory does not grow with the file: 150 MB of wide rows.
+called="rwedge solve -i -, 150 MB"
+filler=$(head -c 100000 /dev/zero | tr '\0' x)
+status=0
+(ulimit -v $limit
+awk -v filler="$filler" 'BEGIN { print "P,a,filler"; for (i = 0; i < 1500; i++) print "100,1," filler }' |
+    "$rwedge" solve -i - $fixed 2>err) >wide.csv || status=$?
+status_is 0
+same "rows" 1501 "$(wc -l <wide.csv | tr -d ' ')"
+
+finish

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge field: stresses on a grid, as rows and as VTK.
+. "$(dirname "$0")/../claims.sh"
+
+# Reference values in natural units, one point each, against the tensor's size. The stick zone passes through Q/(fP),
+# which keeps half of its digits where it is small.
+against_reference() { # COLUMNS: alpha, f, c, x, y, sxx, syy, txy of the standard input
+    while IFS=, read -r alpha f c x y sxx syy txy; do
+        run field --a-over-b "$alpha" --f "$f" --c-over-b "$c" --x "$x" --y "$y"
+        tail -n 1 out | awk -F, -v sxx="$sxx" -v syy="$syy" -v txy="$txy" '
+            function abs(v) { return v < 0 ? -v : v }
+            { size = 1e-3 + abs(sxx) + abs(syy) + abs(txy)
+              printf "1 %.17g\n1 %.17g\n1 %.17g\n", 1 + ($3 - sxx) / size, 1 + ($4 - syy) / size, 1 + ($5 - txy) / size }' >both
+        close_rows "stresses" 1e-7 0
+    done
+}
+head -n 41 "$data/stress_sliding.csv" | tail -n 40 | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
+against_reference <points
+head -n 41 "$data/stress_partial_slip.csv" | tail -n 40 | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
+against_reference <points
+
+# von Mises' stress with szz = nu (sxx + syy), and the larger principal stress, from the tensor.
+contact="--E1 210000 --nu1 0.25 --theta 0.05 --a 0.1 --f 0.3"
+run field $contact --P 300 --Q 90
+status_is 0
+same "points by default" 3321 "$(column x out | wc -l | tr -d ' ')"
+awk -F, 'NR > 1 { z = 0.25 * ($3 + $4); printf "%.17g %.17g\n",
+    sqrt((($3 - $4) ^ 2 + ($4 - z) ^ 2 + (z - $3) ^ 2) / 2 + 3 * $5 ^ 2), $6 }' out >both
+close_rows von_mises 1e-12 0
+awk -F, 'NR > 1 { s = $7; print 1, 1 + (($3 - s) * ($4 - s) - $5 ^ 2) / ($3 ^ 2 + $4 ^ 2 + $5 ^ 2) }' out >both
+close_rows "s1 is a principal stress" 1e-12 0
+# The others by their definitions: s1 + s2 is the trace, tau_max the largest of three differences, s1 the normal stress of its plane.
+awk -F, 'function max(a, b) { return a > b ? a : b } function abs(a) { return a < 0 ? -a : a }
+    NR > 1 { size = abs($3) + abs($4) + abs($5); a = $11 * 3.14159265358979324 / 180
+    print 1, 1 + ($7 + $9 - $3 - $4) / size; print 1, 1 + ($8 - 0.25 * ($3 + $4)) / size
+    print 1, 1 + (2 * $10 - max(abs($7 - $9), max(abs($7 - $8), abs($9 - $8)))) / size
+    print 1, 1 + ($3 * sin(a) ^ 2 + $4 * cos(a) ^ 2 + 2 * $5 * sin(a) * cos(a) - $7) / size }' out >both
+close_rows "s2, szz, tau_max, s1_angle" 1e-12 0
+same "s1 below the mean" "" "$(awk -F, 'NR > 1 && 2 * $7 < $3 + $4' out)"
+cp out sliding
+largest=$(awk -F, 'NR > 1 && $6 > m { m = $6 } END { print m }' out)
+edge=$(awk -F, 'NR > 1 && $1 > 2 * w { w = $1 / 2 } END { printf "%.17g", w }' out)
+run solve $contact --P 300 --Q 90
+close_to "the grid is 2 b wide" "$(value b)" "$edge" 1e-15
+close_to "largest von Mises stress" "$(value von_mises_sliding)" "$largest" 0.05
+same "no point is above it" yes "$(awk "BEGIN { if ($largest <= $(value von_mises_sliding)) print \"yes\" }")"
+
+# The default grid has the middle, x = 0, and the mirror image of every point, to the last digit; of the sharp wedge the
+# apex is there, and empty.
+for P in 1 7 33.3 100 123.456 300 777 5000; do
+    for a in 0 0.1 1; do
+        shape="--E1 210000 --nu1 0.3 --theta 0.05 --a $a --f 0.3 --P $P"
+        run field $shape
+        same "rows" 3321 "$(column x out | wc -l | tr -d ' ')"
+        column x out | head -n 81 >x
+        same "the middle of 81" 0 "$(sed -n 41p x)"
+        same "mirror images" "" "$(sed 's/^-//' x | tail -n 41 >right; sed 's/^-//' x | head -n 41 | sed -n '1!G;h;$p' | diff - right)"
+        same "columns to the left" 40 "$(grep -c '^-' x)"
+        same "apex" "$([ $a = 0 ] && echo 0,0,,,,,,,,,)" "$(sed -n 42p out | grep ',,,,,,,,,$')"
+        run field $shape --format vtk
+        vtk_x=$(sed -n '/^X_COORDINATES/,/^Y_COORDINATES/p' out | sed '1d;$d' | tr -s ' ' '\n' | grep .)
+        same "in VTK" "$(cat x)" "$vtk_x"
+    done
+done
+
+# Far below, P and Q act in a point (Flamant): syy = -2 P/(pi y) below it, sxx = -2 P x^2/(pi r^2) y/r^2.
+run field $contact --P 300 --x 0 --y 1000
+close_to "Flamant" "$(awk 'BEGIN { print -2 * 300 / (3.14159265358979 * 1000) }')" "$(column syy out)" 1e-5
+
+# Rows: x fastest; a history; the apex of the sharp wedge is empty, and nan in VTK.
+run field $contact --load 300,0 --load 300,60 --load 300,-60 --x -0.1:0.1:0.1 --y 0,0.05
+same "order" "-0.1 0 0 0 0.1 0 -0.1 0.05 0 0.05 0.1 0.05" "$(awk -F, 'NR > 1 { print $1, $2 }' out | paste -s -d ' ' -)"
+same "sign of txy under the contact after the reversal" "+" "$(awk -F, 'NR == 3 { print ($5 > 0 ? "+" : "-") }' out)"
+# Below the sharp wedge: mean stress -(2/pi) arsinh(1/y), half the difference (2/pi)/sqrt(1 + y^2).
+prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
+0,0,,,,,,,,,
+0,1,-0.1109,-1.011,0,0.8114,-0.1109,-0.3367,-1.011,0.4502,90" field --a-over-b 0 --x 0 --y 0,1.0 --digits 4
+prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
+0,1,0,0,0,0,0,0,0,0,0" field $contact --load 300,20 --load 0,0 --x 0 --y 1
+
+# VTK: read back by its own counts, and the same numbers as in the rows.
+vtk_to_rows() {
+    awk '
+        function die(why) { print "not VTK: " why; bad = 1; exit }
+        function take(n, name,   i) { for (i = 1; i <= n; i++) { if (at > NF) { if ((getline) <= 0) die(name); at = 1 }
+            got[name, i] = $at; at++ } if (at <= NF) die("more values of " name); at = 99 }
+        NR == 1 && $0 != "# vtk DataFile Version 3.0" { die("first line") }
+        NR == 2 && length($0) > 255 { die("title") }
+        NR == 3 && $0 != "ASCII" { die("ASCII") }
+        NR == 4 && $0 != "DATASET RECTILINEAR_GRID" { die("dataset") }
+        NR <= 4 { at = 99999; next }
+        $1 == "DIMENSIONS" { nx = $2; ny = $3; if ($4 != 1) die("nz"); next }
+        $1 == "X_COORDINATES" { if ($2 != nx || $3 != "double") die("x"); at = 99999; take(nx, "x"); next }
+        $1 == "Y_COORDINATES" { if ($2 != ny || $3 != "double") die("y"); at = 99999; take(ny, "y"); next }
+        $1 == "Z_COORDINATES" { if ($2 != 1) die("z"); at = 99999; take(1, "z"); next }
+        $1 == "POINT_DATA" { if ($2 != nx * ny) die("points"); next }
+        $1 == "SCALARS" { if ($3 != "double" || $4 != 1) die("scalars"); name = $2; names[++count] = name; getline
+            if ($0 != "LOOKUP_TABLE default") die("lookup"); at = 99999; take(nx * ny, name); next }
+        $1 == "TENSORS" { if ($2 != "stress" || $3 != "double") die("tensors"); at = 99999; take(9 * nx * ny, "stress")
+            for (p = 1; p <= nx * ny; p++) { t = 9 * (p - 1)
+                for (i = 2; i <= 8; i++) if (got["stress", t + i] != (i == 2 || i == 4 ? got["txy", p] : i == 5 ? got["syy", p] : 0)) die("tensor")
+                if (got["stress", t + 1] != got["sxx", p] || got["stress", t + 9] != got["szz", p]) die("tensor") }
+            next }
+        { die("line " NR ": " $0) }
+        END { if (bad) exit
+            printf "x,y"; for (n = 1; n <= count; n++) printf ",%s", names[n]; print ""
+            for (j = 1; j <= ny; j++) for (i = 1; i <= nx; i++) { printf "%s,%s", got["x", i], got["y", j]
+                for (n = 1; n <= count; n++) printf ",%s", got[names[n], (j - 1) * nx + i] == "nan" ? "" : got[names[n], (j - 1) * nx + i]
+                print "" } }' "$1"
+}
+run field $contact --P 300 --Q 90 --format vtk
+status_is 0
+vtk_to_rows out >rows
+same "VTK against rows" "" "$(diff sliding rows | head -n 5)"
+run field --a-over-b 0 --f 0.2 --q-over-fp 1 --x -1:1:0.5 --y 0,1,3 --format vtk -o sharp.vtk
+run field --a-over-b 0 --f 0.2 --q-over-fp 1 --x -1:1:0.5 --y 0,1,3
+vtk_to_rows sharp.vtk >rows
+same "VTK with an apex" "" "$(diff out rows | head -n 5)"
+same "nan" 12 "$(grep -c nan sharp.vtk)"
+head -c 900 sharp.vtk >cut.vtk
+same "the check of VTK can fail" "not VTK" "$(vtk_to_rows cut.vtk | cut -c 1-7 | tail -n 1)"
+if python3 -c 'import vtk' 2>/dev/null; then
+    same "points read by VTK" 15 "$(python3 -c '
+import vtk
+reader = vtk.vtkRectilinearGridReader(); reader.SetFileName("sharp.vtk"); reader.ReadAllScalarsOn(); reader.Update()
+print(reader.GetOutput().GetNumberOfPoints())')"
+fi
+refuses "rwedge field: --x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
+refuses "rwedge field: --y 1:0:-0.1: must ascend; so the format vtk wants it" field --a-over-b 1 --y 1:0:-0.1 --format vtk
+refuses "rwedge field: --x 1,1: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,1 --format vtk
+refuses "rwedge field: --decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
+    field --a-over-b 1 --format vtk --decimal-comma
+refuses "rwedge field: --format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml
+refuses "rwedge field: --y -1:1:1: depths must not be below 0" field --a-over-b 1 --y -1:1:1
+refuses "rwedge field: --x 0:1:1e-8: must not give the grid more than 1000000000 points in all" \
+    field --a-over-b 1 --x 0:1:1e-8 --y 0:1:1e-3
+refuses "rwedge field: --x: missing; after the last load there is no contact to lay a grid around" \
+    field $contact --load 0,0
+
+# Rows stream: the first of a thousand million comes at once, in little memory.
+limit=100000
+(ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || limit=unlimited
+for format in csv vtk; do
+    called="rwedge field with 1e9 points, $format"
+    (ulimit -v $limit; "$rwedge" field --a-over-b 0.5 --x 1:100000:1 --y 1:10000:1 --format $format 2>/dev/null) | head -n 5 >first
+    same "lines" 5 "$(wc -l <first | tr -d ' ')"
+done
+
+finish

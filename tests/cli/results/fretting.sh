@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge fretting: what a cycle of loads does to each place, against other routes to the same numbers.
+. "$(dirname "$0")/../claims.sh"
+
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+
+# worst NAME: the place and the value of a measure in the last line of stderr, "x value".
+worst() {
+    sed -n "s/.*worst: \(.*; \)\{0,1\}$1 \([^ ]*\) at x = \([^;]*\).*/\3 \2/p" err
+}
+# at X NAME: of the row at that place, to 1e-9.
+at() {
+    awk -F, -v x="$1" -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
+        ($1 - x) ^ 2 < 1e-18 { print $c; exit }' out
+}
+
+# The test of Nowell and Hills through a whole cycle, Q and the bulk tension in phase.
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+run fretting cycle.csv $specimen --yield-stress 500
+status_is 0
+same "columns" "x,y,stress_range,swt,swt_angle,fatemi_socie,fs_angle,slip_range,ruiz_f1,ruiz_f2,energy_per_area" "$(head -n 1 out)"
+same "places ascend" "" "$(column x out | awk 'NR > 1 && !($1 > last) { print } { last = $1 }')"
+cp out whole
+cp err said
+
+# The edges of contact and stick zone after each load are places.
+run history cycle.csv $specimen --cycles 2
+tail -n 3 out | cut -d , -f 6-9 | tr , '\n' | sort -u >edges
+cp out states
+cp whole out
+same "edges" "" "$(while read -r x; do [ -n "$(at "$x" x)" ] || echo "$x"; done <edges)"
+left=$(tail -n 1 states | cut -d , -f 6)
+
+# The worst of SWT is at the trailing edge: sxx alone acts there, from -345.747 to 345.747 (see off_centre.sh), and so
+# SWT = 345.747 (1 - nu^2)/E 345.747 on the plane across the surface; its range is that of sxx.
+cp said err
+close_to "place of the worst SWT" "$left" "$(worst swt | cut -d ' ' -f 1)" 1e-5
+close_to "the worst SWT" "$(awk 'BEGIN { printf "%.17g", 345.747 ^ 2 * (1 - 0.33 ^ 2) / 72100 }')" "$(at "$left" swt)" 5e-6
+same "its plane" 90 "$(at "$left" swt_angle)"
+close_to "the worst stress range" 691.494 "$(at "$left" stress_range)" 2e-6
+for name in stress_range swt fatemi_socie slip_range ruiz_f1 ruiz_f2 energy_per_area; do
+    close_to "the line names the largest row of $name" "$(column $name out | awk '$1 > m { m = $1 } END { printf "%.6g", m }')" "$(worst $name | cut -d ' ' -f 2)" 0
+done
+
+# SWT and Fatemi-Socie from the stresses of history: planes scanned in steps of 0.05 degrees, which miss the top by 1e-6.
+places="$left,0;-0.15,0;0.1,0.02;-0.21,0.05;0.25,0"
+run history cycle.csv $specimen --cycles 2 --at "$places"
+tail -n 15 out >stresses
+run fretting cycle.csv $specimen --yield-stress 500 --fs-k 0.5 --at "$places"
+status_is 0
+same "rows" 6 "$(wc -l <out | tr -d ' ')"
+awk -F, -v E=72100 -v nu=0.33 -v sy=500 -v k=0.5 '
+    FILENAME == "stresses" { n++; i = int((n - 1) / 5); j = (n - 1) % 5; a[i, j] = $4; b[i, j] = $5; c[i, j] = $7; next }
+    FNR == 1 { next }
+    { j = FNR - 2; swt = fs = 0; lo = 1e9; hi = -1e9
+      for (i = 0; i < 3; i++) { if (a[i, j] > hi) hi = a[i, j]; if (a[i, j] < lo) lo = a[i, j] }
+      for (d = 0; d < 180; d += 0.05) { w = d * 3.14159265358979324 / 180; S = sin(w); C = cos(w)
+          top = e1 = g1 = -1e9; e0 = g0 = 1e9
+          for (i = 0; i < 3; i++) {
+              sn = a[i, j] * S * S + b[i, j] * C * C + 2 * c[i, j] * S * C
+              st = a[i, j] * C * C + b[i, j] * S * S - 2 * c[i, j] * S * C
+              t = (a[i, j] - b[i, j]) * S * C + c[i, j] * (C * C - S * S)
+              en = (1 + nu) / E * ((1 - nu) * sn - nu * st); g = 2 * (1 + nu) / E * t
+              if (sn > top) top = sn; if (en > e1) e1 = en; if (en < e0) e0 = en; if (g > g1) g1 = g; if (g < g0) g0 = g }
+          if (top > 0 && top * (e1 - e0) / 2 > swt) swt = top * (e1 - e0) / 2
+          v = (g1 - g0) / 2 * (1 + k * top / sy); if (v > fs) fs = v }
+      printf "%.17g %s\n%.17g %s\n%.17g %s\n", swt, $4, fs, $6, hi - lo, $3 }' stresses out >both
+close_rows "critical planes by scanning" 2e-6 1e-12
+
+# Slip of a cylinder under a cycle of Q: the range is 2 f/R times the integral of sqrt(t^2 - c^2) from c to x (Cattaneo, Mindlin).
+# At each place the shear is f p where it slips, so the energy is 2 f p times the range, and Ruiz' F1 is f p times it.
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n' >cycle.csv
+run fretting cycle.csv $specimen
+awk -F, 'BEGIN { nu = 0.33; pi = 3.14159265358979324; f = 0.3; R = 10; P = 135.75; A = 4 * (1 - nu * nu) / 72100
+        b = sqrt(2 * A * P * R / pi); c = b * sqrt(1 - 30 / (f * P)); p0 = 2 * P / (pi * b) }
+    NR > 1 && $8 != "" { x = $1 < 0 ? -$1 : $1; if (x > b) x = b; s = 0; p = p0 * sqrt(1 - x * x / (b * b))
+        if (x > c) { w = sqrt(x * x - c * c); s = f / R * (x * w - c * c * log((x + w) / c)) }
+        printf "%.17g %s\n%.17g %s\n", s, $8, 2 * f * p * s, $11; if (x > c) printf "%.17g %s\n", f * p * s, $9 }' out >both
+close_rows "slip range, energy, F1" 1e-6 1e-10
+same "places in contact" yes "$(awk -F, 'NR > 1 && $8 != "" { n++ } END { if (n > 200) print "yes" }' out)"
+
+# Where it sticks and stays compressed, shear alone changes: only Fatemi and Socie's sees it, and the line does not say that nothing changes.
+run history cycle.csv $specimen --cycles 1 --at 0,0
+same "txy changes" 3 "$(column txy out | sort -u | wc -l | tr -d ' ')"
+run fretting cycle.csv $specimen --at 0,0
+message_is "rwedge fretting: worst: none; every measure is 0 or empty at these places"
+run fretting cycle.csv $specimen --at 0,0 --yield-stress 500
+message_has "rwedge fretting: worst: fatemi_socie "
+
+# F2 is F1 times the largest tension, 0 where there is none.
+run history cycle.csv $specimen --cycles 2 --at -0.2,0
+tension=$(tail -n 3 out | cut -d , -f 4 | sort -g | tail -n 1)
+run fretting cycle.csv $specimen --at '-0.2,0;0,0'
+close_to "F2" "$(awk -F, -v s="$tension" 'NR == 2 { printf "%.17g", s * $9 }' out)" "$(sed -n 2p out | cut -d , -f 10)" 1e-12
+same "F2 in compression" 0 "$(sed -n 3p out | cut -d , -f 10)"
+
+# The energy per area over the contact is the energy that a cycle dissipates, as history has it.
+balance() { # TOLERANCE SHAPE: of cycle.csv
+    tolerance=$1
+    shift
+    run history cycle.csv "$@" --cycles 2
+    energy=$(awk -F, 'NR == 1 { next } { e[NR - 1] = $15; l = NR == 2 || $6 < l ? $6 : l; r = $7 > r ? $7 : r }
+        END { printf "%.17g %.17g %.17g", e[NR - 1] - e[(NR - 1) / 2], l, r }' out)
+    echo "$energy" | awk '{ print "x,y"; for (i = 1; i < 1000; i++)
+        printf "%.17g,0\n", ($2 + $3) / 2 + ($3 - $2) / 2 * sin(1.5707963267948966 * (2 * i - 1000) / 1000) }' >points.csv
+    run fretting cycle.csv "$@" --points points.csv
+    close_to "energy of the cycle" "${energy%% *}" "$(awk -F, -v e="$energy" 'BEGIN { split(e, v, " "); m = (v[2] + v[3]) / 2; s = (v[3] - v[2]) / 2 }
+        NR > 1 { w = s * s - ($1 - m) ^ 2; sum += $11 * sqrt(w > 0 ? w : 0) }
+        END { printf "%.17g", sum * 3.14159265358979324 / 1000 }' out)" "$tolerance"
+}
+balance 1e-6 $specimen
+printf 'P,Q,sigma\n135.75,0,0\n135.75,30,60\n135.75,-30,-60\n' >cycle.csv
+balance 1e-6 $specimen
+printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >cycle.csv
+balance 1e-6 $specimen
+# Where P changes, steps are cut into 32: 1e-3 at the most in these, 2 % where little slips.
+printf 'P,Q\n135.75,0\n150,40\n120,-30\n' >cycle.csv
+balance 1e-3 $specimen
+printf 'P,Q\n1000,0\n1300,780\n700,-200\n' >cycle.csv
+balance 1e-3 --E1 72100 --nu1 0.33 --theta 0.05 --a 0.05 --f 0.6
+printf 'P,Q\n100,10\n150,20\n60,-10\n' >cycle.csv
+balance 2e-2 $specimen
+
+# Under constant P the second cycle is like the third, where P changes the third like the fourth. The first is not.
+next_is_like() { # CYCLES
+    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles "$1"
+    cp out before
+    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles $(($1 + 1))
+    paste -d , before out | awk -F, 'NR > 1 { for (i = 3; i <= 11; i++) if ($i != "" && i != 5 && i != 7) print $i, $(i + 11) }' >both
+    close_rows "cycle $1 and the next" 1e-9 1e-12
+}
+printf 'P,Q\n135.75,10\n135.75,30\n135.75,-20\n' >cycle.csv
+next_is_like 2
+printf 'P,Q\n100,10\n150,40\n110,-20\n' >cycle.csv
+next_is_like 3
+run fretting cycle.csv $specimen --x=-0.25:0.25:0.01
+same "three cycles by default" "" "$(diff before out)"
+run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles 1
+same "the first cycle" differs "$(cmp -s out before || echo differs)"
+
+# The mirror image, and any number of threads.
+printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >one.csv
+printf 'P,M,Q,sigma\n100,-5,0,0\n100,-5,-20,40\n100,-5,15,-20\n' >other.csv
+run fretting one.csv $specimen --k 300 --x=-0.4:0.4:0.001 --depth 0,0.01 --threads 1
+sort -t , -k 2,2g -k 1,1gr out >one
+run fretting other.csv $specimen --k 300 --x=-0.4:0.4:0.001 --depth 0,0.01 --threads 1
+sort -t , -k 2,2g -k 1,1g out | paste -d , one - | awk -F, '$1 != "x" { n = split("3 4 6 8 9 10 11", c, " ")
+    for (i = 1; i <= n; i++) if ($c[i] != "") print $c[i], $(c[i] + 11) }' >both
+close_rows "mirror image" 1e-7 1e-9
+cp out one
+for threads in 2 3 64; do
+    run fretting other.csv $specimen --k 300 --x=-0.4:0.4:0.001 --depth 0,0.01 --threads $threads
+    same "bytes with $threads threads" "" "$(cmp one out 2>&1)"
+done
+
+# A coarse grid of the user's stays as it is, and the last line still finds the edge.
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1
+same "rows" "-0.3 -0.2 -0.1 0 0.1 0.2 0.3" "$(column x out | paste -s -d ' ' -)"
+close_to "the worst SWT of the line" "$(awk 'BEGIN { printf "%.17g", 345.747 ^ 2 * (1 - 0.33 ^ 2) / 72100 }')" "$(worst swt | cut -d ' ' -f 2)" 1e-5
+same "no slip below the surface, or outside" "- -" "$(column slip_range out | sed -n '1p;$p' | paste -s -d ' ' -)"
+same "no yield stress" "- -" "$(column fatemi_socie out | sed -n '1p;$p' | paste -s -d ' ' -)"
+
+# What has no closed form is empty, and a line says so; the apex of the sharp wedge is empty.
+printf 'P,M,Q\n100,5,0\n100,5,30\n120,6,36\n' >grow.csv
+run fretting grow.csv $specimen --cycles 1 --at 0,0
+status_is 0
+message_has "the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and energy_per_area are empty"
+same "slip" "-" "$(column slip_range out)"
+printf 'P,Q\n100,0\n100,20\n' >sharp.csv
+run fretting sharp.csv --E1 72100 --nu1 0.33 --theta 0.05 --a 0 --f 0.3 --at '0,0;0.01,0'
+same "apex" "0,0,,,,,,,,," "$(sed -n 2p out)"
+
+# Mistakes.
+printf 'P,Q\n100,0\n100,31\n' >bad.csv
+cannot "rwedge fretting: bad.csv: line 3: Q must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
+refuses "rwedge fretting: --fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
+refuses "rwedge fretting: --threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
+refuses "rwedge fretting: --depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1
+refuses "rwedge fretting: --x: missing; there is no contact in the cycle to take places from" fretting $specimen --load 0,0
+
+finish

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge history: what a contact is after each load of a table; stresses at points; loads that cannot be.
+. "$(dirname "$0")/../claims.sh"
+
+# cells NAME: that column of the CSV file out, in one line.
+cells() {
+    column "$1" out | paste -s -d ' ' -
+}
+
+# The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Their numbers as in off_centre.sh.
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
+run history loads.csv $specimen
+status_is 0
+message_is ""
+same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings" \
+    "$(head -n 1 out)"
+same "columns that pass through" '0,press,1,|0.5,pull,2,|1,push,3,|1.5,"pull, again",4,' "$(tail -n +2 out | sed 's/135.*//' | paste -s -d '|' -)"
+awk -F, 'NR == 3 { print -0.206698, $8; print 0.206698, $9; print 0.041197, ($10 + $11) / 2; print 0.045519, ($11 - $10) / 2
+    print 418.104, $13; print 345.747, $14 }
+    NR == 4 { print 418.104, $13; print -345.747, $14 }' out >both
+close_rows "Nowell and Hills" 2e-5 0
+sed -i 's/"pull, again"/again/' out
+same "no yield stress" "- - - -" "$(cells yield_factor)"
+
+# The same as solve, load by load from the virgin contact, and as profile for the whole history.
+same_as_solve() { # NAME COLUMN
+    history=$(cells "$2" | cut -d ' ' -f 2)
+    cp out kept
+    run solve $specimen --P 135.75 --Q 38.75 --sigma 100 --k 300 --yield-factor
+    close_to "$1 of solve" "$(value "$1")" "$history" 1e-12
+    cp kept out
+}
+run history loads.csv $specimen --k 300
+for name in left right stick_left stick_right yield_factor; do
+    same_as_solve $name $name
+done
+same_as_solve p0 peak_pressure
+same_as_solve max_tension tension_left
+printf 'P,Q\n300,0\n300,80\n300,-30\n250,20\n' >center.csv
+run history center.csv $specimen
+slip=$(cells largest_slip | cut -d ' ' -f 4)
+run profile $specimen --history center.csv --points 4001
+close_to "largest slip of profile" "$(column slip out | awk '{ s = $1 < 0 ? -$1 : $1; if (s > m) m = s } END { print m }')" "$slip" 1e-4
+
+# Under a moment the largest pressure has no closed form: it is found, between the points of profile.
+run history $specimen --load 100,5,0,0
+peak=$(cells peak_pressure)
+run profile $specimen --load 100,5,0,0 --points 4001
+close_to "peak pressure" "$(column p out | awk '{ if (-$1 > m) m = -$1 } END { print m }')" "$peak" 1e-6
+
+# Energy of a cycle of Q under Hertz' pressure, from the loop of Q over the displacement by slip, r/2 + (1 - r) ln(1 - r)/2
+# times A f P/pi with r = Q/(fP), which unloading and reloading follow twice (Mindlin, Masing).
+printf 'P,Q\n135.75,30\n135.75,-30\n' >cycle.csv
+run history cycle.csv $specimen --cycles 3
+status_is 0
+energies=$(cells energy)
+close_to "energy of a cycle" "$(awk 'BEGIN { nu = 0.33; A = 4 * (1 - nu * nu) / 72100; f = 0.3; P = 135.75; r = 30 / (f * P); l = log(1 - r)
+    d = r / 2 + (1 - r) * l / 2; I = r * r / 4 + (-(1 - r) ^ 2 / 2 * l + (1 - r) ^ 2 / 4 - 1 / 4) / 2
+    printf "%.17g", 8 * A * f * f * P * P / 3.14159265358979324 * (r * d / 2 - I) }')" \
+    "$(echo "$energies" | awk '{ printf "%.17g", $6 - $4 }')" 1e-11
+message_is "rwedge history: dissipated in the last cycle: $(echo "$energies" | awk '{ printf "%.6g", $6 - $4 }')"
+same "loads are counted" "1 2 3 4 5 6" "$(cells load)"
+awk -F, 'NR == 4 || NR == 5 { for (i = 2; i <= 14; i++) old[NR + 2, i] = $i } NR > 5 { for (i = 2; i <= 14; i++) print old[NR, i], $i }' out >both
+close_rows "the second cycle is the third" 1e-12 1e-15
+
+# The mirror image: M, Q and x change sign, sigma does not.
+printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >one.csv
+printf 'P,M,Q,sigma\n100,-5,0,0\n100,-5,-20,40\n100,-5,15,-20\n' >other.csv
+run history one.csv $specimen --k 300
+cp out one
+run history other.csv $specimen --k 300
+tail -n +2 one >first
+tail -n +2 out | paste -d , first - | awk -F, 'function pair(a, b) { printf "%.17g %.17g\n", a, b }
+    { n = 19; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
+    pair($11, $(n + 11)); pair($12, $(n + 13)); pair($14, $(n + 14)); pair($15, $(n + 15)); pair($16, $(n + 16)); pair(1, 1 + 1e-3 * ($17 + $(n + 17))) }' >both
+close_rows "mirror image" 1e-9 1e-9
+
+# Stresses at points: those of field after the same loads, to the last digit; the file of points, and the grid.
+run field $specimen --history loads.csv --x -0.2,0.1 --y 0,0.05
+tail -n +2 out | cut -d , -f 3-10 >expected
+run history loads.csv $specimen --at '-0.2,0;0.1,0;-0.2,0.05;0.1,0.05'
+status_is 0
+same "columns" "time,name,load,x,y,sxx,syy,szz,txy,s1,s2,von_mises,tau_max" "$(head -n 1 out)"
+same "field" "$(cat expected)" "$(tail -n 4 out | sed 's/"pull, again"/again/' | awk -F, -v OFS=, '{ print $6, $7, $9, $12, $10, $8, $11, $13 }')"
+cp out listed
+printf 'name,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >points.csv
+run history loads.csv $specimen --points points.csv
+same "a file of points" "" "$(diff listed out)"
+run history loads.csv $specimen --x -0.2,0.1 --depth 0,0.05
+same "a grid" "" "$(diff listed out)"
+run history --E1 72100 --nu1 0.33 --theta 0.05 --a 0 --f 0.3 --load 100,0 --at 0,0
+same "the sharp apex" "1,0,0,,,,,,,," "$(tail -n 1 out)"
+
+# A series for ParaView: each file is that of field, but for its title.
+run history loads.csv $specimen --x -0.3:0.3:0.1 --depth 0:0.2:0.1 -o series.vtk.series
+status_is 0
+same "files" "series.vtk.series series_0001.vtk series_0002.vtk series_0003.vtk series_0004.vtk" "$(ls series* | paste -s -d ' ' -)"
+run field $specimen --history loads.csv --x -0.3:0.3:0.1 --y 0:0.2:0.1 --format vtk
+same "the last file" "" "$(sed 2d series_0004.vtk >a; sed 2d out | diff a -)"
+called="series.vtk.series"
+same "names and times" "series_0001.vtk 1 series_0002.vtk 2 series_0003.vtk 3 series_0004.vtk 4" "$(sed -n 's/.*"name": "\(.*\)", "time": \([0-9]*\).*/\1 \2/p' series.vtk.series | paste -s -d ' ' -)"
+run history loads.csv $specimen --at '-0.2,0;0.1,0.05' -o loose.series
+same "points that are no grid" "DATASET POLYDATA;POINTS 2 double;-0.2 0 0;0.1 0.05 0;VERTICES 2 4;1 0;1 1;POINT_DATA 2" \
+    "$(sed -n 4,11p loose_0002.vtk | paste -s -d ';' -)"
+refuses "rwedge history: --output x.series: needs points; allowed with: --at, --points, or --x and --depth" history loads.csv $specimen -o x.series
+refuses "rwedge history: --format series: writes several files; allowed with: --output NAME.vtk.series" history loads.csv $specimen --format series
+
+# A history that leaves the closed form, or cannot be: the line, why, and nothing written; with --until, what was before.
+fails() { # MESSAGE TEXT
+    printf "$2" >bad.csv
+    rm -f x.csv
+    cannot "rwedge history: bad.csv: $1" history bad.csv $specimen -o x.csv
+    same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
+}
+fails "line 3: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
+    'P,M,Q\n100,5,0\n100,40,0\n'
+fails "line 2: no closed form: the bodies would touch under a shear that does not grow in proportion to the contact: put a load before it with the same P and M, Q = 0, and sigma as it was" \
+    'P,Q,sigma\n100,20,30\n100,-20,-30\n'
+printf 'P,M,Q\n100,5,0\n100,40,0\n' >bad.csv
+run history bad.csv $specimen --until
+status_is 0
+message_has "bad.csv: line 3: no closed form: one edge"
+message_has "; the results end before it"
+same "rows" 2 "$(wc -l <out | tr -d ' ')"
+fails "line 3: Q must not exceed f P = 30: there is no equilibrium" 'P,Q\n100,0\n100,31\n'
+fails "line 2: P must not be below 0, and Q must be 0 where P is" 'P,Q\n-100,0\n'
+fails "line 3: Q nan: must be a number, with a decimal point" 'P,Q\n100,0\n100,nan\n'
+fails "line 3: Q : must be a number, with a decimal point" 'P,Q\n100,0\n100,\n'
+fails "column Q: missing; a history needs P and Q" 'P,M\n1,2\n'
+fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" 'P;Q\n100,5;0\n'
+fails "empty; needed: a header row with the names of the columns" ''
+fails "no loads; needed: rows of P and Q" 'P,Q\n'
+fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
+printf 'P;Q\n135,75;30\n135,75;-30\n' >comma.csv
+run history cycle.csv $specimen
+cp out expected
+run history comma.csv $specimen --decimal-comma
+same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
+refuses "rwedge history: --load 100,31: Q must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
+refuses "rwedge history: a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
+refuses "rwedge history: loads.csv: given together with --load; allowed: one of the two" history loads.csv $specimen --load 1,0
+refuses "rwedge history: --P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
+refuses "rwedge history: missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
+refuses "rwedge history: --cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0
+refuses "rwedge history: --at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
+refuses "rwedge history: --at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'
+refuses "rwedge history: --at 1,1: given together with --x; allowed: one of the two" history loads.csv $specimen --at 1,1 --x 0
+refuses "rwedge history: --depth 1: needs --x" history loads.csv $specimen --depth 1
+refuses "rwedge history: --output loads.csv: it is the input; allowed: another file" history loads.csv $specimen -o loads.csv
+printf 'x,z\n1,2\n' >bad.csv
+cannot "rwedge history: bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
+printf 'x,y\n1,-2\n' >bad.csv
+cannot "rwedge history: bad.csv: line 2: y is a depth, and must not be below 0" history loads.csv $specimen --points bad.csv
+# Nothing of a file of points is dropped or guessed.
+printf 'x,y,x\n1,2,3\n' >bad.csv
+cannot "rwedge history: bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
+printf 'x,y\n1,2\n1,2,5\n' >bad.csv
+cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header" history loads.csv $specimen --points bad.csv
+printf 'x,y\n1,"2\n1,2\n' >bad.csv
+cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
+refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \
+    history loads.csv $specimen --points points.csv -o points.csv
+run history loads.csv $specimen --points points.csv
+mv out wanted
+printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
+run history loads.csv $specimen --points latin.csv --encoding windows-1252
+same "points in another encoding" "" "$(diff wanted out)"
+run history loads.csv $specimen --x 0,5 --depth 0,5
+message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
+rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"
+
+finish

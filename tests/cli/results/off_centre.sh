@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Moment and bulk tension: solve, files, profile, field, histories, the figure; loads that cannot be.
+. "$(dirname "$0")/../claims.sh"
+
+# A cylinder on a specimen under bulk tension (Nowell and Hills), N and mm: 4 mm wide, E = 72.1 GPa, nu = 0.33, 543 N, 155 N,
+# R = 10, f = 0.3, 100 MPa. The stick zone has the half-width c = b sqrt(1 - Q/(fP)) = 0.045519 and the middle e = b sigma/(4 f
+# p0) = 0.041197. The tension at the trailing edge is 2 f p0 (1 - (d - sqrt(d^2 - c^2))/b) + sigma, d = b + e.
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+run solve $specimen --P 135.75 --Q 38.75 --sigma 100
+status_is 0
+message_is ""
+close_to b 0.206698 "$(value b)" 3e-6
+close_to p0 418.104 "$(value p0)" 2e-6
+close_to c 0.045519 "$(value c)" 2e-5
+close_to left -0.206698 "$(value left)" 3e-6
+close_to right 0.206698 "$(value right)" 3e-6
+close_to "middle of the stick zone" 0.041197 "$(echo "$(value stick_left) $(value stick_right)" | awk '{ print ($1 + $2) / 2 }')" 2e-5
+close_to "its half-width" 0.045519 "$(echo "$(value stick_left) $(value stick_right)" | awk '{ print ($2 - $1) / 2 }')" 2e-5
+close_to max_tension 345.747 "$(value max_tension)" 2e-6
+same tilt 0 "$(value tilt)"
+for name in max_tension_sliding von_mises_sliding f_critical P_over_bk P_yield safety yield_x yield_y yield_branch; do
+    same "$name, which is without tension" "" "$(value $name)"
+done
+
+# After a history: as under the same loads, where they come in the order that options have them in.
+cp out once
+printf 'time,P,Q,sigma\n0,135.75,0,0\n1,135.75,38.75,100\n' >loads.csv
+prints "$(cat once)" solve $specimen --history loads.csv
+# Otherwise as "history" has it; what takes the contact to slide does not depend on the way.
+turned="--load 135.75,0 --load 135.75,38.75 --load 135.75,-10"
+run solve $specimen --yield-stress 500 --P 135.75 --Q -10
+cp out slides
+run history $specimen --yield-stress 500 $turned
+tail -n 1 out >last
+run solve $specimen --yield-stress 500 $turned --yield-factor
+status_is 0
+message_is ""
+same "contact, stick zone, tension and yield factor of a history" "$(awk -F, '{ print $6, $7, $8, $9, ($12 > $13 ? $12 : $13), $16 }' last)" \
+    "$(value left) $(value right) $(value stick_left) $(value stick_right) $(value max_tension) $(value yield_factor)"
+for name in p0 Q_over_fP max_tension_sliding von_mises_sliding f_critical load_over_bk P_over_bk P_yield safety yield_x yield_y yield_branch; do
+    same "$name, after a history" "$(awk -F, -v name=$name '$1 == name { print $2 }' slides)" "$(value $name)"
+done
+cannot "rwedge solve: --load: the last load has P = 0, which separates the bodies; allowed: a last P above 0" \
+    solve $specimen --load 100,0 --load 0,0
+cannot "rwedge solve: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+    solve --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2 --history loads.csv
+refuses "rwedge solve: --Q 3: given together with --history, which has the loads; allowed: one of the two" solve $specimen --history loads.csv --Q 3
+refuses "rwedge solve: --history: given together with --input; allowed: one of the two" solve $specimen --history loads.csv -i loads.csv
+refuses "rwedge solve: --encoding latin1: needs --input or --history" solve $specimen --load 100,0 --encoding latin1
+refuses "rwedge solve: missing: --f; friction has no default here" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0
+refuses "rwedge solve: --output loads.csv: it is the input; allowed: another file" solve $specimen --history loads.csv -o loads.csv
+
+# What is there only with moment or tension comes after c_over_b. Zero is as good as none.
+plain="--E1 210000 --nu1 0.3 --theta 0.05 --a 0.1 --f 0.3 --P 300 --Q 40 --k 300 --yield-factor --layout row"
+run solve $plain
+cp out without
+run solve $plain --M 0 --sigma 0
+same "columns" left,right,stick_left,stick_right,tilt "$(head -n 1 out | cut -d , -f 13-17)"
+same "the others" "" "$(cut -d , -f 1-12,18- out | diff without - 2>&1)"
+same "edges and tilt" "1 1 0" "$(awk -F, 'NR == 2 { print ($13 == -$5 && $14 == $5), ($15 == -$11 && $16 == $11), $17 }' out)"
+
+# A moment on Hertz' contact moves its middle to M/P, and tilts by M/(P R).
+run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --M 20 --f 0.3 --k 300 --yield-factor
+close_to "middle" 0.2 "$(echo "$(value left) $(value right)" | awk '{ printf "%.17g", ($1 + $2) / 2 }')" 1e-12
+close_to tilt 0.002 "$(value tilt)" 1e-12
+same "p0 and p_transition" " " "$(value p0) $(value p_transition)"
+factor=$(value yield_factor)
+run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --f 0.3 --k 300 --yield-factor
+close_to "yield factor, the same" "$(value yield_factor)" "$factor" 1e-12
+
+# The mirror image: (M, Q, sigma) and (-M, -Q, sigma).
+run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 101
+status_is 0
+message_is ""
+cp out one
+run profile $specimen --P 135.75 --M -10 --Q -38.75 --sigma 50 --points 101
+tail -n +2 one | sort -t , -k 1,1gr | awk -F, '{ printf "%.17g %s %.17g %s\n", -$1, $2, -$3, $5 }' >mirrored
+tail -n +2 out | awk -F, '{ print $1, $2, $3, $5 }' | paste -d ' ' mirrored - |
+    awk '{ for (i = 1; i <= 4; i++) print $i, $(i + 4) }' >both
+close_rows "mirror image" 1e-9 1e-9
+same "zones of the mirror image" "$(tail -n +2 one | cut -d , -f 4)" "$(tail -n +2 out | cut -d , -f 4 | sed '1!G;h;$!d')"
+
+# Tractions in equilibrium with P, M and Q: x = middle + s sin(v). The ends are the edges that solve gives.
+run solve $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50
+cp out solved
+run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 2001
+awk -F, 'NR == 2 { left = $1 } { right = $1 } END { print left; print right }' out >ends
+paste -d ' ' ends - >both <<EDGES
+$(awk -F, '$1 == "left" || $1 == "right" { print $2 }' solved)
+EDGES
+close_rows "edges" 0 0
+awk -F, 'NR > 1 { x[NR] = $1; p[NR] = $2; q[NR] = $3 } END { m = (x[2] + x[NR]) / 2; s = (x[NR] - x[2]) / 2
+    for (i = 3; i < NR; i++) { w = 3.14159265358979324 / 2000 * sqrt(s * s - (x[i] - m) ^ 2)
+        P -= w * p[i]; M -= w * p[i] * x[i]; Q -= w * q[i] }
+    print 135.75, P; print 10, M; print 38.75, Q }' out >both
+close_rows "P, M and Q" 1e-4 0 # q has kinks
+same "zones" "free slip stick slip free" "$(column zone out | uniq | paste -s -d ' ' -)"
+
+# Tension before contact adds to sxx, and nothing else.
+run profile $specimen --load 100,0 --load 100,20 --points 11
+cp out without
+run profile $specimen --load 0,0,0,80 --load 100,0 --load 100,20 --points 11
+awk -F, 'NR == FNR { p[FNR] = $2; q[FNR] = $3; sxx[FNR] = $5; slip[FNR] = $6; next }
+    FNR > 1 { print p[FNR], $2; print q[FNR], $3; printf "%.17g %s\n", sxx[FNR] + 80, $5; print slip[FNR], $6 }' without out >both
+close_rows "tension before contact" 1e-12 1e-10
+
+# A field has its columns about the middle of the contact, and the same numbers as the profile.
+run field $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --y 0
+awk -F, 'NR == FNR { v[$1] = $2; next } FNR == 2 { first = $1 } { last = $1 }
+    END { print (v["left"] + v["right"]) / 2, (first + last) / 2; print 4 * v["b"], last - first }' solved out >both
+close_rows "columns of the field" 1e-12 0
+run field $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --y 0 --x 0.1
+sxx=$(column sxx out)
+run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --x 0.1
+close_to "field and profile" "$(column sxx out)" "$sxx" 1e-12
+
+# Natural units with a moment and tension: the same contact in units of its own, b = 0.2 without the moment.
+run profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
+status_is 0
+cp out natural
+run table contact-law --a-over-b 0.5
+set -- $(awk -F, 'NR == 2 { A = 4 * (1 - 0.33 ^ 2) / 72100; u = 0.05 / A; P = $2 * u * 0.2
+    printf "%.17g %.17g %.17g %.17g", P, 0.3 * 0.5 * P, 0.3 * u * 0.04, 0.1 * u }' out)
+run profile --E1 72100 --nu1 0.33 --theta 0.05 --a 0.1 --f 0.3 --P "$1" --Q "$2" --M "$3" --sigma "$4" --points 41
+paste -d , natural out | awk -F, 'NR > 1 { u = 0.05 * 72100 / (4 * (1 - 0.33 ^ 2)); printf "%s %.17g\n%s %.17g\n%s %.17g\n%s %.17g\n%s %.17g\n",
+    $1, $7 / 0.2, $2, $8 / u, $3, $9 / u, $5, $11 / u, $6, $12 / (0.05 * 0.2) }' >both
+close_rows "natural units" 1e-9 1e-9
+
+# A history by options and from a file; two numbers keep moment and tension, a file without their columns has none.
+run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,-10 --points 21
+cp out listed
+run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,5,-10,40 --points 21
+same "P,Q keeps M and sigma" "" "$(diff listed out)"
+printf 'Q,sigma,P,M\n0,0,100,5\n20,40,100,5\n-10,40,100,5\n' >history.csv
+run profile $specimen --history history.csv --points 21
+status_is 0
+message_is ""
+same "from a file" "" "$(diff listed out)"
+printf 'Q,sigma,P,M\n0,0,100,5\n20,,100,5\n' >gap.csv
+cannot "rwedge profile: gap.csv: line 3: sigma : must be a number, with a decimal point" profile $specimen --history gap.csv
+
+# What slips while the contact moves has no closed form of the slip; all else has.
+run profile $specimen --load 135.75,10,0,0 --load 135.75,10,38,50 --load 125,9.2,30,50 --points 5
+status_is 0
+same "slip, or the word that it is not known" yes "$(column slip out | grep -qv - || grep -q 'no closed form' err && echo yes)"
+run profile $specimen --load 100,5,0,0 --load 100,5,30,0 --load 120,6,36,0 --points 5
+status_is 0
+message_is "rwedge profile: the slip has no closed form after these loads: the column slip is empty"
+same "slip" "- - - - -" "$(column slip out | paste -s -d ' ' -)"
+
+# A file of contacts: columns M and sigma; a bad row says why.
+cat >cases.csv <<'CASES'
+case,P,M,Q,sigma
+1,135.75,0,38.75,100
+2,135.75,10,38.75,50
+3,135.75,10,38.75,1000
+4,135.75,10,50,10
+5,135.75,1e30,10,10
+CASES
+run solve -i cases.csv $specimen
+status_is 0
+same "left edges" "-0.206698 -0.133033 - - -" \
+    "$(column left out | awk '$1 == "-" { print; next } { printf "%.6f\n", $1 }' | paste -s -d ' ' -)"
+same "errors" "--
+--
+sigma 1000: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; a tension from before the contact is a load of its own, sigma with P = M = Q = 0; sigma may change by 238.697 with this Q
+Q 50: must not exceed f P = 40.725: there is no equilibrium
+M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
+    "$(tail -n +2 out | sed 's/.*,"\{0,1\}\([sQM][^,"]*[^"]*\)"\{0,1\}$/\1/; /^[0-9]/s/.*/--/; s/below [0-9.e+]* in/below 6.4e+10 in/')"
+
+# Loads that cannot be name the argument, and what is allowed.
+refuses "rwedge solve: --M 1x: the moment must be a number" solve $specimen --P 100 --M 1x
+refuses "rwedge solve: --sigma inf: the bulk tension must be a number" solve $specimen --P 100 --sigma inf
+refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a yield stress is given" \
+    solve --E1 1 --nu1 0 --theta 0.1 --a 1 --P 1 --sigma 1
+refuses "rwedge solve: --Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
+refuses "rwedge profile: --load 0,1,0,0: M must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
+refuses "rwedge profile: --load 100,40,0,0: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
+    profile $specimen --load 100,5,0,0 --load 100,40,0,0
+refuses "rwedge profile: --sigma 3: given together with --load, which has the loads; allowed: one of the two" \
+    profile $specimen --sigma 3 --load 100,0
+refuses "rwedge field: --c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
+    field --a-over-b 0.5 --f 0.3 --c-over-b 0.5 --M 3
+refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions: change sigma by less, or Q by more, or in a load of its own at constant P and M; a tension from before the contact is a load of its own, sigma with P = M = Q = 0; sigma may change by 0.365399 with this Q" \
+    field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3
+# The limit that the message names is the limit.
+run profile $specimen --load 10,1e20,0,0
+limit=$(sed -n 's/.*M must be below \([0-9.e+]*\) in magnitude: more lays a flank on the surface$/\1/p' err)
+run profile $specimen --load "10,$(awk "BEGIN { print $limit * 0.999 }"),0,0" --x 0
+status_is 0
+run profile $specimen --load "10,$(awk "BEGIN { print $limit * 1.001 }"),0,0" --x 0
+status_is 2
+sigma_at() { # FACTOR: of the largest that goes with Q, 4 Q/(pi b) = 238.697
+    run solve $specimen --P 135.75 --Q 38.75 --sigma "$(awk "BEGIN { print 4 * 38.75 / (3.14159265358979 * 0.20669766) * $1 }")"
+}
+sigma_at 0.9999
+status_is 0
+sigma_at 1.0001
+status_is 2
+
+# The figure: its area is Q, its stick zones are those of solve, and without tension it is Fig. 7.
+run figure eccentric --data --sigma-over-max=-1,0,0.5,1
+status_is 0
+same "columns" "sigma_over_max,x_over_b,minus_pi_A_q_over_f_theta,stick_left_over_b,stick_right_over_b" "$(head -n 1 out)"
+cp out eccentric
+run table contact-law --a-over-b 0.25
+load=$(tail -n 1 out | cut -d , -f 2)
+awk -F, -v load="$load" 'NR > 1 && $1 == s { sum += ($3 + q) / 2 * ($2 - x) } NR > 1 && $1 != s { if (NR > 2) print load / 2, sum / 3.14159265358979; sum = 0 }
+    NR > 1 { s = $1; x = $2; q = $3 } END { print load / 2, sum / 3.14159265358979 }' eccentric >both
+close_rows "areas: Q" 1e-3 0
+same "curves" 4 "$(wc -l <both | tr -d ' ')"
+awk -F, '$1 == -1 && !n++ { left = $4; right = $5 } $1 == 1 { printf "%.17g %s\n%.17g %s\n", -right, $4, -left, $5; exit }' \
+    eccentric >both
+close_rows "stick zones of -1 and 1 are mirrored" 1e-13 0
+run table stick-zone --a-over-b 0.25 --q-over-fp 0.5
+width=$(tail -n 1 out | cut -d , -f 3)
+awk -F, -v c="$width" '$1 == 0 { print "-" c, $4; print c, $5; exit }' eccentric >both
+close_rows "without tension: the stick zone" 1e-13 0
+run figure 7 --data --c-over-b "$width" --a-over-b 0.25
+awk -F, 'NR == FNR { q[$2] = $3; next } $1 == 0 && ($2 in q) { print q[$2], $3 }' out eccentric >both
+close_rows "without tension: Fig. 7" 1e-12 1e-12
+refuses "rwedge figure: --sigma-over-max 1.5: the bulk tension must be a number from -1 to 1" figure eccentric --sigma-over-max 1.5
+refuses "rwedge figure: --sigma-over-max 1: figure 7 does not depend on it; allowed: --a-over-b, --c-over-b" \
+    figure 7 --sigma-over-max 1
+
+finish

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge profile: tractions along the surface, under one load and after many.
+. "$(dirname "$0")/../claims.sh"
+
+pi=3.14159265358979323846
+contact="--E1 210000 --nu1 0.3 --theta 0.05 --f 0.3"
+hertz="$contact --a 2"   # a/b = 4.5 under P = 300
+wedge="$contact --a 0.1" # a/b = 0.7 under P = 300
+
+# Reference values in natural units, one point each.
+{
+    read -r header
+    while IFS=, read -r alpha x p; do
+        run profile --a-over-b "$alpha" --x "$x"
+        close_to p "$p" "$(column p out)" 1e-11
+    done
+} <<REFERENCE
+$(head -n 40 "$data/pressure.csv")
+REFERENCE
+
+# The tractions are in equilibrium with P and Q: x = b sin v, so that dx = b cos v dv.
+balance() { # WHAT P Q LIMIT: of the file out, a profile of 2001 points
+    awk -F, -v pi=$pi 'NR > 1 { x[NR] = $1; p[NR] = $2; q[NR] = $3 }
+        END { b = x[NR]; for (i = 3; i < NR; i++) { w = pi / 2000 * sqrt(b * b - x[i] * x[i]); P -= w * p[i]; Q -= w * q[i] }
+            printf "%.17g %.17g\n%.17g %.17g\n", '"$2"', P, '"$3"', Q }' out >both
+    close_rows "$1: P and Q" "$4" 1e-6
+    same "$1: points where |q| > f |p|" "" \
+        "$(awk -F, 'function abs(v) { return v < 0 ? -v : v } NR > 1 && abs($3) > 0.3 * abs($2) * (1 + 1e-12)' out)"
+    same "$1: points that slip with |q| < f |p|, or stick beyond the stick zone" "" \
+        "$(awk -F, 'function abs(v) { return v < 0 ? -v : v } $4 == "slip" && abs(abs($3) - 0.3 * abs($2)) > 1e-9' out)"
+}
+run profile $wedge --P 300 --Q 40 --points 2001
+status_is 0
+balance "monotonic" 300 40 1e-5
+same "zones" "free slip stick slip free" \
+    "$(column zone out | uniq | paste -s -d ' ' -)"
+same "ends and middle" "0 0" "$(awk -F, 'NR == 2 { a = $1 } NR == 1002 { m = $1 } END { print a + $1, m }' out)"
+run profile $wedge --load 300,0 --load 300,60 --load 300,-30 --load 200,10 --points 2001
+balance "history" 200 10 2e-4 # q has kinks
+cp out listed
+printf 'step,P,Q\n1,300,0\n2,300,60\n3,300,-30\n4,200,10\n' >history.csv
+run profile $wedge --history history.csv --points 2001
+same "history from a file" "" "$(diff listed out)"
+tr ',' ';' <history.csv >comma.csv
+run profile $wedge --history - --points 2001 --decimal-comma <comma.csv
+same "history from standard input, with commas" "" "$(tr ';,' ',.' <out | diff listed -)"
+run profile $wedge --load 300,0 --load 300,40 --points 2001
+cp out twice
+run profile $wedge --P 300 --Q 40 --points 2001
+same "--P and --Q are Q under constant P" "" "$(diff twice out)"
+
+# Mindlin: loading to Q1 = 45, and back to Q2 = -9, f P = 90. In b: c = sqrt(1 - Q1/(fP)), and the reversal reaches
+# c' = sqrt(1 - (Q1 - Q2)/(2 f P)); q(0) = -f p0 ((1 - c) - 2 (1 - c')).
+run profile $hertz --load 300,0 --load 300,45 --load 300,-9 --points 2001
+p0=$(sed -n 1002p out | cut -d , -f 2)
+awk -v p0="$p0" 'BEGIN { printf "%.17g", 0.3 * p0 * ((1 - sqrt(0.5)) - 2 * (1 - sqrt(0.7))) }' >expected
+close_to "q(0) after unloading" "$(cat expected)" "$(sed -n 1002p out | cut -d , -f 3)" 1e-12
+b=$(tail -n 1 out | cut -d , -f 1)
+c=$(awk -F, '$4 == "stick" { x = $1 } END { print x }' out)
+awk -v b="$b" -v c="$c" 'BEGIN { print sqrt(0.7), c / b }' >both
+close_rows "stick zone after unloading" 0.002 0
+same "signs of q from the middle outwards: friction resists the last motion" "+" \
+    "$(awk -F, '$4 == "slip" { print ($3 > 0 ? "+" : "-") }' out | uniq | paste -s -d ' ' -)"
+run profile $hertz --load 300,0 --load 300,45 --load 300,-9 --load 300,45 --points 2001
+cp out again
+run profile $hertz --load 300,0 --load 300,45 --points 2001
+cut -d , -f 2,3,4 again >got
+cut -d , -f 2,3,4 out >expected
+awk -F, 'NR == FNR { q[FNR] = $2; next } FNR > 1 { printf "%.17g %.17g\n", q[FNR], $2 }' expected got >both
+close_rows "reloading to Q1 restores q" 1e-10 1e-9
+
+# Natural and dimensional are one: x in b, p and q in theta/A, slip in theta b.
+run profile $wedge --P 300 --Q 40 --points 21
+cp out dimensional
+run solve $wedge --P 300 --Q 40
+b=$(value b) A=$(value A) alpha=$(value a_over_b) c=$(value c_over_b)
+for natural in "--q-over-fp 0.44444444444444442" "--c-over-b $c"; do
+    run profile --a-over-b "$alpha" --f 0.3 $natural --points 21
+    awk -F, -v b="$b" -v unit="$(awk "BEGIN { printf \"%.17g\", 0.05 / $A }")" '
+        FNR == 1 { next }
+        NR == FNR { x[FNR] = $1; p[FNR] = $2; q[FNR] = $3; s[FNR] = $5; g[FNR] = $6; next }
+        { print x[FNR], $1 * b; print p[FNR], $2 * unit; print q[FNR], $3 * unit; print s[FNR], $5 * unit
+          printf "%.12g %.12g\n", g[FNR] * 1e4, $6 * 0.05 * b * 1e4 }' dimensional out >both
+    close_rows "natural units, $natural" 2e-5 1e-8
+done
+same "edges in natural units" "-1 1" "$(awk -F, 'NR == 2 { print $1 } END { print $1 }' out | paste -s -d ' ' -)"
+
+# Where: a range, a list; outside there is nothing but stress. Hertz in full sliding: p = -sqrt(1 - x^2), sxx = p - 2 f x
+# and slip = -f x^2/2 inside, sxx = 2 f (|x| - sqrt(x^2 - 1)) outside.
+prints "x,p,q,zone,sxx,slip
+-2,0,0,free,0.1608,
+0,-1,-0.3,slip,-1,0
+0.5,-0.866,-0.2598,slip,-1.166,-0.0375" profile --a-over-b 1 --f 0.3 --q-over-fp 1 --x -2,0,0.5 --digits 4
+prints "x,p,q,zone,sxx,slip
+-0.5,-0.8384,0,stick,-0.8384,0
+0,,,stick,,0
+0.5,-0.8384,0,stick,-0.8384,0" profile --a-over-b 0 --x -0.5:0.5:0.5 --digits 4
+prints "x,p,q,zone,sxx,slip
+0,0,0,free,0," profile $wedge --load 300,20 --load 0,0 --x 0
+run profile --a-over-b 0.5
+same "points by default" 202 "$(wc -l <out | tr -d ' ')"
+
+# A history that cannot be.
+refuses "rwedge profile: --load 300,100: Q must not exceed f P = 90: there is no equilibrium" \
+    profile $wedge --load 300,0 --load 300,100
+refuses "rwedge profile: --load -1,0: P must not be below 0, and Q must be 0 where P is" profile $wedge --load -1,0
+for text in 300 300, ,1 300,1,2 300,1,2,3,4 300:1 "300, 1" "" a,b; do
+    refuses "rwedge profile: --load $text: must be numbers P,Q or P,M,Q,sigma" profile $wedge --load 300,0 --load "$text"
+done
+history_fails() { # MESSAGE TEXT
+    printf '%b' "$2" >bad.csv
+    cannot "rwedge profile: bad.csv: $1" profile $wedge --history bad.csv
+    output_is ""
+}
+history_fails "line 3: Q must not exceed f P = 90: there is no equilibrium" 'P,Q\n300,0\n300,100\n'
+history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\n300,x\n'
+history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
+history_fails "line 2: misplaced quotes" 'P,Q\n"3"00,1\n'
+history_fails "line 2: a quote that is not closed" 'P,Q\n"300,1\n400,1\n'
+history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
+history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
+history_fails "column 'Q [N/mm]': allowed: Q" 'P,Q [N/mm]\n300,0\n'
+history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" \
+    'P;Q\n300;0\n'
+history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
+history_fails "empty; needed: a header row with the names of the columns" ''
+history_fails "line 2, column 2: the character U+0000 belongs to no text; allowed: text, no binary files" 'P,Q\n1\0000\n'
+
+# Doubts are said once, on stderr, as "solve" says them; the rows are as ever.
+for command in profile field; do
+    run $command --E1 200000 --nu1 0.3 --E2 70000 --nu2 0.33 --theta 1.15 --a 1 --P 500 --f 0.6 --k 100 --x 0.5 \
+        $([ $command = field ] && echo --y 0.5)
+    status_is 0
+    same "what $command doubts" "rwedge $command: theta is above 0.1 rad: the wedge is hardly a half-plane
+rwedge $command: Dundurs' beta is not 0: with friction its coupling is neglected
+rwedge $command: P is above P_yield: the contact yields in full sliding" "$(cat err)"
+    same "rows of $command" 2 "$(wc -l <out)"
+    run $command $hertz --P 300 --k 1000 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    status_is 0
+    message_is ""
+    run $command $hertz --load 300,0 --load 3000,0 --k 400 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    message_is "rwedge $command: P is above P_yield: the contact yields in full sliding"
+done
+
+finish

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge solve, one contact: closed forms, reference values, defaults, warnings.
+. "$(dirname "$0")/../claims.sh"
+
+pi=3.14159265358979323846
+steel="--E1 210000 --nu1 0.3"
+A=$(awk 'BEGIN { printf "%.17g", 4 * (1 - 0.09) / 210000 }')
+formula() {
+    awk -v pi=$pi -v A="$A" "BEGIN { printf \"%.17g\", $1 }"
+}
+is() { # NAME FORMULA RELATIVE
+    close_to "$1" "$(formula "$2")" "$(value "$1")" "$3"
+}
+
+# Hertz: P = 100, R = 100, f = 0.2, Q = 10, k = 100: b^2 = 2 A P R/pi, c/b = sqrt(1 - Q/(fP)).
+run solve $steel --theta 0.02 --radius 100 --P 100 --Q 10 --f 0.2 --k 100
+status_is 0
+message_is ""
+is A "A" 1e-15
+same dundurs_beta 0 "$(value dundurs_beta)"
+same a 2 "$(value a)"
+same radius 100 "$(value radius)"
+is b "sqrt(2 * A * 100 * 100 / pi)" 1e-14
+is a_over_b "2 / sqrt(2 * A * 100 * 100 / pi)" 1e-14
+is p0 "2 * 100 / (pi * sqrt(2 * A * 100 * 100 / pi))" 1e-13
+same p_transition 0 "$(value p_transition)"
+is Q_over_fP "0.5" 1e-15
+is c_over_b "sqrt(0.5)" 1e-14
+is c "sqrt(A * 100 * 100 / pi)" 1e-14
+is max_tension_sliding "2 * 0.2 * 200 / (pi * sqrt(2 * A * 100 * 100 / pi))" 1e-13
+is max_tension "sqrt(0.5) * 2 * 0.2 * 200 / (pi * sqrt(2 * A * 100 * 100 / pi))" 1e-12
+is f_critical 0.2628258467463178 1e-8
+is load_over_bk "1 / sqrt(2 * A * 100 * 100 / pi)" 1e-14
+same warnings "" "$(value warnings)"
+
+# Without friction, b in P/(bk) = 4.880036 grows with P: P_yield = 4.880036^2 k^2 2 A R/pi; it yields at 0.7043 b.
+run solve $steel --theta 0.02 --radius 100 --P 100 --f 0 --k 100
+is P_over_bk 4.880036 1e-6
+is P_yield "4.880036 ^ 2 * 100 ^ 2 * 2 * A * 100 / pi" 1e-6
+is safety "4.880036 ^ 2 * 100 * 2 * A * 100 / pi" 1e-6
+is von_mises_sliding "sqrt(3) * 100 / sqrt(2 * A * 100 * 100 / pi) / 4.880036" 1e-6
+same yield_x 0 "$(value yield_x)"
+is yield_y "0.7043 * 4.880036 * 100 * 2 * A * 100 / pi" 1e-4
+same yield_branch subsurface "$(value yield_branch)"
+for name in Q_over_fP c c_over_b; do
+    same "$name without friction" "" "$(value $name)"
+done
+same "max_tension without friction" 0 "$(value max_tension)"
+
+# The sharp wedge: b = A P/(2 theta), c/b = 1 - Q/(fP), tension f P/b, yield at once at the apex.
+run solve $steel --theta 0.02 --a 0 --P 100 --Q 5 --f 0.2 --k 100
+is b "A * 100 / 0.04" 1e-14
+is AP_over_theta_b 2 0
+is c_over_b 0.75 1e-15
+is max_tension_sliding "0.2 * 100 / (A * 100 / 0.04)" 1e-13
+for name in p0 p_transition f_critical von_mises_sliding; do
+    same "$name of the sharp wedge" "" "$(value $name)"
+done
+same P_yield 0 "$(value P_yield)"
+same safety 0 "$(value safety)"
+same yield_branch surface "$(value yield_branch)"
+
+# The same contact given in another way is the same.
+run solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --k 100
+cp out first
+run solve $steel --E2 210000 --nu2 0.3 --theta 0.1 --a 1 --P 1e2 --Q 5 --f 0.2 --k 100
+same "second body of the same material" "" "$(diff first out)"
+value_like() { # WHAT OPTIONS...
+    what=$1
+    shift
+    run solve "$@" --layout row
+    tr , '\n' <out | grep '^[0-9]' >got
+    awk -F, 'NR > 1 && $2 ~ /^[0-9]/ { print $2 }' first | paste -d ' ' - got >both
+    close_rows "$what" 1e-12 0
+}
+value_like degrees $steel --theta-deg 5.7295779513082321 --a 1 --P 100 --Q 5 --f 0.2 --k 100
+value_like radius $steel --theta 0.1 --radius 10 --P 100 --Q 5 --f 0.2 --k 100
+value_like "yield stress" $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --yield-stress 173.20508075688772
+
+# Q < 0 is the mirror image.
+run solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.5 --k 100
+cp out first
+run solve $steel --theta 0.1 --a 1 --P 100 --Q -5 --f 0.5 --k 100
+same "what changes with the sign of Q" "Q_over_fP yield_x" \
+    "$(diff first out | sed -n 's/^> \([^,]*\),.*/\1/p' | paste -s -d ' ' -)"
+same "its sign" - "$(value yield_x | cut -c 1)"
+
+# A rigid second body halves the compliance, and beta = (1 - 2 nu)/(2 (1 - nu)).
+run solve $steel --E2 inf --theta 0.02 --a 1 --P 100 --f 0.1
+is A "A / 2" 1e-15
+close_to "|beta|" "$(formula "0.4 / 1.4")" "$(value dundurs_beta | tr -d -)" 1e-14
+same "warning of coupling" "Dundurs' beta is not 0: with friction its coupling is neglected" "$(value warnings)"
+
+# Warnings are no refusals; each stands alone.
+warns() { # TEXT OPTIONS...
+    text=$1
+    shift
+    run solve "$@"
+    status_is 0
+    message_is "${text:+rwedge solve: $text}"
+    same "warnings" "$text" "$(awk -F, '$1 == "warnings" { print $2 }' out)"
+}
+warns "" $steel --theta 0.1 --a 1 --P 100 --f 0 --k 500
+warns "theta is above 0.1 rad: the wedge is hardly a half-plane" $steel --theta 0.11 --a 1 --P 100 --f 0 --k 500
+warns "" $steel --E2 70000 --nu2 0.3 --theta 0.05 --a 1 --P 100 --f 0 --k 500
+warns "P is above P_yield: the contact yields in full sliding" $steel --theta 0.05 --a 1 --P 1000 --f 0 --k 100
+units="a/b is below 0.01 or above 10000: are the units consistent?"
+warns "$units" $steel --theta 0.05 --a 1 --P 1e-5
+warns "$units" --E1 210 --nu1 0.3 --theta 0.01 --a 1 --P 500 --f 0.6 # GPa beside N and mm
+warns "k/E is below 0.00001 or above 0.1: are the stresses in one unit?" --E1 210 --nu1 0.3 --theta 0.1 --a 1 --P 0.5 --f 0.3 --k 25
+
+# Where no load yields as far as the library looks, the load there is a bound.
+run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300
+status_is 0
+same "safety" "> 1e14" "$(value safety)"
+same "P_yield" "" "$(value P_yield)"
+same "why" "nothing yields before the contact is 1e14 a wide: safety is a bound" "$(value warnings)"
+run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300 --layout row --format json
+same "safety in JSON" 1 "$(grep -c '"safety": "> 1e14"' out)"
+
+# Partial slip under the given Q is never nearer to yield than full sliding, and equal to it at Q = f P.
+for Q in 0 3 9 10; do
+    run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q $Q --k 100 --yield-factor
+    limit=$(formula "$(value P_over_bk) / $(value load_over_bk)")
+    [ $Q = 10 ] && close_to "yield factor in full sliding" "$limit" "$(value yield_factor)" 1e-10
+    same "yield factor at Q = $Q" yes \
+        "$(awk "BEGIN { if ($(value yield_factor) >= $limit * (1 - 1e-10)) print \"yes\" }")"
+done
+
+# Reference values: contacts of half-width 1 with A = 1e-5, theta = 0.01, all at once.
+awk -F, 'NR == 1 { print "case,a,P"; next } { printf "%d,%s,%.17g\n", NR, $1, $2 * 0.01 / 1e-5 }' \
+    "$data/contact_law.csv" >cases.csv
+run solve -i cases.csv --E1 400000 --nu1 0 --theta 0.01 --f 1 -o solved.csv
+status_is 0
+reference() { # COLUMN-OF-REFERENCE UNIT RESULT RELATIVE ABSOLUTE
+    column "$1" "$data/contact_law.csv" | awk -v unit="$2" '{ printf "%.17g\n", $1 * unit }' >expected
+    column "$3" solved.csv | paste -d ' ' expected - >both
+    close_rows "$3" "$4" "$5"
+}
+reference a_over_b 1 a_over_b 1e-12 0
+reference load 1 AP_over_theta_b 1e-12 0
+reference peak_pressure 1000 p0 1e-12 0
+reference transition_pressure 1000 p_transition 1e-9 1e-4 # near a/b = 1 it is a root of the difference
+reference max_tension 0 Q_over_fP 0 0
+awk -F, 'NR > 1 { printf "%.17g\n", $2 * $5 * 1000 }' "$data/contact_law.csv" >expected
+column max_tension_sliding solved.csv | paste -d ' ' expected - >both
+close_rows max_tension_sliding 1e-12 0
+
+# k such that the reference's elastic limit is reached at P: P_yield is P, and it yields where the reference says.
+awk -F, 'function asin(v) { return atan2(v, sqrt(1 - v * v)) }
+    function load(a) { return a >= 1 ? 1.5707963267948966 / a : a < 1e-3 ? 2 - a * a / 3 : (asin(a) + a * sqrt(1 - a * a)) / a }
+    NR == 1 { print "a,P,f,nu1,k,x,y,branch"; next }
+    $3 < 0.5 && $1 > 0 { P = load($1) * 1000; printf "%s,%.17g,%s,%s,%.17g,%s,%s,%s\n", $1, P, $2, $3, P / $4, $5, $6, $7 }' \
+    "$data/elastic_limit.csv" >cases.csv
+# The compliance must not depend on nu1 here: body 2 is rigid, and E1 = 2 (1 - nu1^2)/A.
+awk -F, 'NR == 1 { print $0 ",E1"; next } { printf "%s,%.17g\n", $0, 2 * (1 - $4 * $4) / 1e-5 }' cases.csv >with_E1.csv
+run solve -i with_E1.csv --E2 inf --theta 0.01 -o solved.csv
+status_is 0
+message_is "rwedge solve: with_E1.csv: columns with numbers that are not used: 'x', 'y'
+rwedge solve: with_E1.csv, in some rows: Dundurs' beta is not 0: with friction its coupling is neglected
+rwedge solve: with_E1.csv, in some rows: P is above P_yield: the contact yields in full sliding
+rwedge solve: with_E1.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?"
+column P with_E1.csv >expected
+column P_yield solved.csv | paste -d ' ' expected - >both
+close_rows "P_yield" 1e-9 0
+column branch with_E1.csv >expected
+column yield_branch solved.csv >got
+same yield_branch "" "$(diff expected got)"
+for place in x y; do
+    column $place with_E1.csv >expected
+    column yield_$place solved.csv | paste -d ' ' expected - >both
+    close_rows yield_$place 1e-5 1e-6
+done
+
+finish

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The five tables, compared with reference values of 20 digits: the right numbers are in the right columns.
+. "$(dirname "$0")/../claims.sh"
+
+list() { # of a reference column, with commas
+    column "$1" "$data/$2" | paste -s -d , -
+}
+
+# against NAME FILE OURS RELATIVE ABSOLUTE: our column in "out" beside the reference's.
+against() {
+    column "$1" "$data/$2" >expected
+    column "$3" out >got
+    paste -d ' ' expected got >both
+    close_rows "$3" "$4" "$5"
+}
+
+run table contact-law --a-over-b "$(list a_over_b contact_law.csv)"
+status_is 0
+against a_over_b contact_law.csv a_over_b 0 0
+against load contact_law.csv AP_over_theta_b 1e-14 0
+against peak_pressure contact_law.csv peak_pressure 1e-14 0
+against transition_pressure contact_law.csv transition_pressure 1e-14 1e-15
+awk -F, 'NR > 1 { print $2 / $1, $3 }' out >both
+close_rows "AP_over_theta_a is AP_over_theta_b/(a/b)" 1e-5 0
+
+run table max-tension --a-over-b "$(list a_over_b contact_law.csv)" --friction 0.25
+against max_tension contact_law.csv b_sigma_over_fP 1e-14 0
+awk -F, 'NR > 1 { print $4 / 4, $3 }' out >both
+close_rows "b_sigma_over_P is f b_sigma_over_fP" 1e-5 0
+
+run table elastic-limit --a-over-b 0.1:1:0.1 --friction 0:0.8:0.05
+against a_over_b paper_grid.csv a_over_b 1e-15 0
+against f paper_grid.csv f 1e-15 0
+against limit paper_grid.csv P_over_bk 1e-12 0
+against x_over_b paper_grid.csv x_over_b 0 1e-6
+against y_over_b paper_grid.csv y_over_b 0 1e-6
+column branch "$data/paper_grid.csv" >expected
+column branch out >got
+same "branch" "" "$(diff expected got)"
+
+# The limit is that of the branch which is named.
+awk -F, 'NR > 1 { print $4, ($7 == "subsurface" ? $8 : $9) }' out >both
+close_rows "P_over_bk is that of its branch" 0 0
+same "rows where the other branch has the smaller limit" "" \
+    "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
+
+# Scattered cases, one run each. Where nu = 0.5 the surface's maximum is not one point.
+{
+    read -r header
+    while IFS=, read -r alpha f nu limit x y branch; do
+        run table elastic-limit --a-over-b "$alpha" --friction "$f" --nu "$nu"
+        tail -n 1 out | awk -F, -v limit="$limit" '{ print limit, $4 }' >both
+        close_rows "P_over_bk" 1e-12 0
+        [ "$nu" = 0.5 ] && continue
+        same "branch" "$branch" "$(column branch out)"
+        tail -n 1 out | awk -F, -v x="$x" '{ print x, $5 }' >both
+        close_rows "x_over_b" 1e-5 1e-7
+        tail -n 1 out | awk -F, -v y="$y" '{ print y, $6 }' >both
+        close_rows "y_over_b" 1e-5 1e-7
+    done
+} <"$data/elastic_limit.csv"
+
+{
+    read -r header
+    while IFS=, read -r alpha nu f; do
+        run table critical-friction --a-over-b "$alpha" --nu "$nu"
+        tail -n 1 out | awk -F, -v f="$f" '{ print f, $3 }' >both
+        close_rows "f_critical" 1e-8 1e-9
+    done
+} <"$data/critical_friction.csv"
+
+# At the critical friction both branches yield at once.
+run table critical-friction --a-over-b 0.5 --nu 0.3
+f=$(column f_critical out)
+limit=$(column P_over_bk out)
+run table elastic-limit --a-over-b 0.5 --friction "$f"
+awk -F, -v limit="$limit" 'NR > 1 { print limit, $8; print limit, $9 }' out >both
+close_rows "both branches at the critical friction" 1e-10 0
+
+# Near Q/(fP) = 1 the last bit of the ratio moves c by half of its digits.
+{
+    read -r header
+    while IFS=, read -r alpha f c x y ratio rest; do
+        run table stick-zone --a-over-b "$alpha" --q-over-fp "$ratio"
+        tail -n 1 out | awk -F, -v c="$c" '{ print c, $3 }' >both
+        close_rows "c_over_b" 1e-7 1e-8
+    done
+} <<REFERENCE
+$(head -n 60 "$data/stress_partial_slip.csv")
+REFERENCE
+
+# The sharp wedge yields at its apex, and has no branches.
+prints "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface
+0,0.1,0.3,0,0,0,surface,," table elastic-limit --a-over-b 0 --friction 0.1
+prints "a_over_b,nu,f_critical,P_over_bk
+0,0.3,," table critical-friction --a-over-b 0
+
+# A branch that does not exist is empty: below the surface for a small tip with friction; on it for nu = 0.5, f = 0.
+run table elastic-limit --a-over-b 0.01 --friction 0.3 --nu 0.3
+same "subsurface branch" - "$(column P_over_bk_subsurface out)"
+run table elastic-limit --a-over-b 0.01 --friction 0 --nu 0.5
+same "surface branch" - "$(column P_over_bk_surface out)"
+same "branch" subsurface "$(column branch out)"
+
+finish

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A signal arrives while a table is written. The program ends by the signal, the old file stays, and no unfinished file is left.
+. "$(dirname "$0")/../claims.sh"
+
+env --default-signal=INT true 2>/dev/null || skip "env cannot reset signals"
+long="table elastic-limit --friction 0:0.8:0.0000001"
+
+# The shell would start a background program with SIGINT ignored; env sets it to its default.
+start() { # signal disposition, output...
+    disposition=$1
+    shift
+    rm -f err
+    env "--$disposition" "$rwedge" $long "$@" >out 2>err &
+    process=$!
+}
+
+# Waits until the unfinished file is there, at most ten seconds.
+wait_for_start() {
+    for _ in $(seq 200); do
+        [ -n "$(find files -name '.rwedge-*')" ] && return
+        sleep 0.05
+    done
+}
+
+ended() { # exit status of the process
+    status=0
+    wait "$process" 2>/dev/null || status=$?
+}
+
+mkdir files
+for signal in INT:130 TERM:143 HUP:129 QUIT:131 ALRM:142 USR1:138 USR2:140 XCPU:152 VTALRM:154 PROF:155; do
+    name=${signal%:*}
+    called="rwedge $long -o files/old.csv, SIG$name"
+    echo old >files/old.csv
+    (ulimit -c 0 2>/dev/null) && ulimit -c 0
+    start "default-signal=$name" -o files/old.csv
+    wait_for_start
+    same "unfinished files on the way" 1 "$(find files -name '.rwedge-*' | wc -l | tr -d ' ')"
+    kill -s "$name" "$process"
+    ended
+    status_is "${signal#*:}"
+    message_is "rwedge table: stopped by SIG$name; the output file is as it was before"
+    same "old file" old "$(cat files/old.csv)"
+    same "files" old.csv "$(ls -A files)"
+done
+
+# SIGPIPE and SIGXFSZ come with an error of write(), which is reported: by themselves they end nothing.
+called="rwedge $long -o files/old.csv, SIGPIPE and SIGXFSZ"
+start default-signal=TERM -o files/old.csv
+wait_for_start
+kill -s PIPE "$process"
+kill -s XFSZ "$process"
+sleep 0.2
+same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
+kill -s TERM "$process"
+ended
+status_is 143
+same "old file" old "$(cat files/old.csv)"
+
+# A crash removes the unfinished file too. (The address sanitizer would answer it instead.)
+called="rwedge $long -o files/old.csv, SIGSEGV"
+export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}handle_segv=0"
+start default-signal=TERM -o files/old.csv
+wait_for_start
+kill -s SEGV "$process"
+ended
+same "files" old.csv "$(ls -A files)"
+same "it does not end well" yes "$([ "$status" -ne 0 ] && echo yes)"
+same "old file" old "$(cat files/old.csv)"
+
+# A crash for lack of stack has a stack of its own to answer on. (64 KiB do not hold what the workbook needs.)
+called="rwedge workbook -o files/old.xlsx, ulimit -s 64"
+if "$rwedge" workbook -o book.xlsx 2>/dev/null && (ulimit -s 64) 2>/dev/null; then
+    status=0
+    (ulimit -s 64 && "$rwedge" workbook -o files/old.xlsx 2>err) || status=$?
+    same "files" old.csv "$(ls -A files | grep -v old.xlsx)"
+    [ "$status" -eq 0 ] || message_has "stopped by SIGSEGV; the output file is as it was before"
+fi
+
+# A signal that is ignored from the start, as nohup does with SIGHUP, stays so.
+called="rwedge $long -o files/old.csv, SIGHUP ignored"
+start ignore-signal=HUP -o files/old.csv
+wait_for_start
+kill -s HUP "$process"
+sleep 0.2
+same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
+kill -s TERM "$process"
+ended
+status_is 143
+
+# SIGKILL cannot be answered: the unfinished file stays, and the old one too.
+called="rwedge $long -o files/old.csv, SIGKILL"
+start default-signal=TERM -o files/old.csv
+wait_for_start
+kill -s KILL "$process"
+ended
+status_is 137
+same "old file" old "$(cat files/old.csv)"
+rm -f files/.rwedge-*
+
+# A standard stream that is closed from the start is not mistaken for the file.
+if [ -d /proc/self/fd ]; then
+    called="rwedge $long -o files/old.csv >&- 2>&-"
+    "$rwedge" $long -o files/old.csv >&- 2>&- &
+    process=$!
+    wait_for_start
+    same "stdout" /dev/null "$(readlink "/proc/$process/fd/1")"
+    same "stderr" /dev/null "$(readlink "/proc/$process/fd/2")"
+    kill -s TERM "$process"
+    ended
+    status_is 143
+fi
+
+# On standard output.
+called="rwedge $long, SIGTERM"
+start default-signal=TERM
+for _ in $(seq 200); do
+    [ -s out ] && break
+    sleep 0.05
+done
+kill -s TERM "$process"
+ended
+status_is 143
+message_is "rwedge table: stopped by SIGTERM; the output is not complete"
+
+finish

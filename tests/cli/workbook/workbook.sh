@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The workbook, as LibreOffice computes it: workbook_recalculate.py says what is compared.
+. "$(dirname "$0")/../claims.sh"
+
+# Nothing is called, and nothing written, for a mistake.
+refuses "rwedge workbook: --output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -" workbook
+refuses "rwedge workbook: --digits: the workbook has its own; allowed with: CSV files" workbook --digits 8 -o book.xlsx
+
+run workbook -o book.xlsx
+if [ "$status" -eq 1 ]; then
+    message_is "rwedge workbook: book.xlsx: this build cannot write XLSX: it was made without libxlsxwriter (on Debian \
+and Ubuntu the package libxlsxwriter-dev)"
+    same "no file" "" "$(ls ./*.xlsx 2>&1 | grep -v "No such file")"
+    [ "$failures" -eq 0 ] || finish
+    skip "this build has no libxlsxwriter"
+fi
+status_is 0
+message_is ""
+output_is ""
+
+# The same command writes the same bytes on the same machine, later and wherever it is called from; a comma locale changes
+# nothing.
+mkdir later locales
+sleep 1
+run workbook -o later/book.xlsx
+same "the same again" "" "$(cmp book.xlsx later/book.xlsx 2>&1)"
+called="LC_ALL=de_DE.UTF-8 rwedge workbook"
+if localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1; then
+    LOCPATH=$scratch/locales LC_ALL=de_DE.UTF-8 "$rwedge" workbook -o later/book.xlsx
+    same "in a comma locale" "" "$(cmp book.xlsx later/book.xlsx 2>&1)"
+fi
+
+# An old file stays where the new one cannot be written.
+echo old >kept.xlsx
+called="rwedge workbook, its file limited to 64 kB"
+(ulimit -f 64; trap '' XFSZ; "$rwedge" workbook -o kept.xlsx 2>err)
+same "status" 1 $?
+same "the old file" old "$(cat kept.xlsx)"
+rm kept.xlsx err
+
+[ "$failures" -eq 0 ] || finish
+command -v soffice >/dev/null 2>&1 || skip "LibreOffice is missing (package libreoffice-calc-nogui)"
+for python in python3 /usr/bin/python3 ""; do
+    [ -z "$python" ] || ! "$python" -c 'import uno' >/dev/null 2>&1 || break
+done
+[ -n "$python" ] || skip "Python's module uno is missing (package python3-uno)"
+
+HOME=$scratch
+export HOME
+# Copies with a wrong value in the table, and with a wrong one stored beside a formula: both are found.
+cat >damage.py <<'EOF'
+import re, sys, zipfile
+source, target, sheet, pattern, replacement = sys.argv[1:]
+with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as new:
+    for item in old.infolist():
+        text = old.read(item)
+        if item.filename == "xl/worksheets/" + sheet:
+            changed, count = re.subn(pattern.encode(), replacement.encode(), text)
+            assert count > 0
+            text = changed
+        new.writestr(item, text)
+EOF
+"$python" damage.py book.xlsx wrong-table.xlsx sheet9.xml '(<c r="[A-Z]+9[0-9]"[^>]*><v>)([0-9])' '\g<1>1\g<2>'
+"$python" damage.py book.xlsx wrong-value.xlsx sheet1.xml '(<c r="C29"[^>]*><f>[^<]*</f><v>)' '\g<1>1'
+called="LibreOffice"
+"$python" "$here/workbook_recalculate.py" "$rwedge" "$scratch" book.xlsx wrong-table.xlsx wrong-value.xlsx
+same "recalculated" 0 $?
+
+finish

@@ -1,0 +1,591 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Has LibreOffice recalculate the workbook: the values in the file are those of its formulas, and its results for random
+inputs, on the sheet Calculator and in the rows of Batch, are the library's.
+
+    workbook_recalculate.py RWEDGE FOLDER WORKBOOK [DAMAGED...]
+
+In DAMAGED files a difference must be found. One LibreOffice does all, first with a decimal point, then with a comma. Standard
+library only, and LibreOffice's module uno."""
+import csv
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ET
+import zipfile
+
+import uno
+from com.sun.star.beans import PropertyValue
+from com.sun.star.sheet import FormulaResult
+
+RWEDGE, FOLDER, WORKBOOK = sys.argv[1:4]
+DAMAGED = sys.argv[4:]
+INPUTS = ["E1", "nu1", "E2", "nu2", "theta", "theta_deg", "a", "radius", "P", "Q", "f", "k", "yield_stress"]
+# The column of "rwedge solve" and of Batch, the name in Calculator, the tolerance: relative, absolute.
+EXACT = [
+    ("A", "rw_compliance"), ("b", "rw_b"), ("a_over_b", "rw_a_over_b"), ("AP_over_theta_b", "rw_load_number"),
+    ("p0", "rw_p0"), ("p_transition", "rw_p_transition"), ("Q_over_fP", "rw_Q_over_fP"), ("c", "rw_c"),
+    ("c_over_b", "rw_c_over_b"), ("max_tension", "rw_tension"), ("max_tension_sliding", "rw_max_tension"),
+    ("load_over_bk", "rw_load_over_bk"),
+]
+RESULTS = [(column, name, 1e-11, 0) for column, name in EXACT] + [
+    ("dundurs_beta", "rw_beta", 1e-12, 1e-13), ("von_mises_sliding", "rw_von_mises", 5e-4, 0),
+    ("P_over_bk", "rw_P_over_bk", 5e-4, 0), ("f_critical", "rw_f_critical", 0, 1e-3),
+    ("P_yield", "rw_P_yield", 1.5e-3, 0), ("safety", "rw_safety", 1.5e-3, 0),
+    ("yield_x", "rw_yield_x", 0, 2e-2), ("yield_y", "rw_yield_y", 0, 2e-2), # in a
+]
+AFTER_YIELD = ("P_yield", "safety", "yield_x", "yield_y")
+TIP_MIN = 0.003
+MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+FIRST_ROW, ROWS = 1, 200  # of Batch, from 0
+failures, quiet = 0, False
+
+
+def same(what, good, detail):
+    global failures
+    if not good:
+        failures += 1
+        if failures <= 20 and not quiet:
+            print("FAILED: %s: %s" % (what, detail))
+
+
+# ---- LibreOffice ----
+
+
+class Office:
+    def __init__(self):
+        pipe = "rwedge%d" % os.getpid()
+        self.process = subprocess.Popen(
+            ["soffice", "-env:UserInstallation=file://" + os.path.join(os.path.abspath(FOLDER), "profile"), "--headless",
+             "--norestore", "--nologo", "--accept=pipe,name=%s;urp;" % pipe],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        local = uno.getComponentContext()
+        resolver = local.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", local)
+        self.context = None
+        for _ in range(240):
+            try:
+                self.context = resolver.resolve("uno:pipe,name=%s;urp;StarOffice.ComponentContext" % pipe)
+                break
+            except Exception:
+                time.sleep(0.25)
+        if self.context is None:
+            self.process.kill()
+            sys.exit("LibreOffice does not start")
+        self.desktop = self.service("com.sun.star.frame.Desktop")
+
+    def service(self, name):
+        return self.context.ServiceManager.createInstanceWithContext(name, self.context)
+
+    def speak(self, locale):
+        provider = self.service("com.sun.star.configuration.ConfigurationProvider")
+        access = provider.createInstanceWithArguments(
+            "com.sun.star.configuration.ConfigurationUpdateAccess",
+            (PropertyValue("nodepath", 0, "/org.openoffice.Setup/L10N", 0),))
+        access.setPropertyValue("ooSetupSystemLocale", locale)
+        access.commitChanges()
+
+    def open(self, path):
+        hidden = PropertyValue("Hidden", 0, True, 0)
+        document = self.desktop.loadComponentFromURL("file://" + os.path.abspath(path), "_blank", 0, (hidden,))
+        document.calculateAll()
+        document.enableAutomaticCalculation(True)  # as users have it; calculate() alone left a cell out
+        return document
+
+    def end(self):
+        try:
+            self.desktop.terminate()
+        except Exception:
+            self.process.terminate()
+        self.process.wait(30)
+
+
+def value_of(cell):
+    if cell.getError() != 0:
+        return "error %d" % cell.getError()
+    return cell.String if cell.FormulaResultType2 == FormulaResult.STRING else cell.Value
+
+
+# ---- The file ----
+
+
+def stored(path, number):
+    """The values of a sheet's formulas as they are in the file: cell name to number or text."""
+    cells = {}
+    for cell in ET.fromstring(zipfile.ZipFile(path).read("xl/worksheets/sheet%d.xml" % number)).iter(MAIN + "c"):
+        if cell.find(MAIN + "f") is not None:
+            value = cell.find(MAIN + "v")
+            text = value.text if value is not None and value.text is not None else ""
+            cells[cell.get("r")] = text if cell.get("t") == "str" else float(text)
+    return cells
+
+
+def place_of(name):
+    letters, row = re.fullmatch("([A-Z]+)([0-9]+)", name).groups()
+    column = 0
+    for letter in letters:
+        column = 26 * column + ord(letter) - 64
+    return int(row) - 1, column - 1
+
+
+def check_stored(document, path):
+    count = 0
+    for number, name in enumerate(document.Sheets.ElementNames, 1):
+        cells = {place_of(place): value for place, value in stored(path, number).items()}
+        if not cells:
+            continue
+        area = document.Sheets.getByName(name).getCellRangeByPosition(
+            0, 0, max(column for _, column in cells), max(row for row, _ in cells))
+        errors = area.queryFormulaCells(FormulaResult.ERROR)
+        same("no error on " + name, errors.Count == 0, errors.RangeAddressesAsString)
+        found = area.getDataArray()
+        for (row, column), value in cells.items():
+            got = found[row][column]
+            good = type(got) is type(value) and (got == value or not isinstance(value, str) and
+                                                 abs(got - value) <= 1e-9 * abs(value) + 1e-13)
+            same("value stored in row %d, column %d of %s" % (row + 1, column + 1, name), good, (value, got))
+        count += len(cells)
+    return count
+
+
+def check_file(path):
+    """What spreadsheet programs would repair, or do not know."""
+    archive = zipfile.ZipFile(path)
+    book = ET.fromstring(archive.read("xl/workbook.xml"))
+    names = [name for name in book.iter(MAIN + "definedName") if name.get("localSheetId") is None]
+    lower = [name.get("name").lower() for name in names]
+    same("names that differ in more than capitals", len(lower) == len(set(lower)) > 100, len(lower))
+    same("names that are no cells", not [name for name in lower if re.fullmatch(r"[a-z]{1,3}[0-9]+", name)], lower)
+    same("working names are hidden", all((name.get("hidden") == "1") == name.get("name").startswith("rwt_") for name in names),
+         [name.get("name") for name in names])
+    known = {"ABS", "AND", "ASIN", "ATAN", "ATAN2", "COSH", "COUNT", "COUNTA", "FORECAST", "IF", "IFERROR", "INDEX", "ISNUMBER", "ISTEXT", "LN", "MATCH",
+             "MAX", "MIN", "MMULT", "N", "NA", "NOT", "OR", "PI", "ROUNDDOWN", "SQRT", "SUMPRODUCT", "TANH"}
+    sheets = [(sheet.get("name"), sheet.get("state")) for sheet in book.iter(MAIN + "sheet")]
+    longest = 0
+    for number in range(1, len(sheets) + 1):
+        root = ET.fromstring(archive.read("xl/worksheets/sheet%d.xml" % number))
+        formulas = [cell.text for cell in root.iter(MAIN + "f")]
+        used = set(re.findall(r"([A-Z][A-Z0-9.]*)\(", re.sub(r'"[^"]*"', "", " ".join(formulas))))
+        same("functions that every spreadsheet has", used <= known, used - known)
+        longest = max([longest] + [len(formula) for formula in formulas])
+    same("formulas that Excel takes", 0 < longest <= 8192, longest)
+    same("sheets", sheets[:2] == [("Calculator", None), ("Batch", None)] and sheets[-1] == ("Working", "hidden"), sheets)
+    same("size", os.path.getsize(path) < 1000000, os.path.getsize(path))
+    same("no macro, no link", not [n for n in archive.namelist() if "vba" in n or "externalLink" in n], archive.namelist())
+
+
+# ---- Cases ----
+
+
+def contact_load(tip):
+    """AP/(theta a)"""
+    if tip >= 1:
+        return math.pi / 2 / tip**2
+    return (math.asin(tip) + tip * math.sqrt(1 - tip * tip)) / tip**2
+
+
+def random_case(draw, i):
+    """Every fourth at a node or an edge of the table; every fifth sharp, or beyond the table."""
+    nu = draw.choice([0, 0.175, 0.2, 0.25, 0.3, 0.35, 0.45, 0.475, 0.5]) if i % 4 == 0 else draw.uniform(0, 0.5)
+    f = [0, draw.uniform(0, 0.8), draw.uniform(0, 0.4), draw.uniform(0.1, 0.35), 0.8 * draw.randint(0, 8) / 8][i % 5]
+    E1, E2, nu2 = 10**draw.uniform(3, 6), 10**draw.uniform(3, 6), draw.uniform(0, 0.5)
+    theta, a = 10**draw.uniform(-3, -0.5), 10**draw.uniform(-3, 1)
+    case = dict(E1=E1, nu1=nu, E2=E2, nu2=nu2)
+    if i % 3 == 0:
+        del case["E2"], case["nu2"]
+        E2, nu2 = E1, nu
+    A = 2 * (1 - nu**2) / E1 + 2 * (1 - nu2**2) / E2
+    tip = [10**draw.uniform(-2.4, 0.3), draw.uniform(0.02, 1.1), draw.choice([0.003, 0.00301, 0.999, 1, 1.001])][
+        0 if i % 2 else 1 if i % 8 else 2]
+    P = contact_load(tip) * theta * a / A
+    k = theta / A * 10**draw.uniform(-1.3, 0.3)
+    case.update(P=P, Q=draw.choice([0, -0.999, 0.999, 0.5, draw.uniform(-1, 1)]) * f * P, f=f)
+    if i % 20 == 7:
+        a = 0.0
+    if i % 20 == 9:
+        case["P"] *= 1e4
+    case.update(dict(theta_deg=math.degrees(theta), radius=a / theta) if i % 7 == 0 else dict(theta=theta, a=a))
+    case.update(dict(yield_stress=k * math.sqrt(3)) if i % 7 == 3 else {} if i % 7 == 5 else dict(k=k))
+    return case
+
+
+def solve(cases):
+    """The rows of "rwedge solve"; those with the same inputs at a time."""
+    rows = [None] * len(cases)
+    groups = {}
+    for i, case in enumerate(cases):
+        groups.setdefault(tuple(sorted(case)), []).append(i)
+    for columns, members in groups.items():
+        path = os.path.join(FOLDER, "cases.csv")
+        with open(path, "w", newline="") as file:
+            writer = csv.DictWriter(file, columns)
+            writer.writeheader()
+            for i in members:
+                writer.writerow({name: repr(float(cases[i][name])) for name in columns})
+        done = subprocess.run([RWEDGE, "solve", "--input", path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                              universal_newlines=True)
+        found = list(csv.DictReader(done.stdout.splitlines()))
+        same("rows of solve", len(found) == len(members), (columns, done.stdout[:300]))
+        for i, row in zip(members, found):
+            rows[i] = row
+    return rows
+
+
+def yield_tip(case, row):
+    """a/b under the load at yield."""
+    theta = case.get("theta", math.radians(case.get("theta_deg", 0)))
+    target = float(row["P_yield"]) * float(row["A"]) / (theta * rounding(case))
+    low, high = 1e-8, 1e8
+    for _ in range(200):
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if contact_load(middle) > target else (low, middle)
+    return low
+
+
+class Calculator:
+    def __init__(self, document):
+        self.document = document
+        self.cells = {}
+        for i in range(document.NamedRanges.Count):
+            name = document.NamedRanges.getByIndex(i)
+            match = re.fullmatch(r"\$?'?(Calculator|Working)'?\.\$([A-Z]+)\$(\d+)", name.Content)
+            if match and name.Name.startswith("rw_"):
+                self.cells[name.Name] = document.Sheets.getByName(match[1]).getCellRangeByName(match[2] + match[3])
+        document.Sheets.getByName("Calculator").unprotect("")
+
+    def enter(self, case):
+        for name in INPUTS:
+            value = case.get(name)
+            if value is None or isinstance(value, str):
+                self.cells["rw_" + name].String = value or ""
+            else:
+                self.cells["rw_" + name].Value = value
+
+    def result(self, name):
+        return value_of(self.cells[name])
+
+
+class Batch:
+    def __init__(self, document):
+        self.document = document
+        self.sheet = document.Sheets.getByName("Batch")
+        self.sheet.unprotect("")
+        header = self.sheet.getCellRangeByPosition(0, 0, 60, 0).getDataArray()[0]
+        self.columns = {name: i for i, name in enumerate(header) if name}
+        same("inputs of Batch", list(header[1:14]) == INPUTS, header)
+
+    def enter(self, cases):
+        """All rows: those without a case are emptied."""
+        rows = [tuple("" if case.get(name) is None else case[name] for name in INPUTS) for case in cases]
+        rows += [("",) * len(INPUTS)] * (ROWS - len(rows))
+        self.sheet.getCellRangeByPosition(1, FIRST_ROW, len(INPUTS), FIRST_ROW + ROWS - 1).setDataArray(tuple(rows))
+        self.read()
+
+    def read(self):
+        last = max(self.columns.values())
+        self.data = self.sheet.getCellRangeByPosition(0, FIRST_ROW, last, FIRST_ROW + ROWS).getDataArray()
+        errors = self.sheet.getCellRangeByPosition(0, FIRST_ROW, 200, FIRST_ROW + ROWS).queryFormulaCells(FormulaResult.ERROR)
+        same("no error in any cell", errors.Count == 0, errors.RangeAddressesAsString)
+
+    def result(self, row, column):
+        return self.data[row][self.columns[column]]
+
+
+def expected(case, row, column, at_yield):
+    """What the workbook must show: a number with its tolerances, None for nothing, or a text that it begins with."""
+    sharp, a_over_b = float(row["a_over_b"]) == 0, float(row["a_over_b"])
+    has_k = "k" in case or "yield_stress" in case
+    if column in ("P_over_bk", "f_critical", "von_mises_sliding") and not sharp and a_over_b < TIP_MIN * (1 - 1e-9):
+        return None
+    if column in ("f_critical", "von_mises_sliding") and sharp:
+        return None
+    if column in AFTER_YIELD and has_k and at_yield < 0.97 * TIP_MIN and not sharp:
+        return "> " if column == "safety" else None
+    if row[column] in ("", "inf"):
+        return None
+    return float(row[column])
+
+
+def rounding(case):
+    theta = case.get("theta", math.radians(case.get("theta_deg", 0)))
+    return case.get("a", case.get("radius", 0) * theta)
+
+
+def next_to_cusp(case, tip):
+    """Both branches have nearly the same limit."""
+    done = subprocess.run([RWEDGE, "table", "elastic-limit", "--nu", repr(case["nu1"]), "--a-over-b", repr(tip), "--friction",
+                           repr(float(case["f"]))], stdout=subprocess.PIPE, universal_newlines=True)
+    row, = csv.DictReader(done.stdout.splitlines())
+    return row["P_over_bk_subsurface"] != "" and abs(
+        float(row["P_over_bk_subsurface"]) / float(row["P_over_bk_surface"]) - 1) < 1e-3
+
+
+def check_result(where, case, row, column, relative, absolute, got, branch, worst):
+    at_yield = yield_tip(case, row) if row["P_yield"] not in ("", "0") else 0
+    if column in AFTER_YIELD and 0.97 * TIP_MIN <= at_yield <= 1.03 * TIP_MIN:
+        return  # at the end of the table it may be either
+    if column in ("P_yield", "safety"):
+        relative = 2e-2 if at_yield < 0.01 else 5e-3 if at_yield < 0.02 else relative
+    if column == "p_transition" and abs(float(row["a_over_b"]) - 1) < 1e-9:
+        absolute = 1e-7 * float(row["p0"])  # it goes like the root of 1 - a/b
+    unit = 1
+    if column in ("yield_x", "yield_y"):
+        # next to a cusp the branch may be the other one, with another place
+        if branch and branch != row["yield_branch"]:
+            return same(where + ", the other branch", next_to_cusp(case, at_yield), case)
+        unit = rounding(case) * min(1, 1 / at_yield) or 1 if at_yield else 1
+        flat = branch == "surface" and case["nu1"] > 0.4
+        absolute = (3e-3 / at_yield if 0 < at_yield < 0.02 else 0.35 if flat else absolute) * unit
+    want = expected(case, row, column, at_yield)
+    if want is None:
+        good = got == ""
+    elif isinstance(want, str):
+        bound = float(got[2:].replace(",", ".")) if isinstance(got, str) and got.startswith("> ") else math.inf
+        good = bound <= float(row["safety"].lstrip("> "))
+    else:
+        good = not isinstance(got, str) and abs(got - want) <= relative * abs(want) + absolute
+        if good:
+            worst[column] = max(worst.get(column, 0), abs(got - want) / (unit if absolute else abs(want) or 1))
+    same("%s, %s" % (where, column), good, "expected %r, got %r, for %r" % (want, got, case))
+
+
+def check_strength(case, row, got):
+    """The safety on strength is that of P_over_bk."""
+    if row["P_over_bk"] and row["load_over_bk"] and TIP_MIN * (1 + 1e-9) <= float(row["a_over_b"]):
+        want = float(row["P_over_bk"]) / float(row["load_over_bk"])
+        same("safety on strength", not isinstance(got, str) and abs(got / want - 1) <= 5e-4, (want, got, case))
+
+
+def check_warnings(case, row, got):
+    """The library's words; those of the tables' ends are the workbook's own."""
+    ours = [text for text in re.split("; |(?<=[?]) ", got) if text and "outside the tables" not in text]
+    theirs = [text for text in row["warnings"].split("; ") if text and "1e14" not in text]
+    same("warnings", ours == theirs, (theirs, ours, case))
+
+
+def check_cases(document, calculator, batch, count, beside):
+    """Random cases in Batch, and the first of them in Calculator too."""
+    draw = random.Random(2026)
+    cases = [random_case(draw, i) for i in range(count)]
+    rows = solve(cases)
+    batch.enter(cases)
+    worst = {}
+    for i, (case, row) in enumerate(zip(cases, rows)):
+        same("error", batch.result(i, "error") == "" == row["error"], (batch.result(i, "error"), row["error"], case))
+        for column, name, relative, absolute in RESULTS:
+            check_result("Batch", case, row, column, relative, absolute, batch.result(i, column),
+                         batch.result(i, "yield_branch"), worst)
+        check_strength(case, row, batch.result(i, "safety_strength"))
+        check_warnings(case, row, batch.result(i, "warnings"))
+        if i < beside:
+            calculator.enter(case)
+            for column, name, _, _ in RESULTS + [("safety_strength", "rw_safety_strength", 0, 0),
+                                                 ("warnings", "rw_remarks", 0, 0), ("yield_branch", "rw_branch", 0, 0)]:
+                here, there = calculator.result(name), batch.result(i, column)
+                same("Calculator and Batch, " + column, here == there, (here, there, case))
+    same("rows without a case", batch.result(ROWS - 1, "error") == "" == batch.result(ROWS - 1, "b"), batch.result(ROWS - 1, "b"))
+    print("%d cases; largest errors: %s" % (count, ", ".join("%s %.1e" % item for item in sorted(worst.items()))))
+
+
+# ---- Messages ----
+
+GOOD = dict(theta=0.01, a=0.05, E1=2.1e5, nu1=0.3, E2=2.1e5, nu2=0.3, P=190.0, Q=20.0, f=0.2, k=400.0)
+# What is changed, what the status begins with and has in it, what the row's error or warnings have in them.
+MESSAGES = [
+    (dict(), "OK", "", ""),
+    (dict(k=None), "CAUTION: no yield stress", "", ""),
+    (dict(theta=None), "CHECK THE INPUTS", "theta or theta_deg is missing; ", "error"),
+    (dict(theta="0.o1"), "CHECK THE INPUTS", "theta must be a number above 0, below pi/2; ", "error"),
+    (dict(theta=0.0), "CHECK THE INPUTS", "theta must be a number above 0, below pi/2; ", "error"),
+    (dict(theta=1.6), "CHECK THE INPUTS", "theta must be", "error"),
+    (dict(theta_deg=2.0), "CHECK THE INPUTS", "theta and theta_deg: give one of the two; ", "error"),
+    (dict(theta=None, theta_deg=90.0), "CHECK THE INPUTS", "theta_deg must be a number above 0, below 90; ", "error"),
+    (dict(a=-1.0), "CHECK THE INPUTS", "a must be a number, 0 or above; ", "error"),
+    (dict(a=None), "CHECK THE INPUTS", "a or radius is missing; ", "error"),
+    (dict(radius=1.0), "CHECK THE INPUTS", "a and radius: give one of the two; ", "error"),
+    (dict(a=None, radius=-1.0), "CHECK THE INPUTS", "radius must be a number, 0 or above; ", "error"),
+    (dict(E1=-1.0), "CHECK THE INPUTS", "E1 must be a number above 0; ", "error"),
+    (dict(E1=None), "CHECK THE INPUTS", "E1 is missing; ", "error"),
+    (dict(E2=None), "CHECK THE INPUTS", "E2 and nu2: give both, or neither; ", "error"),
+    (dict(E2="soft"), "CHECK THE INPUTS", "E2 must be a number above 0, or inf for a rigid wedge; ", "error"),
+    (dict(nu1=0.51), "CHECK THE INPUTS", "nu1 must be a number above -1, up to 0.5; ", "error"),
+    (dict(nu2=-1.0), "CHECK THE INPUTS", "nu2 must be", "error"),
+    (dict(P=0.0), "CHECK THE INPUTS", "P must be a number above 0; ", "error"),
+    (dict(P=None), "CHECK THE INPUTS", "P is missing; ", "error"),
+    (dict(Q="much"), "CHECK THE INPUTS", "Q must be a number; ", "error"),
+    (dict(f=-0.1), "CHECK THE INPUTS", "f must be a number, 0 or above; ", "error"),
+    (dict(f=None), "CHECK THE INPUTS", "f is missing; ", "error"),
+    (dict(k=0.0), "CHECK THE INPUTS", "k must be a number above 0; ", "error"),
+    (dict(yield_stress=500.0), "CHECK THE INPUTS", "k and yield_stress: give one of the two; ", "error"),
+    (dict(P=-1.0, f=None, nu2=2.0), "CHECK THE INPUTS", "nu2 must be a number above -1, up to 0.5; P must be a number above 0; f is missing; ",
+     "error"),
+    (dict(P=600.0, f=0.5), "YIELDS: P is above", "", "warnings"),
+    (dict(Q=39.0), "SLIDES: Q is above f P", "", "error"),
+    (dict(P=900.0, f=0.01), "SLIDES: Q is above f P, there is no equilibrium. YIELDS: P is above", "", "error"),
+    (dict(nu1=-0.1, nu2=-0.1), "CAUTION: ", "nu1 is below 0, outside the tables: no yield; ", "warnings"),
+    (dict(f=0.81), "CAUTION: ", "f is above 0.8, outside the tables: no yield; ", "warnings"),
+    (dict(P=3e5, k=None), "CAUTION: ", "a/b is below 0.003, outside the tables: no elastic limit; ", "warnings"),
+    (dict(P=3e4, k=15000.0), "CAUTION: ", "yield is outside the tables; ", "warnings"),
+    (dict(theta=0.2, k=8000.0), "CAUTION: ", "theta is above 0.1 rad", "warnings"),
+    (dict(E2=1e6, P=60.0, Q=0.0), "CAUTION: ", "Dundurs' beta is not 0", "warnings"),
+    (dict(E1=210.0, E2=210.0), "CAUTION: ", "k/E is below 0.00001 or above 0.1", "warnings"),
+    (dict(P=1e-7, Q=None), "CAUTION: ", "a/b is below 0.01 or above 10000", "warnings"),
+]
+
+
+def check_messages(document, calculator, batch):
+    cases = [dict(GOOD, **change) for change, *_ in MESSAGES]
+    batch.enter(cases)
+    for i, (change, begins, contains, column) in enumerate(MESSAGES):
+        calculator.enter(cases[i])
+        status = calculator.result("rw_status")
+        same("status for %r" % change, status.startswith(begins) and contains in status, status)
+        row = {name: batch.result(i, name) for name in ("error", "warnings", "b")}
+        if column:
+            same("row for %r" % change, row[column] != "" and contains in row[column], row)
+        refused = begins.startswith("CHECK")
+        same("results for %r" % change, (row["b"] == "") == refused, row)
+        same("an error for %r" % change, (row["error"] != "") == (column == "error"), row)
+        wrong = [name for name in calculator.cells if str(calculator.result(name)).startswith("error")]
+        same("no error value for %r" % change, not wrong, wrong)
+    calculator.enter({})
+    same("status without inputs", calculator.result("rw_status") == "Type into the yellow cells.", calculator.result("rw_status"))
+    calculator.enter(dict(GOOD, E2="inf", nu2=None))
+    rigid = solve([dict(GOOD, E2=1e30)])[0]
+    same("a rigid wedge", abs(calculator.result("rw_b") / float(rigid["b"]) - 1) < 1e-12, calculator.result("rw_b"))
+    calculator.enter(dict(GOOD, a=0.0))
+    same("a sharp wedge", (calculator.result("rw_safety"), calculator.result("rw_P_yield"), calculator.result("rw_p0")) ==
+         (0, 0, ""), calculator.result("rw_safety"))
+    same("its status", calculator.result("rw_status").startswith("YIELDS"), calculator.result("rw_status"))
+    print("%d messages" % len(MESSAGES))
+
+
+def check_fill_down(batch):
+    """A row copied below the last computes as well."""
+    sheet = batch.sheet
+    width = max(batch.columns.values()) + 1
+    last = sheet.getCellRangeByPosition(0, FIRST_ROW + ROWS - 1, 200, FIRST_ROW + ROWS - 1)
+    sheet.copyRange(sheet.getCellByPosition(0, FIRST_ROW + ROWS).CellAddress, last.RangeAddress)
+    for j, name in enumerate(INPUTS):
+        if name in GOOD:
+            sheet.getCellByPosition(1 + j, FIRST_ROW + ROWS).Value = GOOD[name]
+    batch.read()
+    good = solve([GOOD])[0]
+    same("a row filled down", abs(batch.result(ROWS, "b") / float(good["b"]) - 1) < 1e-12, (width, batch.result(ROWS, "b")))
+
+
+# ---- The sheet Look up ----
+
+
+def nodes(document, name):
+    match = re.fullmatch(r"\$?'?([^'.]+)'?\.(.*)", document.NamedRanges.getByName(name).Content)
+    return document.Sheets.getByName(match[1]).getCellRangeByName(match[2].replace("$", "")).getDataArray()
+
+
+def between(table, i, j, share_f, share_tip):
+    """None where a corner is missing."""
+    corners = [table[i + k][j + m] for k in (0, 1) for m in (0, 1)]
+    if "" in corners:
+        return math.inf
+    low, high = corners[0] + share_tip * (corners[1] - corners[0]), corners[2] + share_tip * (corners[3] - corners[2])
+    return low + share_f * (high - low)
+
+
+LOOK_UP_ROW = 10  # the first of its rows with a formula, from 0
+
+
+def nodes_limit(tables, tips, frictions, tip, f):
+    return min(table[frictions.index(f)][tips.index(tip)] or math.inf for table in tables)
+
+
+def check_look_up(document):
+    """The middles of all cells err as little as the sheet says; its formula does the same arithmetic."""
+    sheet = document.Sheets.getByName("Look up")
+    sheet.unprotect("")
+    tips, frictions = nodes(document, "rw_table_tips")[0], [row[0] for row in nodes(document, "rw_table_f")]
+    tables = [nodes(document, name) for name in ("rw_table_surface", "rw_table_below")]
+    middles = [[(low + high) / 2 for low, high in zip(values, values[1:])] for values in (tips, frictions)]
+    done = subprocess.run([RWEDGE, "table", "elastic-limit", "--nu", "0.3", "--a-over-b", ",".join(map(repr, middles[0])),
+                           "--friction", ",".join(map(repr, middles[1]))], stdout=subprocess.PIPE, universal_newlines=True)
+    worst = {"from 0.01": 0, "from 0.1": 0}
+    sampled = []
+    rows = list(csv.DictReader(done.stdout.splitlines()))
+    same("middles", len(rows) == len(middles[0]) * len(middles[1]), len(rows))
+    for n, row in enumerate(rows):
+        j, i = divmod(n, len(middles[1]))
+        got = min(between(table, i, j, 0.5, 0.5) for table in tables)
+        error = abs(got / float(row["P_over_bk"]) - 1)
+        worst["from 0.01"] = max(worst["from 0.01"], error)
+        worst["from 0.1"] = max(worst["from 0.1"], error if float(row["a_over_b"]) > 0.1 else 0)
+        if n % 157 == 0:
+            sampled.append((middles[0][j], middles[1][i], got))
+    # its formula, copied to the right of columns on another sheet
+    document.Sheets.insertNewByName("Mine", document.Sheets.Count)
+    mine = document.Sheets.getByName("Mine")
+    sampled += [(2.5, 0.2, nodes_limit(tables, tips, frictions, 1, 0.2)), (0.009, 0.1, None), (0.5, 0.81, None)]
+    for i, (tip, f, want) in enumerate(sampled):
+        mine.getCellByPosition(4, i).Value, mine.getCellByPosition(5, i).Value = tip, f
+        formula = sheet.getCellRangeByPosition(2, LOOK_UP_ROW, 2, LOOK_UP_ROW).RangeAddress
+        mine.copyRange(mine.getCellByPosition(6, i).CellAddress, formula)
+    for i, (tip, f, want) in enumerate(sampled):
+        cell = mine.getCellByPosition(6, i)
+        good = cell.getError() != 0 if want is None else cell.getError() == 0 and abs(cell.Value / want - 1) < 1e-12
+        same("the formula of Look up", good, (tip, f, want, cell.Value))
+    print("Look up: largest errors", worst)
+    same("errors of Look up", worst["from 0.01"] <= 1.2e-3 and worst["from 0.1"] <= 1e-3, worst)
+
+
+def check_legends(document):
+    """The curves keep their names when a sheet is inserted in front."""
+    document.Sheets.insertNewByName("Front", 0)
+    charts = document.Sheets.getByName("Calculator").Charts
+    names = []
+    for i in range(charts.Count):
+        diagram = charts.getByIndex(i).EmbeddedObject.FirstDiagram
+        for series in diagram.CoordinateSystems[0].ChartTypes[0].DataSeries:
+            label = series.DataSequences[0].Label
+            names += [label.Data[0]] if label is not None and label.SourceRangeRepresentation else []
+    same("legends", charts.Count == 4 and len(names) == 18 and names.count("your case") == 3 and "0.1" in names, names)
+
+
+def check_book(office):
+    started = time.time()
+    document = office.open(WORKBOOK)
+    print("opened and recalculated in %.1f s" % (time.time() - started))
+    check_file(WORKBOOK)
+    print("%d values of formulas are as stored" % check_stored(document, WORKBOOK))
+    calculator, batch = Calculator(document), Batch(document)
+    for locale, count, beside, shown in ("en-US", 180, 30, "0.05"), ("de-DE", 40, 10, "0,05"):
+        office.speak(locale)
+        calculator.enter(GOOD)
+        same("the decimal sign of " + locale, calculator.cells["rw_a"].String == shown, calculator.cells["rw_a"].String)
+        check_cases(document, calculator, batch, count, beside)
+        check_messages(document, calculator, batch)
+    check_fill_down(batch)
+    check_look_up(document)
+    check_legends(document)
+    document.close(True)
+
+
+def check_damage(office):
+    """What this program finds wrong in a file."""
+    global failures, quiet
+    for path in DAMAGED:
+        before, failures, quiet = failures, 0, True
+        document = office.open(path)
+        check_stored(document, path)
+        document.close(True)
+        found, failures, quiet = failures, before, False
+        same("a difference is found", found > 0, path)
+
+
+office = Office()
+try:
+    check_book(office)
+    check_damage(office)
+finally:
+    office.end()
+print("%d failures" % failures)
+sys.exit(failures > 0)

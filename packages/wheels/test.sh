@@ -69,30 +69,6 @@ for wheel in "$folder"/*.whl; do
     grep -q 'is not a supported wheel on this platform' log || { cat log; fail "$wheel is refused for something else"; }
 done
 
-# The library for Windows, under Wine: the bits of the DLL for Excel, whose test asked it the same.
-windows=$(echo "$folder"/*-win_amd64.whl)
-. "$top/packages/windows/wine.sh"
-if [ ! -f "$windows" ]; then
-    : # make.sh has said it
-elif [ -z "$wine" ] || [ -z "$server" ] || [ ! -f "$build/excel/answers-windows" ]; then
-    echo "not tested: the wheel for Windows, for lack of wine64 or of the answers of the DLL for Excel" | tee -a "$tested"
-else
-    mkdir windows
-    (cd windows && python3 -m zipfile -e "$windows" .)
-    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
-        windows/rwedge/_rwedge.dll -o windows/rwedge/door.exe
-    trap end_wine EXIT
-    start_wine
-    on_windows windows/rwedge/door.exe <"$build/excel/calls" | tr -d '\r' >answers
-    cmp answers "$build/excel/answers-windows" || fail "the library for Windows differs from the DLL"
-    x86_64-w64-mingw32-objdump -p windows/rwedge/_rwedge.dll | grep -o 'rwedge_[a-z_]*' | sort -u >offered
-    nm -D --defined-only "$(environment/bin/python -c 'from rwedge._library import library; print(library._name)')" |
-        sed 's/.* //' | sort >wanted
-    cmp offered wanted || fail "the library for Windows offers other functions than that for Linux"
-    echo "tested: $(basename "$windows"): its parts fit; its library, under Wine, gives $(wc -l <answers) times the bits of the DLL" >>"$tested"
-    echo "not tested: $(basename "$windows"): in a Python for Windows" >>"$tested"
-fi
-
 # The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
 python3 -B "$top/tests/doors/calls.py" >calls
 environment/bin/python -W ignore "$source/tests/door.py" <calls >answers
@@ -122,5 +98,30 @@ if [ -f "$musl" ]; then
     musl-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
         -Wl,-rpath,"$work/there/rwedge" -o there/door
     there/door <calls >answers-there
+    cp answers-there answers-musl
     alike "$(basename "$musl"), its library from C with musl, not in a Python"
+fi
+
+# The library for Windows, under Wine. It holds musl's mathematics.
+windows=$(echo "$folder"/*-win_amd64.whl)
+. "$top/packages/windows/wine.sh"
+if [ ! -f "$windows" ]; then
+    : # make.sh has said it
+elif [ -z "$wine" ] || [ -z "$server" ]; then
+    echo "not tested: the wheel for Windows, for lack of wine64" | tee -a "$tested"
+else
+    unpacked "$windows"
+    x86_64-w64-mingw32-objdump -p there/rwedge/_rwedge.dll >tables
+    [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
+    grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
+    nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._library import library; print(library._name)')" |
+        sed 's/.* //' | LC_ALL=C sort >wanted
+    LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
+    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
+        there/rwedge/_rwedge.dll -o there/rwedge/door.exe
+    trap end_wine EXIT
+    start_wine
+    on_windows there/rwedge/door.exe <calls | tr -d '\r' >answers-there
+    [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "Windows and Linux differ, both with musl's mathematics"
+    alike "$(basename "$windows"), its library from C under Wine, not in a Python"
 fi

@@ -148,7 +148,7 @@ RWEDGE_API void rwedge_loop_points(char **args, const intptr_t *dimensions, cons
         (void)o, (void)s, (void)n;                                                                 \
         return call;                                                                               \
     }                                                                                              \
-    RWEDGE_API const struct points rwedge_points_##name = {name,   objects, shared,                 \
+    RWEDGE_API const struct points rwedge_points_##name = {name,   objects, shared,                \
                                                            inputs, outputs, at_once};
 
 /* A status for those that have none. */

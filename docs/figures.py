@@ -13,10 +13,10 @@ CYCLE = f"{PAD} --load 135.75,0,0,0 --load 135.75,0,38.75,100 --load 135.75,0,-3
 FIGURES = {
     "pressure": ("Contact pressure for several a/b (the paper's Fig. 2)", "2", "pressure peak_pressure transition_pressure"),
     "normal-limit": ("Elastic limit under a normal load, and the depth of the point that yields (Fig. 3)", "3",
-                     "elastic_limit subsurface_yield surface_yield"),
+                     "subsurface_yield surface_yield"),
     "elastic-limit": ("Elastic limit in full sliding over the friction (Fig. 4)", "4",
-                      "elastic_limits yield_point critical_friction yield_load"),
-    "yield-point": ("Path of the point that yields as friction grows (Fig. 5)", "5", ""),
+                      "elastic_limit elastic_limits critical_friction yield_load"),
+    "yield-point": ("Path of the point that yields as friction grows (Fig. 5)", "5", "yield_point"),
     "max-tension": ("Largest tension at the trailing edge (Fig. 6)", "6", "max_tension"),
     "shear": ("Shear traction in partial slip (Fig. 7)", "7", "shear stick_width shear_ratio contact_tractions"),
     "von-mises": ("Von Mises' stress below a contact in partial slip", "field --a-over-b 0.25 --friction 0.6 --c-over-b 0.4",

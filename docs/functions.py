@@ -39,6 +39,7 @@ class Pages:
         """What the header says of an argument here, after what it says of it everywhere."""
         shared = self.meanings[f.dimensional].get(name, ("",))[0]
         what = re.split(r", (?=finite|[<>]|\d|at least)", shared)[0]
+        what = what.removesuffix(", " + own.split(", ")[0])
         return own if not what or own.startswith(what) or own == shared else f"{what}: {own}".removesuffix(": ")
 
     def arguments(self, f: Function) -> list[str]:
@@ -54,8 +55,10 @@ class Pages:
             shown = self.library.example(f, given)
         said = {name: text for name, (text, _) in Reader.listed(f.comment)[0].items()}
         names = [p.name for p in f.outputs] or ["value"] * (f.result in ("value", "text"))
-        rows = [f"| `{n}` | {self.marked(self.meaning(f, n, said.get(n, '')))} | {number(shown.get(n, ''))} |" for n in names]
-        return ["| result | meaning and unit | of the calls below |", "|---|---|---|", *rows, ""] if rows else []
+        rows = [(f"| `{n}` |", f" {self.marked(self.meaning(f, n, said.get(n, '')))} |", f" {number(shown.get(n, ''))} |") for n in names]
+        title = ("| result |", " meaning and unit |", " of the calls below |")
+        used = [k for k in range(3) if any(row[k] != "  |" for row in rows)]
+        return ["".join(row[k] for k in used) for row in [title, ("|---|", "---|", "---|"), *rows]] + [""] if rows else []
 
     def description(self, f: Function) -> list[str]:
         """The header's text, without what has a place of its own on the page."""
@@ -64,7 +67,7 @@ class Pages:
             text = text.replace(sentence, "")
         kept = [" ".join(s for s in SENTENCE.split(p) if not CODES.fullmatch(s)) for p in text.split("\n\n")]
         if f.text.startswith("The same"):
-            kept.insert(0, f"See {self.marked(f'rwedge_{f.array_of or self.before(f).name}()')}.")
+            kept.insert(0, f"See rwedge_{f.array_of or self.before(f).name}().")
         return [line for paragraph in kept if paragraph.strip() for line in (self.marked(" ".join(paragraph.split())), "")]
 
     def before(self, f: Function) -> Function:
@@ -98,17 +101,22 @@ class Pages:
 
     def section(self, title: str) -> str:
         own = [f for f in self.interface.functions if f.section == title]
-        texts = [x for f in own for block in f.introduction for x in self.prose(block)]
+        blocks = [block for name in dict.fromkeys(f.family for f in own) if name for block in self.interface.objects[name]]
+        texts = [x for block in blocks + [b for f in own for b in f.introduction] for x in self.prose(block)]
         rows = [f"| [`{f.name}`](/functions/{f.name}.md) | {self.marked(SENTENCE.split(f.text.split(chr(10) * 2)[-1])[0])} |" for f in own]
         return "\n".join([f"# {title}", "", *texts, "| rwedge\\_ | gives |", "|---|---|", *rows, "", "```{toctree}", ":hidden:", "",
                           *(f"{f.name} <../{f.name}>" for f in own), "```", ""])
 
     def prose(self, block: list[str]) -> list[str]:
         """A comment of the header that stands alone."""
-        said, rest = Reader.listed(block)
-        texts = [self.marked(" ".join(EQUATION.sub("", " ".join(p)).split())) for p in paragraphs(rest)]
-        rows = [f"| `{name}` | {self.marked(text)} |" for name, (text, _) in said.items()]
-        return [x for t in texts for x in (t, "")] + (["| argument | meaning, unit, domain |", "|---|---|", *rows, ""] if rows else [])
+        lines = []
+        for paragraph in paragraphs(block):
+            said, rest = Reader.listed(paragraph)
+            lines += [self.marked(" ".join(EQUATION.sub("", " ".join(rest)).split())), ""]
+            if said:
+                rows = [f"| `{name}` | {self.marked(text)} |" for name, (text, _) in said.items()]
+                lines += ["| argument | meaning, unit, domain |", "|---|---|", *rows, ""]
+        return lines
 
     def index(self, titles: list[str]) -> str:
         return "\n".join(["# Functions", "", *self.prose(self.interface.introduction), "```{toctree}", ":maxdepth: 1", "", *(f"{slug(t)}/index" for t in titles), "```", ""])

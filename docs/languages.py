@@ -194,6 +194,32 @@ class JavaScript(Language):
         return f"{left}{f.family or 'rwedge'}.{f.method}({', '.join(given)})"
 
 
+class JavaScript(Language):
+    """Sizes that no array tells are given too; an array of two sizes is flat."""
+
+    name, lexer = "JavaScript", "javascript"
+
+    def signature(self, f: Function) -> str:
+        return self.form(f, [p.name for p in write_web.arguments(f)])
+
+    def call(self, f: Function, given: dict) -> str:
+        loads = [str(len(given[p.name])) for p in f.inputs if len(p.size) == 2]
+        return self.form(f, [loads[0] if p.role == "size" else self.text(given[p.name], p) for p in write_web.arguments(f)])
+
+    def text(self, value, p: Parameter) -> str:
+        return super().text(flat(value) if isinstance(value, list) else value, p)
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        arguments, made_by = ", ".join(given), f.family.title()
+        if f.of("created"):
+            maker = f"new {made_by}" if f.method == "create" else f"{f.family if f.of('handle') else made_by}.{f.method}"
+            return f"const {f.of('created')[0].name} = {maker}({arguments});"
+        names = ", ".join(p.name for p in f.outputs)
+        left = f"const {{ {names} }} = " if len(f.outputs) > 1 else f"const {names} = " if names else ""
+        name = f"{f.family}.{'free' if f.method == 'destroy' else f.method}" if f.family else f.name
+        return f"{left}{name}({arguments});"
+
+
 class Excel(Language):
     """A handle is made in the cell, of what stands first."""
 

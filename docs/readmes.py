@@ -7,6 +7,8 @@ A page of this room takes a section of a README by the line
     @README.md#get-it as Title     with another
     @README.md                     what stands before the first section
 
+    @others                        what no page of this room names, in a list of pages
+
 The README at the top is no page: its sections are where the pages of this room show them.
 """
 from __future__ import annotations
@@ -18,7 +20,7 @@ import sys
 from pathlib import Path, PurePosixPath
 
 LINK = re.compile(r"(\[[^\]]*\])\(([^()#\s:]*)(#[^()\s]*)?\)")
-TAKEN = re.compile(r"@([\w./-]+)(?:#(\S+))?(?: as (.*))?")
+TAKEN = re.compile(r"@([\w./-]+\.md)(?:#(\S+))?(?: as (.*))?")
 HEADING = re.compile(r"(#+) (.*)")
 FENCE = re.compile(r"```(\S+).*")
 FRONT = "README.md"
@@ -131,3 +133,12 @@ class Site:
             else:
                 (self.target / path).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(self.top / path, self.target / path)
+        self.name_others()
+
+    def name_others(self) -> None:
+        named = {line for page in self.room for line in page.read_text(encoding="utf-8").split("\n")}
+        others = {self.place(p).removesuffix(".md") for p in self.seen if p.suffix == ".md"} - {p.stem for p in self.room} - named
+        for page in self.room:
+            text = (self.target / page.name).read_text(encoding="utf-8")
+            text = text.replace("\n@others\n", "\n".join(["", *sorted(others), ""]))
+            (self.target / page.name).write_text(text, encoding="utf-8")

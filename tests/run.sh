@@ -6,6 +6,7 @@
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
+#     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
@@ -21,15 +22,16 @@ cd "$top"
 accept_path "$top"
 . tests/support/compilers.sh
 
-compilers=no sanitize=no campaign=no elsewhere=no strict=no
+compilers=no sanitize=no campaign=no packages=no elsewhere=no strict=no
 for option; do
     case $option in
     --compilers) compilers=yes ;;
     --sanitize) sanitize=yes ;;
     --campaign) campaign=yes ;;
+    --packages) packages=yes ;;
     --elsewhere) elsewhere=yes ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes campaign=yes elsewhere=yes ;;
+    --all) compilers=yes sanitize=yes campaign=yes packages=yes elsewhere=yes ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -90,7 +92,7 @@ build_and_test()
     count "$folder/results.xml"
     awk -F'"' '/<testcase name=/ { name = $2 } /SKIPPED: / { sub(/.*SKIPPED: /, "SKIPPED: "); print name ": " $0 }' "$folder/results.xml" \
         >>"$skips"
-    # ctest itself may fail with no test that did
+    # ctest itself may fail although no test did
     if [ $ended = badly ] && [ "$failed" -eq "$before" ]; then
         echo "== FAILED: ctest in $folder"
         failed=$((failed + 1))
@@ -117,7 +119,7 @@ step()
     fi
 }
 
-# What has no language but C, and does not build again.
+# Left out where another compiler or the sanitizers are tried: what builds the library itself, or needs another language than C.
 of_another_compiler='^(package|reproducible|thread_sanitizer|abi|hostile|doors|bindings_.*)$'
 
 without_warnings()
@@ -142,7 +144,7 @@ build_and_test build "$none" -DCMAKE_BUILD_TYPE=Release
 if [ $compilers = yes ]; then
     for compiler in $(compilers_here); do
         step "no warning from $compiler" without_warnings "$compiler"
-        # that of build/ has just been through the tests
+        # the compiler of build/ has just been through the tests
         [ "$(realpath "$(command -v "$compiler")")" != "$(realpath "$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' build/CMakeCache.txt)")" ] ||
             continue
         step "the tests as $compiler builds them" ctest --test-dir "build/$compiler" --exclude-regex "$of_another_compiler" \
@@ -153,7 +155,7 @@ if [ $compilers = yes ]; then
 fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
-    # but for those whose own programs would need the sanitizers too, and that build anew anyway; the tool has alternate stacks itself
+    # The tool has alternate stacks of its own.
     export ASAN_OPTIONS=use_sigaltstack=0
     build_and_test build/debug "$of_another_compiler" --preset debug
     unset ASAN_OPTIONS
@@ -183,11 +185,14 @@ if [ $campaign = yes ]; then
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
     step "fuzzing" sh tests/random/long.sh
 fi
+if [ $packages = yes ]; then
+    step "the packages" sh packages/make.sh build
+fi
 if [ $elsewhere = yes ]; then
     step "the two commands on Debian stable" sh tests/elsewhere.sh stable
 fi
 
-# Good reasons to skip: the processor, the rights that this machine gives, what its distribution has no package of, or no longer.
+# Good reasons to skip: the processor lacks something, this machine does not allow it, or its distribution has no package of it.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
 beyond_us="$beyond_us|the sources of .* cannot be fetched|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it|another clang compiled"
 for need in $not_in_distribution; do

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Fortran module, linked with the private build.    test.sh BUILD-FOLDER
 set -eu
+: "${1:?usage: test.sh BUILD-FOLDER}"
 here=$(cd "$(dirname "$0")" && pwd)
 top=$here/../..
 for tool in gfortran python3; do

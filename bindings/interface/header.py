@@ -152,6 +152,7 @@ class Interface:
     statuses: dict[str, int]
     bits: dict[str, int]  # of other enumerations
     functions: list[Function]
+    objects: dict[str, list[list[str]]] = field(default_factory=dict)  # contact, series: the comments above their declaration
 
     def __getitem__(self, name: str) -> Function:
         return next(f for f in self.functions if f.name == name)
@@ -274,7 +275,8 @@ class Reader:
                 self.refuse(first, f"a macro with arguments: {line}")
             elif not re.match(r"#|extern \"C\" \{$|\}$|typedef struct (rwedge_\w+) \1;$", line):
                 self.refuse(first, f"neither a comment nor a declaration of the conventions: {line}")
-            if line.startswith("typedef"):
+            if match := re.match(r"typedef struct rwedge_(\w+)", line):
+                self.interface.objects[match[1]] = [*self.alone, self.comment]
                 self.alone = self.comment = []
             i += 1
         self.give_sizes()

@@ -3,6 +3,7 @@
 # The MATLAB interface in GNU Octave, linked with the private build.
 #     test.sh BUILD-FOLDER
 set -eu
+: "${1:?usage: test.sh BUILD-FOLDER}"
 here=$(cd "$(dirname "$0")" && pwd)
 top=$here/../..
 for tool in octave-cli mkoctfile python3; do

@@ -7,7 +7,7 @@
 set -eu
 source=$(cd "$(dirname "$0")" && pwd)
 long=no
-[ "$1" != --long ] || { long=yes; shift; }
+[ "${1:?usage: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]}" != --long ] || { long=yes; shift; }
 mkdir -p "$1"
 build=$(cd "$1" && pwd)
 shift

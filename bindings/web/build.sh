@@ -15,7 +15,9 @@ export LC_ALL=C # the same order of files everywhere, and so the same bytes
 skip() { echo "SKIPPED: $*"; exit 77; }
 
 # compile ARGUMENTS... - with vectors of two numbers, which every browser has since 2023
-compile() { clang --target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off "$@"; }
+options='--target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off'
+# shellcheck disable=SC2086
+compile() { clang $options "$@"; }
 
 for command in clang wasm-ld python3 cmake dpkg-source; do
     command -v $command >/dev/null || skip "$command is not here"
@@ -34,11 +36,11 @@ gsl()
         cblas/dgemv matrix/matrix matrix/view matrix/rowcol matrix/init vector/vector vector/view vector/oper vector/init; do
         compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" -o "gsl/$(echo $name | tr / -).o" || return 1
     done
-    touch gsl/made
+    echo "$options" >gsl/made # last: it stands for all of them
 }
 
 if ! {
-    { [ -f gsl/made ] || gsl; } &&
+    { [ "$(cat gsl/made 2>/dev/null)" = "$options" ] || gsl; } &&
         # the library's objects, with the options that it is always built with
         cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
             -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \

@@ -74,8 +74,9 @@ for table in "$top"/tables/*.csv; do
     cmp "$table" "$work/tables/$(basename "$table")" || fail "another table"
 done
 run=''
-for test in results/batch results/field figures/figure_data files/formats results/fretting results/off_centre results/profile \
-    command_line/ranges results/solve files/spreadsheet results/tables workbook/workbook; do
+for test in command_line/completion command_line/ranges figures/figure_data files/formats files/spreadsheet results/batch \
+    results/field results/fretting results/off_centre results/profile results/solve results/tables system/threads \
+    workbook/workbook; do
     sh "$top/tests/cli/$test.sh" "$work/rwedge" "$top/tests/data" >"$work/log" 2>&1 ||
         { grep -a -A 4 FAILED "$work/log" | head -n 40; fail "tests/cli/$test.sh"; }
     run="$run $test"

@@ -19,7 +19,7 @@ processor_has avx2 && vectors="$vectors -mavx2" || echo "SKIPPED: this processor
 processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,-mavx512dq,-mavx512vl" ||
     echo "SKIPPED: this processor has no AVX-512"
 
-# The tests themselves without optimisation: what they compare is to raise nothing either.
+# The tests are compiled without optimisation, so that their own comparisons raise nothing.
 build_tests()
 {
     for test in host/test_calls host/calls/calls host/calls/edges host/calls/together host/calls/sequences host/test_host lib/stress/test_batches support/claims support/quadrature; do

@@ -4,6 +4,7 @@
 # So are the tables from another math library, and the bits of pressures and stresses.
 #     reproducible.sh SOURCE BUILD [all]     all: every compiler at every level, and the tables from another math library
 set -eu
+: "${2:?usage: reproducible.sh SOURCE BUILD [all]}"
 source=$(realpath "$1") build=$(realpath "$2") extent=${3:-ordinary}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -8,7 +8,7 @@ command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which reads t
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 grep -o 'rwedge_[a-zA-Z_0-9]*(' "$1" | tr -d '(' | sort -u >"$work/mentioned"
-# the comments mention functions too, but none that is not declared
+# Comments mention functions too, but only those that are declared.
 python3 -B "$(dirname "$1")/../bindings/interface/header.py" --names "$1" >"$work/names"
 sort -u "$work/names" >"$work/declared"
 nm -D --defined-only "$2" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort -u >"$work/exported"

@@ -15,7 +15,7 @@ for clang in ${CLANG:-clang-19 clang-18 clang-17 clang-16 clang-15 clang clang-1
     clang=
 done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
-# by a name that needs no quotes in lists of flags and commands, whatever is in the path
+# The project under a short name: lists of flags and commands then need no quotes, even where its path has a space.
 ln -sfn "$source" source
 flags="-std=c99 -gline-tables-only -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"

@@ -10,7 +10,8 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
 seconds=
-[ "${1:-}" != --explore ] || { seconds=$2; shift 2; }
+[ "${1:-}" != --explore ] || { seconds=${2:?--explore SECONDS: the SECONDS are missing}; shift 2; }
+case ${1:-} in -*) echo "long.sh: $1: unknown option; usage: long.sh [--explore SECONDS] [FOLDER]" >&2; exit 2 ;; esac
 folder=${1:-$source/build/fuzz}
 sh "$here/build.sh" "$source" "$folder"
 cd "$folder"

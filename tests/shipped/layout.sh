@@ -8,7 +8,7 @@ cd "$1"
 version=14
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# what a program writes is laid out by that
+# without generated files, which are laid out by what writes them
 find include lib cli tests bindings packages -name '*.[ch]' -exec grep -L 'change that, not this' {} + >"$work/files"
 [ "$(wc -l <"$work/files")" -gt 100 ] || { echo "FAILED: the sources were not found"; exit 1; }
 

@@ -84,8 +84,8 @@ def errors_of(printed):
 @needs_ccx
 @pytest.mark.long
 def test_finite_elements_approach_the_closed_form(drawn):
-    """As the mesh is refined twice; the picture is of the finest one. On the mesh between, CalculiX's shear stays below
-    friction's limit in the slip zone of the leading edge: the shear is compared from the first to the last."""
+    """As the mesh is refined twice; the picture is of the finest one. On the mesh between, CalculiX finds a wrong state under P
+    alone, which friction remembers (the examples' README): the shear is compared from the first to the last."""
     printed, picture = drawn("calculix", "--refine 2")
     errors = errors_of(printed)
     assert errors.shape == (3, 3) and (np.diff(errors[:, [0, 2]], axis=0) < 0).all(), printed

@@ -5,6 +5,7 @@
 #     abi.sh SOURCE BUILD           compares
 #     abi.sh SOURCE BUILD --store   stores it anew, after an addition. A change that breaks raises RWEDGE_ABI first.
 set -eu
+: "${2:?usage: abi.sh SOURCE BUILD [--store]}"
 source=$(cd "$1" && pwd) build=$2 store=${3:-} # whole: the stored interface is to have no path of this machine
 here=$source/tests/package/abi
 work=$(mktemp -d)

@@ -4,6 +4,7 @@
 # without optimisation or inlining, so that the branches are those of the source. batch.c makes no choice by the processor here.
 #     coverage.sh SOURCE BUILD
 set -eu
+: "${2:?usage: coverage.sh SOURCE BUILD}"
 source=$(cd "$1" && pwd) build=$2/coverage
 . "$source/tests/suite/unit_tests.sh"
 

@@ -4,6 +4,7 @@
 # counts those that some test notices, and fails below 90 %; see README.md.
 #     mutation.sh SOURCE BUILD [--sample N] [--seed N] [--jobs N] [--only REGEX] [--tests REGEX]
 set -eu
+: "${2:?usage: mutation.sh SOURCE BUILD [--sample N] [--seed N] [--jobs N] [--only REGEX] [--tests REGEX]}"
 source=$(cd "$1" && pwd) build=$2/mutation
 . "$source/tests/suite/unit_tests.sh"
 shift 2

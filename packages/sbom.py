@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a package is linked with, as SPDX 2.3.
-    sbom.py VERSION SECONDS             the source archive: what it is built with, of any version
-    sbom.py VERSION SECONDS SOURCES     the programs for Windows: what is inside
+    sbom.py VERSION SECONDS                         the source archive: what it is built with, of any version
+    sbom.py VERSION SECONDS SOURCES KIND NAME...    what is compiled, for the system KIND: what is inside
 """
 import json
 import pathlib
@@ -11,7 +11,7 @@ import time
 
 version, seconds = sys.argv[1], int(sys.argv[2])
 sources = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
-kind = "windows-x64" if sources else "source"
+kind, inside = (sys.argv[4], sys.argv[5:]) if sources else ("source", [])
 LICENCES = {
     "gsl": "GPL-3.0-or-later",
     "lapack": "BSD-3-Clause",
@@ -22,7 +22,7 @@ LICENCES = {
     "libxlsxwriter": "BSD-2-Clause",
     "zlib": "Zlib",
 }
-OF_WINDOWS_ALONE = {"musl", "zlib"}  # elsewhere they are the system's
+OF_OTHER_SYSTEMS = {"musl", "zlib"}  # elsewhere they are the system's
 RUN_TIMES = {  # Debian's packages of the compilers, whose run-time libraries are linked in
     "mingw-w64-x86-64-dev": "ZPL-2.1 AND MIT AND LicenseRef-Public-Domain",
     "gcc-mingw-w64-x86-64": "GPL-3.0-or-later WITH GCC-exception-3.1",
@@ -54,10 +54,10 @@ def package(name, number, licence):
 
 own = package("rwedge", version, "GPL-3.0-or-later")
 if sources:
-    parts = [package(name, first_version(name), licence) for name, licence in LICENCES.items()]
-    parts += [package(name, installed_version(name), licence) for name, licence in RUN_TIMES.items()]
+    parts = [package(name, installed_version(name), RUN_TIMES[name]) if name in RUN_TIMES else
+             package(name, first_version(name), LICENCES[name]) for name in inside]
 else:
-    parts = [package(name, None, licence) for name, licence in LICENCES.items() if name not in OF_WINDOWS_ALONE]
+    parts = [package(name, None, licence) for name, licence in LICENCES.items() if name not in OF_OTHER_SYSTEMS]
 print(json.dumps({
     "spdxVersion": "SPDX-2.3",
     "dataLicense": "CC0-1.0",
@@ -71,7 +71,7 @@ print(json.dumps({
     "packages": [own] + parts,
     **({"hasExtractedLicensingInfos": [
         {"licenseId": "LicenseRef-Public-Domain", "extractedText": "This file has no copyright assigned and is placed in the Public Domain."}
-    ]} if sources else {}),
+    ]} if "mingw-w64-x86-64-dev" in inside else {}),
     "relationships": [
         {"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": own["SPDXID"]}
     ] + [

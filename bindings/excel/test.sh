@@ -92,7 +92,7 @@ cat times
 ! grep -q ANOTHER times || fail "DispCallFunc gives other results"
 
 # The library of this machine, with its own libm and with that of the DLL.
-[ -f linux/libm.a ] || sh "$top/packages/windows/libm.sh" sources linux
+sh "$top/packages/libm.sh" sources linux
 prefix=$folder/private/prefix
 cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
 cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm

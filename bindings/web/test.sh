@@ -72,7 +72,7 @@ python3 -B "$top/tests/doors/compare.py" expected.csv answers.csv 1e-12
 [ $long = yes ] || exit 0
 
 sh "$top/packages/sources.sh" sources musl >log 2>&1 || skip "the sources of musl cannot be fetched: $(grep '^E: ' log | head -n 1)"
-[ -f linux/libm.a ] || sh "$top/packages/windows/libm.sh" sources linux
+sh "$top/packages/libm.sh" sources linux
 with_libm door-same linux/libm.a
 # what follows a fit is of another LAPACK
 without_fits() { awk -F: '$1 == "series_fit" { fitted = 1 } $1 == "series_create" { fitted = 0 } !fitted || $1 !~ /^series_/' "$1"; }

@@ -29,11 +29,14 @@ static bool is_in_domain(load to, const rwedge_contact *contact)
     return status != RWEDGE_EDOMAIN;
 }
 
+/* Whatever has a size is 0 or at least this: the library's header. */
+static const double SIZE_LEAST = 1e-60;
+
 /* The magnitude below which a moment lays no flank on the surface, to the digits that are shown. */
 static double largest_moment(load to, const rwedge_contact *contact)
 {
     double allowed = 0, refused = to.M;
-    while (fabs(refused - allowed) > 1e-7 * fabs(refused)) {
+    while (fabs(refused) >= SIZE_LEAST && fabs(refused - allowed) > 1e-7 * fabs(refused)) {
         to.M = allowed + (refused - allowed) / 2;
         if (is_in_domain(to, contact))
             allowed = to.M;
@@ -55,9 +58,12 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
         fault = (load_fault){INPUT_M, "must be 0 where P is"};
     else if (is_in_domain(level, contact)) {
         fault.input = INPUT_M;
-        number_write(largest_moment(to, contact), 6, '.', limit);
+        const double most = largest_moment(to, contact);
+        number_write(most, 6, '.', limit);
         snprintf(fault.why, sizeof fault.why,
-                 "must be below %s in magnitude: more lays a flank on the surface", limit);
+                 most > 0 ? "must be below %s in magnitude: more lays a flank on the surface"
+                          : "must be %s: any other lays a flank on the surface",
+                 limit);
     } else
         snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
     return fault;

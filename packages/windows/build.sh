@@ -7,12 +7,14 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tool=OFF
+tools=x86_64-w64-mingw32-
 [ "$1" != --tool ] || { tool=ON; shift; }
 mkdir -p "$1"
 cd "$1"
 export PKG_CONFIG_LIBDIR="$PWD/dependencies/lib/pkgconfig" # nothing of this machine's
 if ! {
-    sh "$here/../sources.sh" sources gsl lapack musl && sh "$here/dependencies.sh" sources dependencies &&
+    sh "$here/../sources.sh" sources gsl lapack musl && sh "$here/../dependencies.sh" sources dependencies $tools &&
+        sh "$here/../libm.sh" sources dependencies $tools &&
         if [ $tool = ON ]; then
             sh "$here/../sources.sh" sources popt jansson libcsv libxlsxwriter zlib &&
                 sh "$here/tool.sh" sources dependencies

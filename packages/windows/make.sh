@@ -28,10 +28,14 @@ cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge
 sh "$top/tables/generate.sh" "$folder/tables/decimal-comma" "$build/cli/rwedge" decimal-comma >/dev/null
 
 # The licences of all that is inside, and what it is.
-sh "$here/../licences.sh" "$work/sources" "$folder/licences" gsl lapack musl popt jansson libcsv libxlsxwriter zlib
+inside='gsl lapack musl popt jansson libcsv libxlsxwriter zlib'
+# shellcheck disable=SC2086
+sh "$here/../licences.sh" "$work/sources" "$folder/licences" $inside
 cp /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
 cp /usr/share/doc/gcc-mingw-w64-base/copyright "$folder/licences/gcc.txt"
-python3 -B "$here/../sbom.py" "$version" "$epoch" "$work/sources" >"$folder/sbom.spdx.json"
+# shellcheck disable=SC2086
+python3 -B "$here/../sbom.py" "$version" "$epoch" "$work/sources" windows-x64 $inside mingw-w64-x86-64-dev gcc-mingw-w64-x86-64 \
+    >"$folder/sbom.spdx.json"
 python3 -B "$here/../zip.py" "$packages/$name.zip" "$epoch" "$folder"
 
 sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

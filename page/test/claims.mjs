@@ -92,6 +92,43 @@ export async function random_cases_answer_as_the_tool({ session, file, tool }) {
     return `40 cases, ${solved} with an answer`;
 }
 
+/** Sizes as far as they are allowed: an answer or a reason, and no error of the page (the claim about what is said would fail). */
+export async function extreme_cases_have_an_answer_or_a_reason({ session, file }) {
+    const page = await openPage(session, file);
+    const next = chance(99);
+    const size = () => (10 ** (120 * next() - 60)).toPrecision(3);
+    let answered = 0;
+    for (let i = 0; i < 20; i++) {
+        const mild = i % 2 === 1;
+        const some = (usual) => (mild ? (usual * 10 ** (12 * next() - 6)).toPrecision(3) : size());
+        const texts = {
+            P: some(190),
+            a: i % 9 === 0 ? "0" : some(0.05),
+            E1: some(210000),
+            k: some(400),
+            f: (2 * next()).toPrecision(2),
+        };
+        Object.assign(texts, {
+            nu1: "0.3",
+            theta: "0.01",
+            Q: "0",
+            M: i % 3 ? "" : some(2),
+            sigma: i % 5 ? "" : some(20),
+        });
+        for (const tab of ["contact", "stress", "strength", "cycle"]) {
+            await openTab(page, tab);
+            await enter(page, Object.fromEntries(Object.entries(texts).map(([name, text]) => [idOf(name), text])));
+            const [colour, status] = await statusOf(page);
+            const fault = await page.$eval('[role="tabpanel"]:not([hidden]) .bad[role="alert"]', (e) => e.textContent);
+            assert.ok(status.length > 1, `${JSON.stringify(texts)}: no status`);
+            if (!/red/.test(colour) && fault === "") answered++;
+        }
+    }
+    await page.close();
+    assert.ok(answered > 10, `only ${answered} of 80 are answered`);
+    return `${answered} of 80 answered`;
+}
+
 /** One case typed key by key. */
 export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
     const page = await openPage(session, file);

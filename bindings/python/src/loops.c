@@ -41,8 +41,8 @@ static void leave_exceptions(const fexcept_t *before, bool invalid)
 /* The loop for functions of these types, given as data, of which the first arguments are
  * doubles. The result comes last, as it may overwrite an argument. */
 #define FORMULA_LOOP(name, inputs, doubles, types, values)                                         \
-    void rwedge_loop_##name(char **args, const intptr_t *dimensions, const intptr_t *steps,        \
-                            void *data)                                                            \
+    RWEDGE_API void rwedge_loop_##name(char **args, const intptr_t *dimensions,                    \
+                                       const intptr_t *steps, void *data)                          \
     {                                                                                              \
         double(*formula) types;                                                                    \
         memcpy(&formula, &data, sizeof formula);                                                   \
@@ -122,7 +122,8 @@ static bool block(const struct points *points, char **args, const intptr_t *step
     return invalid;
 }
 
-void rwedge_loop_points(char **args, const intptr_t *dimensions, const intptr_t *steps, void *data)
+RWEDGE_API void rwedge_loop_points(char **args, const intptr_t *dimensions, const intptr_t *steps,
+                                   void *data)
 {
     const struct points *points = data;
     intptr_t at_once = points->at_once;
@@ -147,7 +148,8 @@ void rwedge_loop_points(char **args, const intptr_t *dimensions, const intptr_t 
         (void)o, (void)s, (void)n;                                                                 \
         return call;                                                                               \
     }                                                                                              \
-    const struct points rwedge_points_##name = {name, objects, shared, inputs, outputs, at_once};
+    RWEDGE_API const struct points rwedge_points_##name = {name,   objects, shared,                \
+                                                           inputs, outputs, at_once};
 
 /* A status for those that have none. */
 static int32_t status_of(double value)
@@ -203,7 +205,8 @@ static bool cycle(const struct cycles *cycles, char **args, const intptr_t *step
 }
 
 /* Without memory the results are NaN, and the operation is invalid. */
-void rwedge_loop_cycles(char **args, const intptr_t *dimensions, const intptr_t *steps, void *data)
+RWEDGE_API void rwedge_loop_cycles(char **args, const intptr_t *dimensions, const intptr_t *steps,
+                                   void *data)
 {
     const struct cycles *cycles = data;
     const intptr_t loads = dimensions[1];
@@ -231,6 +234,6 @@ void rwedge_loop_cycles(char **args, const intptr_t *dimensions, const intptr_t 
     {                                                                                              \
         return call;                                                                               \
     }                                                                                              \
-    const struct cycles rwedge_cycles_##name = {cycle_##name, arrays, numbers, outputs};
+    RWEDGE_API const struct cycles rwedge_cycles_##name = {cycle_##name, arrays, numbers, outputs};
 
 CYCLES_ROWS

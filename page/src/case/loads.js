@@ -18,11 +18,13 @@ function isInDomain(contact, load) {
     return answer !== status.EDOMAIN;
 }
 
+const SIZE_LEAST = 1e-60; // whatever has a size is 0 or at least this
+
 /** The magnitude below which a moment lays no flank on the surface, to the digits that are shown. */
 function largestMoment(contact, load) {
     let allowed = 0,
         refused = load.M;
-    while (Math.abs(refused - allowed) > 1e-7 * Math.abs(refused)) {
+    while (Math.abs(refused) >= SIZE_LEAST && Math.abs(refused - allowed) > 1e-7 * Math.abs(refused)) {
         const M = allowed + (refused - allowed) / 2;
         if (isInDomain(contact, { ...load, M })) allowed = M;
         else refused = M;
@@ -34,8 +36,12 @@ function domainFault(contact, load) {
     if (load.P < 0) return { input: "P", text: "P must not be below 0, and Q must be 0 where P is" };
     if (load.P === 0) return { input: "M", text: "M must be 0 where P is" };
     if (!isInDomain(contact, { ...load, M: 0 })) return { text: reason(status.EDOMAIN) };
-    const limit = writeNumber(largestMoment(contact, load), 6);
-    return { input: "M", text: `M must be below ${limit} in magnitude: more lays a flank on the surface` };
+    const most = largestMoment(contact, load);
+    if (most === 0) return { input: "M", text: "M must be 0: any other lays a flank on the surface" };
+    return {
+        input: "M",
+        text: `M must be below ${writeNumber(most, 6)} in magnitude: more lays a flank on the surface`,
+    };
 }
 
 function pathFault(contact, load) {

@@ -79,7 +79,7 @@ export function drawingText(shape) {
         (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 18, "a") : "") +
         size(+l, +r, box.height - 10, "contact") +
         loads(shape) +
-        `<text class="mark" x="70" y="62">wedge, body 2</text><text class="mark" x="20" y="${box.height - 12}">half-plane, body 1</text></svg>`
+        `<text class="mark" x="70" y="62">wedge, body 2</text><text class="mark" x="20" y="${box.height - 28}">half-plane, body 1</text></svg>`
     );
 }
 

@@ -2,7 +2,7 @@
 // Curves over an axis, as the text of an SVG.
 import { line } from "d3-shape";
 import { escaped } from "../elements.js";
-import { axes, frame, roomy, scales } from "./axes.js";
+import { axes, frame, narrow, roomy, scales } from "./axes.js";
 
 const extent = (numbers) => {
     let lo = Infinity,
@@ -13,7 +13,7 @@ const extent = (numbers) => {
 
 /** In one line above the frame: it covers no curve. */
 function legend(curves, box) {
-    let x = box.left;
+    let x = narrow.matches ? 8 : box.left;
     return curves
         .map(({ name, style }) => {
             const at = x;

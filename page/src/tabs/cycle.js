@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
 import { element } from "../elements.js";
-import { lastCycle } from "../cycle/last_cycle.js";
-import { loopOf } from "../cycle/loop.js";
-import { readLoads } from "../cycle/loads_table.js";
-import { measureKinds, measure } from "../cycle/measures.js";
-import { usualPlaces, worstPlaces } from "../cycle/surface.js";
+import { answerOf, usualLoads } from "../cycle/answer.js";
+import { measureKinds } from "../cycle/measures.js";
 import { readCase } from "../case/contact_case.js";
 import { roomy } from "../plot/axes.js";
 import { curvesText } from "../plot/curves.js";
 import { saveButtons } from "../plot/save.js";
 import { withUnit } from "../model.js";
 import { tableText } from "./table.js";
-
-const LONGEST = 2000; // loads times cycles that are computed while one types
-
-/** Without a table: Q to and fro under constant P. */
-export function usualLoads({ P, Q, f }) {
-    const most = Q !== 0 ? Math.abs(Q) : 0.5 * f * P;
-    return `P\tQ\n${P}\t${most}\n${P}\t${-most}`;
-}
 
 function unitOf(name, unit) {
     return (
@@ -34,133 +23,113 @@ function unitOf(name, unit) {
     );
 }
 
-function compute(model, text, cycles) {
-    const { what, complaints } = readCase(model.texts, { withLoads: false });
-    if (complaints) return { complaint: complaints.map((c) => c.text).join("; ") };
-    const { loads, complaint } = readLoads(text || usualLoads(what));
-    if (complaint) return { complaint };
-    if (!Number.isInteger(cycles) || cycles < 1) return { complaint: "cycles must be a whole number from 1" };
-    if (loads.length * cycles > LONGEST)
-        return {
-            complaint: `loads times cycles must not exceed ${LONGEST} here; the command "rwedge fretting" takes more`,
-        };
-    const of = lastCycle(what, loads, cycles);
-    if (of.complaint) return of;
-    const x = usualPlaces(of);
-    if (!x) return { complaint: "there is no contact in the cycle" };
-    const measured = measure(of, x),
-        worst = worstPlaces(of, x, measured);
-    const loop = loopOf(of, worst.energy_per_area?.x);
-    of.free();
-    return { x, measured, worst, loop, slipKnown: of.slipKnown };
+/** A measure along the surface, and where it is worst. */
+function alongText({ x, measured, worst }, { unit, write }, name, title) {
+    const top = worst[name];
+    if (!top) return "";
+    return curvesText({
+        title,
+        curves: [{ name: title, style: "one", x, y: measured[name] }],
+        points: [{ x: top.x, y: top.value, name: write(top.value) }],
+        xLabel: withUnit("x", unit.length),
+        yLabel: withUnit(name, unitOf(name, unit)),
+    });
+}
+
+function loopText({ loop }, { unit, write }) {
+    if (!loop) return "";
+    const ofPlace = `shear traction over slip at x = ${write(loop.place)}`;
+    const name = loop.whole ? "tangential load over displacement by slip" : ofPlace;
+    return curvesText({
+        title: `Loop of the cycle: ${name}`,
+        curves: [{ name, style: "one", x: loop.x, y: loop.y }],
+        xDomain: roomy([Math.min(...loop.x), Math.max(...loop.x)]),
+        xLabel: withUnit(loop.xName, unit.length),
+        yLabel: withUnit(loop.yName, loop.whole ? unit["force/length"] : unit.stress),
+    });
+}
+
+function worstText({ worst }, { unit, write }) {
+    const there = measureKinds.filter(({ name }) => worst[name]);
+    const rows = there.map(({ name, meaning }) => ({
+        name,
+        value: write(worst[name].value),
+        unit: unitOf(name, unit),
+        meaning: `at x = ${write(worst[name].x)}: ${meaning}`,
+    }));
+    return tableText("The worst places", rows);
+}
+
+function surfaceTable({ x, measured }) {
+    const names = measureKinds.map((kind) => kind.name);
+    return { names: ["x", ...names], rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]) };
+}
+
+function loopTable({ loop }) {
+    return { names: [loop.xName.replaceAll(" ", "_"), loop.yName], rows: loop.x.map((v, i) => [v, loop.y[i]]) };
 }
 
 /** One plot with its buttons; hidden where there is nothing to draw. */
 function plotBox(name, table) {
-    const plot = element("div"),
-        box = element(
-            "div",
-            {},
-            plot,
-            saveButtons(name, () => plot.querySelector("svg"), table),
-        );
-    return { box, draw: (text) => ((box.hidden = !text), (plot.innerHTML = text ?? "")) };
+    const plot = element("div");
+    const box = element(
+        "div",
+        {},
+        plot,
+        saveButtons(name, () => plot.querySelector("svg"), table),
+    );
+    const draw = (text) => {
+        box.hidden = text === "";
+        plot.innerHTML = text;
+    };
+    return { box, draw };
+}
+
+function remarkOf(found, state) {
+    if (found.complaint) return found.complaint;
+    const usual = state.loads.trim() ? "" : "No table is given: this is Q to and fro under constant P. ";
+    return usual + (found.slipKnown ? "" : "The slip has no closed form after these loads.");
 }
 
 export function makeCycle(state, changed) {
     const loads = element("textarea", { id: "loads", rows: 5, spellcheck: "false", "aria-describedby": "loads-note" });
     const cycles = element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" });
-    const note = element("p", { id: "loads-note", class: "note", "aria-live": "polite" }),
-        numbers = element("div", { class: "wide" });
-    let found = {},
-        model;
-    const all = () => ({
-        names: ["x", ...measureKinds.map((m) => m.name)],
-        rows: Array.from(found.x, (x, i) => [x, ...measureKinds.map((m) => found.measured[m.name][i])]),
-    });
-    const plots = {
-        swt: plotBox("swt", all),
-        slip_range: plotBox("slip", all),
-        loop: plotBox("loop", () => ({
-            names: [found.loop.xName.replaceAll(" ", "_"), found.loop.yName],
-            rows: found.loop.x.map((v, i) => [v, found.loop.y[i]]),
-        })),
-    };
-    const along = (name, title) => {
-        const worst = found.worst[name];
-        return (
-            worst &&
-            curvesText({
-                title,
-                curves: [{ name: title, style: "one", x: found.x, y: found.measured[name] }],
-                points: [{ ...worst, y: worst.value, name: model.write(worst.value) }],
-                xLabel: withUnit("x", model.unit.length),
-                yLabel: withUnit(name, unitOf(name, model.unit)),
-            })
-        );
-    };
-    const loopText = ({ x, y, xName, yName, whole, place }) => {
-        const name = whole
-            ? "tangential load over displacement by slip"
-            : `shear traction over slip at x = ${model.write(place)}`;
-        return curvesText({
-            title: `Loop of the cycle: ${name}`,
-            curves: [{ name, style: "one", x, y }],
-            xDomain: roomy([Math.min(...x), Math.max(...x)]),
-            xLabel: withUnit(xName, model.unit.length),
-            yLabel: withUnit(yName, whole ? model.unit["force/length"] : model.unit.stress),
-        });
-    };
+    const note = element("p", { id: "loads-note", class: "note", "aria-live": "polite" });
+    const numbers = element("div", { class: "wide" });
+    let found, model;
+    const swt = plotBox("swt", () => surfaceTable(found));
+    const slip = plotBox("slip", () => surfaceTable(found));
+    const loop = plotBox("loop", () => loopTable(found));
     const draw = () => {
-        plots.swt.draw(along("swt", "Smith\u2013Watson\u2013Topper along the surface"));
-        plots.slip_range.draw(along("slip_range", "range of slip along the surface"));
-        plots.loop.draw(found.loop && loopText(found.loop));
-        numbers.innerHTML = tableText(
-            "The worst places",
-            measureKinds
-                .filter(({ name }) => found.worst[name])
-                .map(({ name, meaning }) => ({
-                    name,
-                    value: model.write(found.worst[name].value),
-                    unit: unitOf(name, model.unit),
-                    meaning: `at x = ${model.write(found.worst[name].x)}: ${meaning}`,
-                })),
-        );
+        const none = Boolean(found.complaint);
+        numbers.innerHTML = none ? "" : worstText(found, model);
+        swt.draw(none ? "" : alongText(found, model, "swt", "Smith\u2013Watson\u2013Topper along the surface"));
+        slip.draw(none ? "" : alongText(found, model, "slip_range", "range of slip along the surface"));
+        loop.draw(none ? "" : loopText(found, model));
     };
     const show = (present) => {
         model = present;
         if (document.activeElement !== loads) loads.value = state.loads;
         if (document.activeElement !== cycles) cycles.value = state.cycles;
-        found = compute(model, state.loads, Number(state.cycles));
-        const bad = Boolean(found.complaint);
-        note.className = bad ? "note bad" : "note";
-        loads.setAttribute("aria-invalid", bad);
-        note.textContent =
-            found.complaint ??
-            (state.loads.trim() ? "" : "No table is given: this is Q to and fro under constant P. ") +
-                (found.slipKnown ? "" : "The slip has no closed form after these loads.");
         const { what } = readCase(model.texts, { withLoads: false });
         loads.placeholder = what ? usualLoads(what) : "P\tQ";
-        if (!bad) return draw();
-        numbers.textContent = "";
-        for (const one of Object.values(plots)) one.draw(null);
+        found = answerOf(model.texts, state.loads, Number(state.cycles));
+        loads.setAttribute("aria-invalid", Boolean(found.complaint));
+        note.className = found.complaint ? "note bad" : "note";
+        note.textContent = remarkOf(found, state);
+        draw();
     };
-    const again = (name, input) =>
+    for (const [name, input] of Object.entries({ loads, cycles }))
         input.addEventListener("input", () => {
             state[name] = input.value;
             show(model);
             changed();
         });
-    again("loads", loads);
-    again("cycles", cycles);
+    const title = "Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma";
     const panel = element(
         "div",
         {},
-        element(
-            "label",
-            { for: "loads" },
-            "Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma",
-        ),
+        element("label", { for: "loads" }, title),
         loads,
         element(
             "p",
@@ -172,7 +141,9 @@ export function makeCycle(state, changed) {
         note,
         element("h2", {}, "Worst places"),
         numbers,
-        ...Object.values(plots).map((one) => one.box),
+        swt.box,
+        slip.box,
+        loop.box,
     );
     return { panel, show };
 }

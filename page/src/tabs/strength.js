@@ -19,13 +19,13 @@ function branches({ what, results }) {
     return [
         { name: "elastic limit", column: "P_over_bk", style: "one", x: f, y: rwedge.elastic_limit(alpha, f, what.nu1) },
         {
-            name: "below the surface",
+            name: "below surface",
             column: "P_over_bk_subsurface",
             style: "two",
             x: f,
             y: each(rwedge.subsurface_yield),
         },
-        { name: "at the surface", column: "P_over_bk_surface", style: "three", x: f, y: each(rwedge.surface_yield) },
+        { name: "at surface", column: "P_over_bk_surface", style: "three", x: f, y: each(rwedge.surface_yield) },
     ];
 }
 

@@ -17,6 +17,16 @@ const titles = {
     about: ["About", makeAbout],
 };
 
+/** What cannot be computed, as far beyond the usual sizes, is said where it would be seen. */
+function drawSafely({ draw, fault }, model) {
+    fault.textContent = "";
+    try {
+        draw(model);
+    } catch (error) {
+        fault.textContent = `This cannot be computed: ${error.message}`;
+    }
+}
+
 /** The list of tabs, their panels, and show(model). model() is the present case; changed() follows a change of the state. */
 export function makeTabs(state, model, changed) {
     const names = Object.keys(titles),
@@ -40,8 +50,14 @@ export function makeTabs(state, model, changed) {
             },
             title,
         );
-        const box = element("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` }, panel);
-        parts[name] = { button, box, draw };
+        const fault = element("p", { class: "note bad", role: "alert" });
+        const box = element(
+            "div",
+            { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` },
+            fault,
+            panel,
+        );
+        parts[name] = { button, box, draw, fault };
     }
     const list = element(
         "div",
@@ -62,7 +78,7 @@ export function makeTabs(state, model, changed) {
             parts[name].button.setAttribute("aria-selected", seen);
             parts[name].button.tabIndex = seen ? 0 : -1;
         }
-        parts[state.tab].draw(present);
+        drawSafely(parts[state.tab], present);
     };
     return { list, panels: names.map((name) => parts[name].box), show };
 }

@@ -169,6 +169,9 @@ M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
     "$(tail -n +2 out | sed 's/.*,"\{0,1\}\([sQM][^,"]*[^"]*\)"\{0,1\}$/\1/; /^[0-9]/s/.*/--/; s/below [0-9.e+]* in/below 6.4e+10 in/')"
 
 # Loads that cannot be name the argument, and what is allowed.
+# (the search for the largest moment did not end where none is allowed)
+refuses "rwedge solve: --M 2e39: must be 0: any other lays a flank on the surface" \
+    solve --E1 1e-10 --nu1 0.3 --theta 0.01 --a 0 --P 2e-60 --f 0.5 --M 2e39
 refuses "rwedge solve: --M 1x: the moment must be a number" solve $specimen --P 100 --M 1x
 refuses "rwedge solve: --sigma inf: the bulk tension must be a number" solve $specimen --P 100 --sigma inf
 refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a yield stress is given" \

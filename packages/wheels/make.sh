@@ -1,0 +1,125 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Python's source distribution, and of it the wheels: for each system another shared library in the same package.
+#     make.sh BUILD PACKAGES TESTED
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 packages=$2 tested=$3
+version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+work=$build/wheels
+sources=$build/excel/sources # as those of the zip for Windows
+stop() { echo "not made: the wheels for Python, $*" | tee -a "$tested"; exit 77; }
+quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "FAILED: $*" >&2; exit 1; }; }
+
+epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null) || stop "as these files are no clone"
+[ "$(uname -sm)" = "Linux x86_64" ] || stop "which need Linux on x86-64"
+for command in dpkg-source python3 cmake gcc; do
+    command -v "$command" >/dev/null || stop "for lack of $command"
+done
+mkdir -p "$work" "$packages/python"
+sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || stop "as sources cannot be fetched: $(tail -n 1 "$work/log")"
+if [ ! -f "$work/venv/ready" ]; then
+    rm -rf "$work/venv"
+    python3 -m venv "$work/venv" >"$work/log" 2>&1 && "$work/venv/bin/pip" install --quiet scikit-build-core==1.1.2 auditwheel==6.8.2 \
+        >"$work/log" 2>&1 || stop "as their tools cannot be fetched: $(tail -n 1 "$work/log")"
+    touch "$work/venv/ready"
+fi
+export SOURCE_DATE_EPOCH="$epoch" PIP_DISABLE_PIP_VERSION_CHECK=1
+
+# old_glibc PREFIX VERSION - writes the command PREFIXobjcopy, for one object of the library, which binds it to the oldest versions
+# of what glibc has several of. They give the same bits, and differ in what they tell errno.
+old_glibc()
+{
+    {
+        echo '#!/bin/sh'
+        printf 'exec %sobjcopy' "$1"
+        printf " --redefine-sym %s=%s@GLIBC_$2" exp exp log log logf logf pow pow hypot hypot
+        echo ' "$@"'
+    } >"$work/$1objcopy"
+    chmod +x "$work/$1objcopy"
+}
+
+# The source distribution of what is committed; and the package that all wheels have, built of it for this machine.
+old_glibc '' 2.2.5
+rm -rf "$work/source" "$work/base"
+mkdir -p "$work/source" "$work/base"
+git -C "$top" archive HEAD | tar -x -C "$work/source"
+(cd "$work/source/bindings/python" &&
+    quietly "$work/venv/bin/python" -c "from scikit_build_core.build import build_sdist; build_sdist('$packages/python')")
+CMAKE_ARGS="-DCMAKE_OBJCOPY=$work/objcopy -DCMAKE_MODULE_LINKER_FLAGS=-s" quietly "$work/venv/bin/pip" wheel \
+    --no-build-isolation --no-deps --no-index --wheel-dir "$work/base" "$packages/python/rwedge-$version.tar.gz"
+(cd "$work/base" && python3 -m zipfile -e ./*.whl .)
+
+# wheel PLATFORM LIBRARY NAME... - of what is linked in, with Debian's packages of compilers whose run-time libraries are
+wheel()
+{
+    platform=$1 library=$2 added=$work/added
+    shift 2
+    rm -rf "$added"
+    mkdir -p "$added/sboms" "$added/licenses"
+    python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" "$platform" "$@" >"$added/sboms/rwedge.spdx.json"
+    for name; do
+        case $name in
+        mingw-w64-x86-64-dev) cp /usr/share/doc/mingw-w64-common/copyright "$added/licenses/mingw-w64.txt" ;;
+        gcc-mingw-w64-x86-64) cp /usr/share/doc/gcc-mingw-w64-base/copyright "$added/licenses/gcc.txt" ;;
+        *) sh "$top/packages/licences.sh" "$sources" "$added/licenses" "$name" ;;
+        esac
+    done
+    python3 -B "$here/wheel.py" "$work"/base/*.whl "$library" "$platform" "$epoch" "$added" "$packages/python"
+}
+# library FOLDER CMAKE-ARGUMENTS... - the shared library alone, into $work/FOLDER
+library()
+{
+    folder=$work/$1
+    shift
+    quietly cmake -S "$work/source/bindings/python" -B "$folder" -DCMAKE_BUILD_TYPE=Release -DCMAKE_MODULE_LINKER_FLAGS=-s "$@"
+    quietly cmake --build "$folder" --parallel 2 --target _rwedge
+}
+# dependencies FOLDER PREFIX - what it takes, by a compiler for another machine; sets $with to tell CMake
+dependencies()
+{
+    quietly sh "$top/packages/dependencies.sh" "$sources" "$1" "$2"
+    with="-DRWEDGE_GSL_INCLUDE=$1/include -DRWEDGE_GSL_ARCHIVE=$1/libgsl.a -DRWEDGE_LAPACK_ARCHIVE=$1/liblapack.a
+        -DRWEDGE_BLAS_ARCHIVE=$1/liblapack.a"
+}
+# lacks "WHAT" COMMAND... - says so
+lacks()
+{
+    what=$1
+    shift
+    for command; do
+        command -v "$command" >/dev/null || { echo "not made: the wheel for $what, for lack of $command" | tee -a "$tested"; return 0; }
+    done
+    return 1
+}
+
+wheel manylinux_2_17_x86_64.manylinux2014_x86_64 "$work/base/rwedge/_rwedge.so" gsl lapack
+if ! lacks musl musl-gcc; then
+    # GSL's headers without those of glibc, and the archives of this machine: they call nothing but C99
+    mkdir -p "$work/musl-include"
+    ln -sfn "$(pkg-config --variable=includedir gsl)/gsl" "$work/musl-include/gsl"
+    library musl -DCMAKE_C_COMPILER=musl-gcc -DRWEDGE_HARDENING=OFF -DRWEDGE_GSL_INCLUDE="$work/musl-include" \
+        -DCMAKE_LIBRARY_ARCHITECTURE="$(gcc -print-multiarch)"
+    wheel musllinux_1_2_x86_64 "$work/musl/_rwedge.so" gsl lapack
+fi
+machine=aarch64-linux-gnu
+if ! lacks "Linux on ARM" $machine-gcc $machine-gfortran; then
+    old_glibc $machine- 2.17
+    dependencies "$work/dependencies" $machine-
+    # shellcheck disable=SC2086
+    library aarch64 -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=$machine-gcc \
+        -DCMAKE_LINKER=/usr/bin/$machine-ld -DCMAKE_OBJCOPY="$work/$machine-objcopy" $with
+    wheel manylinux_2_17_aarch64.manylinux2014_aarch64 "$work/aarch64/_rwedge.so" gsl lapack
+fi
+machine=x86_64-w64-mingw32
+if ! lacks Windows $machine-gcc $machine-gfortran; then
+    dependencies "$build/excel/dependencies" $machine- # as those of the DLL for Excel
+    quietly sh "$top/packages/libm.sh" "$sources" "$build/excel/dependencies" $machine-
+    # shellcheck disable=SC2086
+    library windows -DCMAKE_TOOLCHAIN_FILE="$top/packages/windows/mingw.cmake" -DRWEDGE_LIBM_FOLDER="$build/excel/dependencies" $with \
+        -DCMAKE_MODULE_LINKER_FLAGS="-static-libgcc -s -Wl,--no-insert-timestamp -L$build/excel/dependencies"
+    wheel win_amd64 "$work/windows/_rwedge.dll" gsl lapack musl mingw-w64-x86-64-dev gcc-mingw-w64-x86-64
+fi
+
+sh "$here/test.sh" "$build" "$packages/python" "$tested"

@@ -1,0 +1,127 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Tests the wheels and the source distribution as they are installed.
+#     test.sh BUILD FOLDER TESTED
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 folder=$2 tested=$3
+work=$build/wheels/test
+source=$top/bindings/python
+tests="$source/tests/test_formulas.py $source/tests/test_contact.py $source/tests/test_cycle.py $source/tests/test_series.py"
+fail() { echo "FAILED: $*"; exit 1; }
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+export PYTHONPYCACHEPREFIX="$work/pycache" MPLCONFIGDIR="$work/matplotlib" MYPY_CACHE_DIR="$work/mypy" PIP_DISABLE_PIP_VERSION_CHECK=1
+
+# What each holds: its records fit, the library is one for that system, and nothing names a folder of this machine.
+python3 -B "$here/check.py" "$build" "$folder"/*.whl
+for wheel in "$folder"/*manylinux*.whl; do
+    "$build/wheels/venv/bin/auditwheel" show "$wheel" >shown 2>&1 || { cat shown; fail "auditwheel"; }
+    grep -qE '"manylinux_2_([0-9]|1[0-7])_' shown || { cat shown; fail "auditwheel finds no manylinux_2_17"; }
+done
+
+# On this machine: with nothing else on the path, then the suite; all of it with the Python that is here, the calculations with others.
+linux=$(echo "$folder"/*manylinux*_"$(uname -m)".whl)
+sh "$top/bindings/private.sh" "$build"
+# python_of VERSION - where such a Python is, if it is
+python_of()
+{
+    for python in "python$1" "$HOME/.pyenv/versions/$1".*/bin/python3; do
+        "$python" -c 'import ensurepip' 2>/dev/null && echo "$python" && return
+    done
+}
+# suite PYTHON PACKAGES PYTEST-ARGUMENTS...
+suite()
+{
+    rm -rf environment
+    "$1" -m venv environment
+    wanted=$2
+    shift 2
+    # shellcheck disable=SC2086
+    environment/bin/pip install --quiet --no-compile $wanted
+    env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
+    env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
+        'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
+    PATH="$work/environment/bin:$PATH" RWEDGE_PRIVATE_PREFIX="$build/private/prefix" environment/bin/python -m pytest \
+        -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@" >log 2>&1 ||
+        { tail -n 40 log; fail "the suite of $(environment/bin/python --version)"; }
+    said="$(environment/bin/python --version) with NumPy $(environment/bin/python -c 'import numpy; print(numpy.__version__)')"
+    echo "tested: $(basename "$linux"): $said, no compiler or GSL on the path; then, with them, $(tail -n 1 log | tr -d =)" >>"$tested"
+}
+for version in 3.9 3.13; do
+    python=$(python_of $version)
+    if [ -z "$python" ]; then
+        echo "not tested: the wheel for Linux with Python $version, which is not here" | tee -a "$tested"
+        continue
+    fi
+    # shellcheck disable=SC2086
+    suite "$python" 'numpy pytest hypothesis' $tests -k 'not other_packages and not by_place'
+done
+suite python3 'numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray' "$source/tests" -m 'not long'
+echo "tested: rwedge-*.tar.gz for Python: the package of all wheels was built of it here" >>"$tested"
+
+# A wheel for another machine is refused, and says so.
+for wheel in "$folder"/*.whl; do
+    [ "$wheel" != "$linux" ] || continue
+    ! environment/bin/pip install --no-index --no-deps "$wheel" >log 2>&1 || fail "$wheel is taken here"
+    grep -q 'is not a supported wheel on this platform' log || { cat log; fail "$wheel is refused for something else"; }
+done
+
+# The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
+python3 -B "$top/tests/doors/calls.py" >calls
+environment/bin/python -W ignore "$source/tests/door.py" <calls >answers
+# alike WHEEL - as answered in answers-there
+alike()
+{
+    compared=$(python3 -B "$top/tests/doors/compare.py" answers answers-there 1e-12) || { echo "$compared"; fail "$1"; }
+    echo "tested: $1: $compared" >>"$tested"
+}
+unpacked() { rm -rf there; mkdir there; (cd there && python3 -m zipfile -e "$1" .); }
+arm=$(echo "$folder"/*-manylinux*_aarch64.whl)
+if [ ! -f "$arm" ]; then
+    : # make.sh has said it
+elif ! command -v qemu-aarch64 >/dev/null; then
+    echo "not tested: the wheel for Linux on ARM, for lack of qemu-user" | tee -a "$tested"
+elif ! sh "$here/arm.sh" "$build/wheels/arm" >log 2>&1; then
+    echo "not tested: the wheel for Linux on ARM: its Python cannot be fetched: $(tail -n 1 log)" | tee -a "$tested"
+else
+    unpacked "$arm"
+    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/door.py" <calls >answers-there
+    alike "$(basename "$arm"), with a Python for ARM under qemu"
+fi
+musl=$(echo "$folder"/*-musllinux*.whl)
+if [ -f "$musl" ]; then
+    unpacked "$musl"
+    [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
+    musl-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
+        -Wl,-rpath,"$work/there/rwedge" -o there/door
+    there/door <calls >answers-there
+    cp answers-there answers-musl
+    alike "$(basename "$musl"), its library from C with musl, not in a Python"
+fi
+
+# The library for Windows, under Wine. It holds musl's mathematics.
+windows=$(echo "$folder"/*-win_amd64.whl)
+. "$top/packages/windows/wine.sh"
+if [ ! -f "$windows" ]; then
+    : # make.sh has said it
+elif [ -z "$wine" ] || [ -z "$server" ]; then
+    echo "not tested: the wheel for Windows, for lack of wine64" | tee -a "$tested"
+else
+    unpacked "$windows"
+    x86_64-w64-mingw32-objdump -p there/rwedge/_rwedge.dll >tables
+    [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
+    grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
+    nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._library import library; print(library._name)')" |
+        sed 's/.* //' | LC_ALL=C sort >wanted
+    LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
+    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
+        there/rwedge/_rwedge.dll -o there/rwedge/door.exe
+    trap end_wine EXIT
+    start_wine
+    on_windows there/rwedge/door.exe <calls | tr -d '\r' >answers-there
+    [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "Windows and Linux differ, both with musl's mathematics"
+    alike "$(basename "$windows"), its library from C under Wine, not in a Python"
+fi

@@ -82,7 +82,7 @@ static void style_texts(lxw_format *const style[])
     format_set_font_color(style[XLSX_CHECK], 0xB00000);
 }
 
-/* Four to six digits; zero is 0. */
+/* Four to six digits; zero is 0. LibreOffice writes no minus in such parts. */
 #define RESULT_FORMAT "[=0]0;[<0.001]0.0000E+00;0.00###"
 
 static void style_cells(lxw_format *const style[])
@@ -93,6 +93,8 @@ static void style_cells(lxw_format *const style[])
     frame(style[XLSX_RESULT], 0xE8F0F8);
     format_set_num_format(style[XLSX_RESULT], RESULT_FORMAT);
     format_set_align(style[XLSX_RESULT], LXW_ALIGN_RIGHT);
+    frame(style[XLSX_SIGNED], 0xE8F0F8);
+    format_set_align(style[XLSX_SIGNED], LXW_ALIGN_RIGHT);
     frame(style[XLSX_STRONG], 0xE8F0F8);
     format_set_num_format(style[XLSX_STRONG], "0.00");
     format_set_align(style[XLSX_STRONG], LXW_ALIGN_RIGHT);

@@ -19,6 +19,7 @@ typedef enum {
     XLSX_WRAPPED, /* a paragraph */
     XLSX_INPUT,   /* a cell to type into */
     XLSX_RESULT,  /* about six significant digits */
+    XLSX_SIGNED,  /* the same where it may be below 0 */
     XLSX_STATUS,  /* a text that matters */
     XLSX_UNIT,    /* a text after a number */
     XLSX_CHECK,   /* a text that appears where something is wrong */

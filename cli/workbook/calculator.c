@@ -154,7 +154,8 @@ static void write_results(xlsx *book, const case_values *values)
             continue;
         describe(book, row, cell, results[i].text);
         named_cell(book, row, VALUE, cell, values,
-                   cell == CELL_SAFETY || cell == CELL_SAFETY_STRENGTH ? XLSX_STRONG : XLSX_RESULT);
+                   cell == CELL_SAFETY || cell == CELL_SAFETY_STRENGTH ? XLSX_STRONG
+                                                                       : case_cells[cell].style);
     }
 }
 

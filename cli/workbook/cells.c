@@ -230,6 +230,8 @@ typedef char
 #define INPUT(ID, NAME, COLUMN, WHAT, UNIT) [ID] = {NAME, COLUMN, WHAT, UNIT, NULL, XLSX_INPUT}
 #define SHOWN(ID, NAME, COLUMN, WHAT, UNIT, FORMULA)                                               \
     [ID] = {NAME, COLUMN, WHAT, UNIT, FORMULA, XLSX_RESULT}
+#define SIGNED(ID, NAME, COLUMN, WHAT, UNIT, FORMULA)                                              \
+    [ID] = {NAME, COLUMN, WHAT, UNIT, FORMULA, XLSX_SIGNED}
 #define WORK(ID, NAME, WHAT, FORMULA) [ID] = {NAME, NULL, WHAT, "", FORMULA, XLSX_PLAIN}
 
 const case_cell case_cells[CELL_COUNT] = {
@@ -249,9 +251,9 @@ const case_cell case_cells[CELL_COUNT] = {
 
     SHOWN(CELL_COMPLIANCE, "rw_compliance", "A", "Composite compliance A", "1/MPa",
           RESULT("rwt_comp")),
-    SHOWN(CELL_BETA, "rw_beta", "dundurs_beta", "Dundurs' beta", "-",
-          RESULT("0.5*(rw_E1/(1+rw_nu1)*(1-2*rwt_nu2)-rwt_em2/(1+rwt_nu2)*(1-2*rw_nu1))/(rw_E1/"
-                 "(1+rw_nu1)*(1-rwt_nu2)+rwt_em2/(1+rwt_nu2)*(1-rw_nu1))")),
+    SIGNED(CELL_BETA, "rw_beta", "dundurs_beta", "Dundurs' beta", "-",
+           RESULT("0.5*(rw_E1/(1+rw_nu1)*(1-2*rwt_nu2)-rwt_em2/(1+rwt_nu2)*(1-2*rw_nu1))/(rw_E1/"
+                  "(1+rw_nu1)*(1-rwt_nu2)+rwt_em2/(1+rwt_nu2)*(1-rw_nu1))")),
     SHOWN(CELL_B, "rw_b", "b", "Half-width of the contact b", "mm", RESULT("rwt_b")),
     SHOWN(CELL_A_OVER_B, "rw_a_over_b", "a_over_b", "Rounding over contact a/b", "-",
           RESULT("rwt_ratio")),
@@ -265,8 +267,8 @@ const case_cell case_cells[CELL_COUNT] = {
           "rwt_cos/rwt_n5-LN(rwt_n5)),0),\"\")"),
     SHOWN(CELL_P_MEAN, "rw_p_mean", "p_mean", "Mean pressure P/(2b)", "MPa",
           RESULT("rwt_load/(2*rwt_b)")),
-    SHOWN(CELL_Q_OVER_FP, "rw_Q_over_fP", "Q_over_fP", "Tangential load Q/(fP)", "-",
-          "=IF(AND(rwt_ok=1,rwt_fr>0),N(rw_Q)/MAX(1E-90,rwt_fr*rwt_load),\"\")"),
+    SIGNED(CELL_Q_OVER_FP, "rw_Q_over_fP", "Q_over_fP", "Tangential load Q/(fP)", "-",
+           "=IF(AND(rwt_ok=1,rwt_fr>0),N(rw_Q)/MAX(1E-90,rwt_fr*rwt_load),\"\")"),
     SHOWN(CELL_C, "rw_c", "c", "Half-width of the stick zone c", "mm",
           "=IF(AND(rwt_ok=1,rwt_fr>0,rwt_slides=0),rwt_cc,\"\")"),
     SHOWN(CELL_C_OVER_B, "rw_c_over_b", "c_over_b", "Stick zone over contact c/b", "-",
@@ -295,7 +297,7 @@ const case_cell case_cells[CELL_COUNT] = {
     SHOWN(CELL_SAFETY_STRENGTH, "rw_safety_strength", "safety_strength",
           "Safety on strength, of k or Y", "-",
           "=IF(AND(rwt_has_k=1,ISNUMBER(rw_P_over_bk)),rw_P_over_bk*rwt_b*rwt_k/rwt_load,\"\")"),
-    SHOWN(
+    SIGNED(
         CELL_YIELD_X, "rw_yield_x", "yield_x", "Place of first yield, x", "mm",
         "=IF(ISNUMBER(rw_P_yield),IF(N(rw_Q)<0,-1,1)*rwt_unit*rwt_ft*" AT_PLACE("rwt_pr") ",\"\")"),
     SHOWN(CELL_YIELD_Y, "rw_yield_y", "yield_y", "its depth y", "mm",

@@ -137,7 +137,7 @@ bool sheet_elastic_limit(xlsx *book)
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
     const bool done = write_grid(book) && write_normal_load(book) && write_branches(book);
     xlsx_freeze(book, FIRST_ROW, 0);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + GRID_FRICTIONS - 1, NORMAL_COLUMN + 2, -1, false, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + NORMAL_TIPS - 1, NORMAL_COLUMN + 2, -1, false, 1});
     return done;
 }
 

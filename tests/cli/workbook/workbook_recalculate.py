@@ -455,6 +455,9 @@ def check_messages(document, calculator, batch):
     calculator.enter(dict(GOOD, E2="inf", nu2=None))
     rigid = solve([dict(GOOD, E2=1e30)])[0]
     same("a rigid wedge", abs(calculator.result("rw_b") / float(rigid["b"]) - 1) < 1e-12, calculator.result("rw_b"))
+    calculator.enter(dict(GOOD, E1=7.2e4, Q=-20.0))
+    shown = [calculator.cells[name].String for name in ("rw_beta", "rw_Q_over_fP", "rw_yield_x")]
+    same("a minus", all(text.startswith("-") for text in shown), shown)
     calculator.enter(dict(GOOD, a=0.0))
     same("a sharp wedge", (calculator.result("rw_safety"), calculator.result("rw_P_yield"), calculator.result("rw_p0")) ==
          (0, 0, ""), calculator.result("rw_safety"))

@@ -22,16 +22,16 @@ cd "$top"
 accept_path "$top"
 . tests/support/compilers.sh
 
-compilers=no sanitize=no campaign=no packages=no elsewhere=no strict=no
+compilers=no sanitize=no campaign=no make_packages=no elsewhere=no strict=no
 for option; do
     case $option in
     --compilers) compilers=yes ;;
     --sanitize) sanitize=yes ;;
     --campaign) campaign=yes ;;
-    --packages) packages=yes ;;
+    --packages) make_packages=yes ;;
     --elsewhere) elsewhere=yes ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes campaign=yes packages=yes elsewhere=yes ;;
+    --all) compilers=yes sanitize=yes campaign=yes make_packages=yes elsewhere=yes ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -185,7 +185,7 @@ if [ $campaign = yes ]; then
     step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
     step "fuzzing" sh tests/random/long.sh
 fi
-if [ $packages = yes ]; then
+if [ $make_packages = yes ]; then
     step "the packages" sh packages/make.sh build
 fi
 if [ $elsewhere = yes ]; then

@@ -37,7 +37,7 @@ objects=
 compile source/lib/*/*.c
 library=$objects
 objects=
-for file in source/cli/*.c source/cli/*/*.c; do
+for file in source/cli/*.c source/cli/*/*.c source/cli/system/posix/*.c; do
     case $file in
     */main.c | */message.c | */sheet/* | */spreadsheet.c | */workbook/*) ;; # the messages are our own; spreadsheets are none of the inputs
     *) compile "$file" ;;

@@ -19,7 +19,8 @@ made=$work/windows
 folder=$work/$name
 rm -rf "$folder"
 mkdir -p "$folder/c" "$folder/licences" "$folder/tables/decimal-comma"
-cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$top/bindings/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" "$folder"
+cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$top/bindings/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" \
+    "$top/tables/rounded-wedge.html" "$folder"
 sed "s/@VERSION@/$version/" "$here/start-here.html" >"$folder/start-here.html"
 cp "$top/include/rwedge.h" "$made/lib/librwedge.dll.a" "$folder/c"
 cp "$top"/tables/*.csv "$top/tables/rounded-wedge-tables.xlsx" "$folder/tables"

@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 mkdir -p "$1/web/gsl"
 cd "$1/web"
-# several tests may ask for it at a time
+# Several tests may ask for it at the same time: the others wait.
 exec 9>lock
 flock 9
 export LC_ALL=C # the same order of files everywhere, and so the same bytes
@@ -34,7 +34,8 @@ gsl()
     sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' sources/gsl/config.h.in >include/config.h
     for name in roots/brent roots/fsolver roots/convergence sys/fdiv sys/infnan linalg/svd blas/blas cblas/ddot cblas/dnrm2 cblas/dscal \
         cblas/dgemv matrix/matrix matrix/view matrix/rowcol matrix/init vector/vector vector/view vector/oper vector/init; do
-        compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" -o "gsl/$(echo $name | tr / -).o" || return 1
+        compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" \
+            -o "gsl/$(echo $name | tr / -).o" || return 1
     done
     echo "$options" >gsl/made # last: it stands for all of them
 }
@@ -69,7 +70,7 @@ python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" "$made
 cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
 version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
 sed "s/@VERSION@/$version/" "$here/package.json.in" >"$made/package.json"
-# who reads it now is not disturbed by the same again
+# A package that is the same stays as it is: a test may be reading it.
 diff -rq "$made" package >log 2>&1 || {
     rm -rf package
     mv "$made" package

@@ -171,30 +171,6 @@ class Fortran(Language):
 
 
 class JavaScript(Language):
-    name, lexer = "JavaScript", "javascript"
-    LEFT = {"create": "const {0} = new rwedge.{1}({2})", "copy": "const copy = {0}.copy()", "destroy": "{0}.free()"}
-
-    def signature(self, f: Function) -> str:
-        return self.form(f, [p.name for p in write_web.arguments(f)])
-
-    def call(self, f: Function, given: dict) -> str:
-        rows = next((len(given[p.name]) for p in f.inputs if len(p.size) == 2), 0)
-        return self.form(f, [str(rows) if p.role == "size" else self.text(given[p.name], p) for p in write_web.arguments(f)])
-
-    def text(self, value, p: Parameter) -> str:
-        return f"[{', '.join(map(plain, flat(value)))}]" if isinstance(value, list) else plain(value)
-
-    def rule(self, f: Function, given: list[str]) -> str:
-        if f.family and f.method in self.LEFT:
-            return self.LEFT[f.method].format(f.family, f.family.title(), ", ".join(given))
-        if f.of("created"):
-            return f"const {f.family} = rwedge.{f.family.title()}.{f.method}({', '.join(given)})"
-        names = ", ".join(p.name for p in f.outputs)
-        left = f"const {{ {names} }} = " if len(f.outputs) > 1 else f"const {names} = " if names else ""
-        return f"{left}{f.family or 'rwedge'}.{f.method}({', '.join(given)})"
-
-
-class JavaScript(Language):
     """Sizes that no array tells are given too; an array of two sizes is flat."""
 
     name, lexer = "JavaScript", "javascript"

@@ -1,7 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles musl's functions of double and float, with any compiler's own headers: results are not those of whichever version of a
-# system.
+# Compiles musl's functions of double and float, with any compiler's own headers. With them, no version of a system changes a result.
 #     libm.sh SOURCES FOLDER [PREFIX]        sources.sh's folder -> FOLDER/libm.a, by PREFIXgcc
 set -eu
 math=$(cd "$1/musl/src/math" && pwd)
@@ -9,7 +8,8 @@ prefix=${3-}
 mkdir -p "$2/libm-objects/headers"
 cd "$2"
 [ ! -f libm.a ] || exit 0
-# what musl's own headers would define; names that glibc's header has taken; and the two headers that Windows has not
+# Three stand-ins: what musl's own headers would define, other names where glibc's header has taken them, and the two headers that
+# Windows lacks.
 cat >libm-objects/musl.h <<'EOF'
 #include <math.h>
 #define hidden

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fetches the distribution's sources of packages into FOLDER/PACKAGE: it has no packages of theirs for other systems. From where
-# this machine has its packages, with lists of its own, so that the machine's settings stay as they are.
+# Fetches the distribution's sources of packages into FOLDER/PACKAGE: they are compiled for systems that it has no packages for.
+# They come from where this machine has its packages. apt's lists are kept apart: the machine's settings stay as they are.
 #     sources.sh FOLDER PACKAGE...
 set -eu
 mkdir -p "$1"
@@ -29,7 +29,7 @@ apt()
     apt-get -qq -o Dir::Etc::SourceList="$here/sources.list" -o Dir::Etc::SourceParts="$here/sources.list.d" \
         -o Dir::State::Lists="$here/lists" -o APT::Sandbox::User=root "$@"
 }
-apt update || true # a repository without sources is no obstacle while another has them
+apt update || echo "apt-get update ends with $?: a repository may have no sources; another one may"
 for package in $missing; do
     rm -rf "apt/$package"
     mkdir "apt/$package"

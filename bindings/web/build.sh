@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 mkdir -p "$1/web"
 cd "$1/web"
-# several tests may ask for it at a time
+# Several tests may ask for it at the same time: the others wait.
 exec 9>lock
 flock 9
 export LC_ALL=C # the same order of files everywhere, and so the same bytes
@@ -28,16 +28,16 @@ sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL 
 
 if ! {
     # shellcheck disable=SC2086
-    sh "$top/packages/gsl.sh" sources gsl clang $options &&
+    sh "$top/packages/gsl.sh" sources clang $options &&
         # the library's objects, with the options that it is always built with
         cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
             -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \
-            -DRWEDGE_GSL_INCLUDE="$PWD/gsl/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none \
+            -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none \
             -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF &&
         cmake --build library --target rwedge_objects &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
         # shellcheck disable=SC2046,SC2086
-        compile -Igsl/include "$top/packages/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports \
+        compile -Iinclude "$top/packages/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports \
             -mexec-model=reactor -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
 } >log 2>&1; then
     cat log >&2
@@ -57,7 +57,7 @@ python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" "$made
 cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
 version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
 sed "s/@VERSION@/$version/" "$here/package.json.in" >"$made/package.json"
-# who reads it now is not disturbed by the same again
+# A package that is the same stays as it is: a test may be reading it.
 diff -rq "$made" package >log 2>&1 || {
     rm -rf package
     mv "$made" package

@@ -14,8 +14,8 @@ in_c()
     program=$1
     shift
     # shellcheck disable=SC2046
-    cc -std=c99 -O3 -DNDEBUG -D_POSIX_C_SOURCE=199309L -ffp-contract=off -fno-math-errno -I"$top/include" -I"$top/lib" "$here/test/speed.c" \
-        "$@" ../lib/librwedge_inside.a $(pkg-config --libs gsl lapack) -lm -o "$program"
+    cc -std=c99 -O3 -DNDEBUG -D_POSIX_C_SOURCE=199309L -ffp-contract=off -fno-math-errno -I"$top/include" -I"$top/lib" \
+        "$here/test/speed.c" "$@" ../lib/librwedge_inside.a $(pkg-config --libs gsl lapack) -lm -o "$program"
 }
 in_c speed-widest
 in_c speed-two -DRW_BASELINE "$top/lib/stress/batch.c" "$top/lib/stress/eccentric_batch.c"

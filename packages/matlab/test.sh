@@ -26,10 +26,11 @@ cc -O2 -I"$own/include" "$top/bindings/matlab/loop.c" "$own/lib/librwedge.a" -lm
 LOOP_NS=$(./loop) octave --path rwedge "$top/bindings/matlab/test_rwedge.m" >"$work/log" 2>&1 ||
     { cat "$work/log"; fail "bindings/matlab/test_rwedge.m"; }
 
-# On a machine that it is not for it says so.
+# On a machine that it has no library for, it says so.
 mv "$own" "$name/prebuilt/macos-x86_64"
 octave --path "$name" --eval "try, build_rwedge, catch err, disp(err.message), end" >said.txt 2>&1
-grep -q "this folder has a library for macos-x86_64.* and none for this machine, linux-$(uname -m): build rwedge from its sources" said.txt ||
+this=linux-$(uname -m)
+grep -q "this folder has a library for macos-x86_64.* and none for this machine, $this: build rwedge from its sources" said.txt ||
     fail "no library for this machine: $(cat said.txt)"
 echo "tested: $name.zip: unpacked in a folder with a space, build_rwedge, the example and the binding's tests, in Octave;" \
     "on a machine without a library it says so" >>"$tested"
@@ -46,8 +47,8 @@ fi
     grep -o '\bm[ex]x*[A-Z][A-Za-z]*' "$name/rwedge_mex.c" | sort -u
 } >mex.def
 x86_64-w64-mingw32-dlltool -d mex.def -l libmex.a
-x86_64-w64-mingw32-gcc -shared -idirafter "$(mkoctfile -p OCTINCLUDEDIR)" -I"$windows/include" -I"$name" "$name/rwedge_mex.c" "$windows/lib/librwedge.a" libmex.a \
-    -o rwedge_mex.mexw64
+x86_64-w64-mingw32-gcc -shared -idirafter "$(mkoctfile -p OCTINCLUDEDIR)" -I"$windows/include" -I"$name" \
+    "$name/rwedge_mex.c" "$windows/lib/librwedge.a" libmex.a -o rwedge_mex.mexw64
 x86_64-w64-mingw32-objdump -p rwedge_mex.mexw64 | sed -n '/DLL Name: msvcrt/,/^$/s/^.*[0-9]  *_*\([a-z0-9]*\)$/\1/p' | sort >imported
 x86_64-w64-mingw32-nm "$windows/lib/librwedge.a" | sed -n 's/.* T //p' | sort >inside
 [ -s imported ] && [ -s inside ] || fail "the names of functions cannot be read"

@@ -16,18 +16,17 @@ END
 chmod +x compiler
 options='-O2 -DNDEBUG -ffp-contract=off -fvisibility=hidden'
 # shellcheck disable=SC2086
-sh "$source/packages/gsl.sh" "$sources" gsl "$PWD/compiler" -std=gnu99 $options
-# the library's objects, with the options that it is always built with; CMake's own ways with macOS need Apple's tools. RW_BASELINE: which
-# vectors a processor has would be asked of a run-time library that is not linked here; the results are the same
+sh "$source/packages/gsl.sh" "$sources" "$PWD/compiler" -std=gnu99 $options
+# The library's objects, with the options that it is always built with; CMake's own ways with macOS need Apple's tools.
+# RW_BASELINE: a run-time library that is not linked here would tell which vectors a processor has. The results are the same.
 cmake -S "$source" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER="$PWD/compiler" -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_C_FLAGS=-DRW_BASELINE \
-    -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_GSL_INCLUDE="$PWD/gsl/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none \
-    -DRWEDGE_BLAS_ARCHIVE=none -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF
+    -DCMAKE_C_FLAGS=-DRW_BASELINE -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none \
+    -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF
 cmake --build library --parallel 2 --target rwedge_objects
 python3 -B "$source/bindings/interface/write_python.py" "$source/include/rwedge.h" made
 for file in packages/dgelsd bindings/python/src/loops; do
     # shellcheck disable=SC2086
-    ./compiler -std=c99 $options -Igsl/include -Imade -I"$source/include" -c "$source/$file.c" -o "made/${file##*/}.o"
+    ./compiler -std=c99 $options -Iinclude -Imade -I"$source/include" -c "$source/$file.c" -o "made/${file##*/}.o"
 done
 # what Apple's system offers to arm64 is listed under names that this linker may not know
 sed 's/arm64e\.x1-/arm64-/g' "$zig"/venv/lib/python3*/site-packages/ziglang/lib/libc/darwin/libSystem.tbd >libSystem.tbd

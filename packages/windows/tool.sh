@@ -44,16 +44,17 @@ archive z "$sources"/zlib/adler32.c "$sources"/zlib/crc32.c "$sources"/zlib/defl
 
 # Its files are opened by their names in UTF-8, and its temporary ones are the tool's: windows/streams.c.
 cp -r "$sources"/libxlsxwriter/include/. include
-archive xlsxwriter -include "$here/for_xlsxwriter.h" -DUSE_STANDARD_TMPFILE -DNOCRYPT -DNOUNCRYPT -I"$sources/libxlsxwriter/third_party/minizip" \
-    "$sources"/libxlsxwriter/src/*.c "$sources/libxlsxwriter/third_party/minizip/ioapi.c" \
-    "$sources/libxlsxwriter/third_party/minizip/zip.c" "$sources/libxlsxwriter/third_party/md5/md5.c"
+minizip=$sources/libxlsxwriter/third_party/minizip
+archive xlsxwriter -include "$here/for_xlsxwriter.h" -DUSE_STANDARD_TMPFILE -DNOCRYPT -DNOUNCRYPT -I"$minizip" \
+    "$sources"/libxlsxwriter/src/*.c "$minizip/ioapi.c" "$minizip/zip.c" "$sources/libxlsxwriter/third_party/md5/md5.c"
 
 cp "$sources/popt/src/popt.h" include
 mkdir -p objects/headers/sys
 : >objects/headers/features.h
-: >objects/headers/sys/ioctl.h # asked for by popt, which does without what is in it
-# no program has another owner than its user in Windows
-archive popt '-Dgetuid()=0' '-Dgeteuid()=0' '-Dgetgid()=0' '-Dgetegid()=0' -Iobjects/headers -DHAVE_STRERROR -DPACKAGE='"popt"' -DPOPT_SYSCONFDIR='""' "$sources"/popt/src/popt.c "$sources"/popt/src/popthelp.c \
+: >objects/headers/sys/ioctl.h # popt includes it, and needs nothing of it
+# Popt asks whether a program runs for another user than the one who started it: not in Windows.
+archive popt '-Dgetuid()=0' '-Dgeteuid()=0' '-Dgetgid()=0' '-Dgetegid()=0' -Iobjects/headers -DHAVE_STRERROR \
+    -DPACKAGE='"popt"' -DPOPT_SYSCONFDIR='""' "$sources"/popt/src/popt.c "$sources"/popt/src/popthelp.c \
     "$sources"/popt/src/poptparse.c "$sources"/popt/src/poptint.c
 found popt 1.19
 

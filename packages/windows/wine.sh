@@ -10,10 +10,22 @@ end_wine()
     WINEPREFIX=$work/wine "$server" -k 2>/dev/null || true
     rm -rf "$work/wine"
 }
+# Now and then a program cannot reach Wine's server. Then it has not begun: it fails, and says nothing or "wine client error". It is
+# run again. Programs of ours say why they fail.
 on_windows()
 {
-    env -u DISPLAY LC_ALL=C.UTF-8 HOME="$work" WINEPREFIX="$work/wine" WINEDEBUG=-all \
-        WINEDLLOVERRIDES='mscoree=;mshtml=;winemenubuilder.exe=' timeout -k 5 300 "$wine" "$@"
+    wine_said=$(mktemp)
+    for attempt in 1 2 3; do
+        wine_status=0
+        env -u DISPLAY LC_ALL=C.UTF-8 HOME="$work" WINEPREFIX="$work/wine" WINEDEBUG=-all \
+            WINEDLLOVERRIDES='mscoree=;mshtml=;winemenubuilder.exe=' timeout -k 5 300 "$wine" "$@" 2>"$wine_said" || wine_status=$?
+        [ "$wine_status" -ne 0 ] && [ "$wine_status" -ne 124 ] || break
+        [ ! -s "$wine_said" ] || grep -q '^wine client error' "$wine_said" || break
+        echo "attempt $attempt: $(cat "$wine_said")" >>"$work/wine.log"
+    done
+    cat "$wine_said" >&2
+    rm -f "$wine_said"
+    return "$wine_status"
 }
 start_wine()
 {

@@ -119,7 +119,8 @@ class Pages:
         return lines
 
     def index(self, titles: list[str]) -> str:
-        return "\n".join(["# Functions", "", *self.prose(self.interface.introduction), "```{toctree}", ":maxdepth: 1", "", *(f"{slug(t)}/index" for t in titles), "```", ""])
+        return "\n".join(["# Functions", "", *self.prose(self.interface.introduction), "```{toctree}", ":maxdepth: 1", "",
+                          *(f"{slug(t)}/index" for t in titles), "```", ""])
 
     def write(self, folder: Path) -> None:
         titles = list(dict.fromkeys(f.section for f in self.interface.functions))

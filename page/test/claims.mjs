@@ -388,6 +388,7 @@ export async function a_case_goes_out_as_a_command_and_as_python({ session, file
             .split("\n")
             .map((line) => line.split(" ")),
     );
+    assert.ok("b" in lines && "yield_factor" in lines, `Python: ${told.stdout}`);
     for (const [name, value] of Object.entries(lines))
         assert.equal(Number(Number(value).toPrecision(6)), Number(shown[name]), `Python: ${name}`);
     return `Python: ${Object.keys(lines).length} numbers`;
@@ -419,7 +420,36 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
     await page.close();
 }
 
-export async function the_measures_are_the_librarys({ session, file }) {
+/** At one place of the grid: each measure in the saved table beside what the library says of the same place. */
+export async function contours_show_what_the_library_says({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
+    const saved = (name) =>
+        page.evaluate(async (value) => {
+            const select = document.getElementById("measure");
+            select.value = value;
+            select.dispatchEvent(new Event("change"));
+            let blob;
+            URL.createObjectURL = (given) => ((blob = given), "#");
+            HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
+            document.querySelector('#panel-stress .save button[aria-label$="CSV"]').click();
+            const lines = (await blob.text()).split("\n").map((line) => line.split(","));
+            return [lines[0], lines[200 * 20 + 131]];
+        }, name);
+    for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
+        const [names, row] = await saved(measure);
+        assert.equal(names.at(-1), measure);
+        await enter(page, { "probe-x": row[0], "probe-y": row[1] });
+        const told = Number((await shownNumbers(page))[measure]);
+        assert.ok(
+            Math.abs(Number(row.at(-1)) - told) <= 1e-12 * Math.abs(told),
+            `${measure}: ${row.at(-1)}, told ${told}`,
+        );
+    }
+    await page.close();
+}
+
+/** The place that is named as the hardest has the stress that is said there. */
+export async function the_hardest_place_has_the_stress_that_is_said({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
     const place = await page.evaluate(() =>
         document

@@ -86,7 +86,7 @@ function offCentre(what, contact, r) {
     if (zone) Object.assign(r, { stick_left: zone.left, stick_right: zone.right });
 }
 
-export function doubtTexts(doubts) {
+function doubtTexts(doubts) {
     const texts = [];
     for (let bit = 1; rwedge.validity_text(bit) !== ""; bit *= 2)
         if (doubts & bit) texts.push(rwedge.validity_text(bit));
@@ -109,7 +109,10 @@ export function hardestPlace(what, contact) {
     return found && found.factor > 0 ? { ...found, von_mises: (SQRT_3 * k) / found.factor } : null;
 }
 
-/** All results by name, with the yield factor where it was asked for; those that the case does not have are null. Throws with the reason where one cannot be computed. */
+/**
+ * All results by name; null where the case does not have one, or the yield factor is not given.
+ * Throws, with the reason, where one cannot be computed.
+ */
 export function solve(what, contact, yieldFactor = null) {
     const r = Object.fromEntries(resultKinds.map(({ name }) => [name, null]));
     const b = rwedge.half_width(what.theta, what.a, what.A, what.P);

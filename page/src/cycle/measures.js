@@ -6,7 +6,10 @@ import { words } from "words";
 
 export const measureKinds = words.measures;
 export const isAngle = (name) => name.endsWith("_angle");
-export const isFriction = (name) => ["slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area"].includes(name);
+
+const nowhere = (n) => new Float64Array(n).fill(NaN);
+const nothingSlips = (n) =>
+    Object.fromEntries(["slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area"].map((name) => [name, nowhere(n)]));
 
 /** The stresses after each load: loads * n numbers each, row by row. */
 function stresses({ states }, x) {
@@ -36,11 +39,10 @@ const degrees = (angles) => angles.map((v) => (v * 180) / Math.PI);
 
 function criticalPlanes({ what }, s, n) {
     const swt = rwedge.smith_watson_topper_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1);
-    const nothing = new Float64Array(n).fill(NaN),
-        largest = most(s.sxx, s.loads, n, 1),
+    const largest = most(s.sxx, s.loads, n, 1),
         smallest = most(s.sxx, s.loads, n, -1);
     const socie = Number.isNaN(what.k)
-        ? { value: nothing, angle: nothing }
+        ? { value: nowhere(n), angle: nowhere(n) }
         : rwedge.fatemi_socie_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1, 1 / (SQRT_3 * what.k));
     return {
         stress_range: largest.map((v, i) => v - smallest[i]),
@@ -66,8 +68,7 @@ function touching(state, x) {
         const place = inside(state, v);
         if (!Number.isNaN(place)) (at.push(i), places.push(place));
     });
-    const none = new Float64Array(x.length).fill(NaN),
-        found = { p: none, q: none.slice(), slip: none.slice() };
+    const found = { p: nowhere(x.length), q: nowhere(x.length), slip: nowhere(x.length) };
     if (at.length === 0) return found;
     const { p, q } = state.contact.tractions(Float64Array.from(places)),
         slip = state.contact.slip(Float64Array.from(places));
@@ -111,15 +112,14 @@ function rubThrough({ what, states }, x, i, found) {
         if (!at.touches) Object.assign(at, { touches: true, slip: 0, limit: 0 });
         slipTo(at, slip[i], what.f * Math.abs(p[i]));
         at.shear = Math.max(at.shear, Math.abs(q[i]));
-        if (s === 0) Object.assign(at, { most: slip[i], least: slip[i], energy: 0 }); // what came before the cycle is none of its energy
+        if (s === 0) Object.assign(at, { most: slip[i], least: slip[i], energy: 0 }); // the cycle begins here
     });
     return at;
 }
 
 function friction(of, x, tension) {
     const found = of.states.map((state) => touching(state, x)),
-        nothing = () => new Float64Array(x.length).fill(NaN);
-    const all = { slip_range: nothing(), ruiz_f1: nothing(), ruiz_f2: nothing(), energy_per_area: nothing() };
+        all = nothingSlips(x.length);
     x.forEach((v, i) => {
         const at = rubThrough(of, v, i, found);
         if (at.most < at.least) return;
@@ -135,11 +135,5 @@ function friction(of, x, tension) {
 /** All measures at places x of the surface, by name; NaN where there is none. The apex of a sharp wedge is none of the places. */
 export function measure(of, x) {
     const planes = criticalPlanes(of, stresses(of, x), x.length);
-    const nothing = Object.fromEntries(
-        ["slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area"].map((name) => [
-            name,
-            new Float64Array(x.length).fill(NaN),
-        ]),
-    );
-    return { ...planes, ...(of.slipKnown ? friction(of, x, planes.tension) : nothing) };
+    return { ...planes, ...(of.slipKnown ? friction(of, x, planes.tension) : nothingSlips(x.length)) };
 }

@@ -5,7 +5,7 @@ import { placesAcross } from "../stresses.js";
 
 const box = { width: 640, height: 300, middle: 320, surface: 178, flank: 108, deep: 78 };
 
-/** Of the wedge that touches between two edges: heights over the surface, in theta. */
+/** The wedge's heights over the surface, over theta, where it touches between two edges. */
 function profile({ a, tilt, left, right }) {
     const g = (x) => (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
     return (x) => (x > right ? g(x) - g(right) : x < left ? g(x) - g(left) : 0);
@@ -46,14 +46,31 @@ function loads({ M, Q, sigma }) {
             arrow(out ? 46 : 4, y, out ? 4 : 46, y, "\u03c3"),
         );
     }
-    return parts.join("").replaceAll("", "");
+    return parts.join("");
 }
 
 const size = (from, to, y, text) =>
     `<path class="sizes" d="M${from},${y - 4}v8M${to},${y - 4}v8M${from},${y}H${to}"/><text class="mark" x="${(from + to) / 2}" y="${y - 5}" text-anchor="middle">${text}</text>`;
 
+/** The pressure, drawn downwards below the contact. */
+function pressureText({ pressure, left, right }, toX) {
+    if (pressure.length === 0) return "";
+    const below = pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.surface + box.deep * p).toFixed(1)}`);
+    const [l, r] = [toX(left), toX(right)].map((v) => v.toFixed(1));
+    return `<path class="pressure" d="M${l},${box.surface}L${below.join("L")}L${r},${box.surface}Z"/>`;
+}
+
+function stickText({ stickLeft, stickRight }, toX) {
+    if (!(stickRight > stickLeft)) return "";
+    const [from, to] = [toX(stickLeft), toX(stickRight)];
+    return (
+        `<path class="stuck" d="M${from.toFixed(1)},${box.surface}H${to.toFixed(1)}"/>` +
+        `<text class="mark" x="${(from + to) / 2}" y="${box.surface + 16}" text-anchor="middle">sticks</text>`
+    );
+}
+
 /** shape: { a, left, right, tilt (over theta), stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
-export function drawingText(shape) {
+function drawingText(shape) {
     const reach = 1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), shape.a);
     const toX = (x) => box.middle + (x / reach) * 300,
         height = profile(shape);
@@ -62,7 +79,6 @@ export function drawingText(shape) {
         const x = reach * (i / 60 - 1);
         return `${toX(x).toFixed(1)},${(box.surface - (box.flank * height(x)) / most).toFixed(1)}`;
     });
-    const below = shape.pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.surface + box.deep * p).toFixed(1)}`);
     const [l, r] = [toX(shape.left), toX(shape.right)].map((v) => v.toFixed(1));
     const title = `Wedge on half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
     return (
@@ -70,12 +86,8 @@ export function drawingText(shape) {
         `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.height - box.surface}"/>` +
         `<path class="solid" d="M20,34L${outline.join("L")}L620,34Z"/>` +
         `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
-        (below.length
-            ? `<path class="pressure" d="M${l},${box.surface}L${below.join("L")}L${r},${box.surface}Z"/>`
-            : "") +
-        (shape.stickRight > shape.stickLeft
-            ? `<path class="stuck" d="M${toX(shape.stickLeft).toFixed(1)},${box.surface}H${toX(shape.stickRight).toFixed(1)}"/><text class="mark" x="${(toX(shape.stickLeft) + toX(shape.stickRight)) / 2}" y="${box.surface + 16}" text-anchor="middle">sticks</text>`
-            : "") +
+        pressureText(shape, toX) +
+        stickText(shape, toX) +
         (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 18, "a") : "") +
         size(+l, +r, box.height - 10, "contact") +
         loads(shape) +

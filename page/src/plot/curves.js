@@ -26,8 +26,28 @@ function legend(curves, box) {
         .join("");
 }
 
+/** An interval of x as a coloured ground of the frame. */
+function bandText({ from, to, style, name }, scale, top, bottom) {
+    const width = Math.max(0, scale.x(to) - scale.x(from)).toFixed(1);
+    return (
+        `<rect class="${style}" x="${scale.x(from).toFixed(1)}" width="${width}" y="${top}" height="${bottom - top}">` +
+        `<title>${escaped(name)}</title></rect>`
+    );
+}
+
+/** A point with its name, which stands on the side that has more room. */
+function markText(point, scale, box) {
+    const [u, v] = [scale.x(point.x), scale.y(point.y)],
+        isRight = u > 0.6 * box.width;
+    const [textX, textY] = [u + (isRight ? -9 : 9), v + (point.below ? 20 : -9)].map((at) => at.toFixed(1));
+    return (
+        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
+        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${isRight ? "end" : "start"}">${escaped(point.name)}</text>`
+    );
+}
+
 /**
- * title, description; xLabel, yLabel; curves: [{ name, style, x: numbers, y: numbers }];
+ * title, xLabel, yLabel: texts; curves: [{ name, style, x: numbers, y: numbers }];
  * bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain where they are not those of the curves.
  */
 export function curvesText({ title, xLabel, yLabel, curves, bands = [], points = [], xDomain, yDomain }) {
@@ -40,22 +60,11 @@ export function curvesText({ title, xLabel, yLabel, curves, bands = [], points =
         .x(([u]) => scale.x(u))
         .y(([, v]) => scale.y(v))
         .digits(2);
-    const [top, bottom] = [box.top, box.height - box.bottom];
-    const areas = bands.map(
-        (b) =>
-            `<rect class="${b.style}" x="${scale.x(b.from).toFixed(1)}" width="${Math.max(0, scale.x(b.to) - scale.x(b.from)).toFixed(1)}" y="${top}" height="${bottom - top}"><title>${escaped(b.name)}</title></rect>`,
-    );
+    const areas = bands.map((band) => bandText(band, scale, box.top, box.height - box.bottom));
     const paths = curves.map(
         (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
     );
-    const marks = points.map((p) => {
-        const [u, v] = [scale.x(p.x), scale.y(p.y)],
-            right = u > 0.6 * box.width;
-        return (
-            `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
-            `<text class="mark" x="${(u + (right ? -9 : 9)).toFixed(1)}" y="${(v + (p.below ? 20 : -9)).toFixed(1)}" text-anchor="${right ? "end" : "start"}">${escaped(p.name)}</text>`
-        );
-    });
+    const marks = points.map((point) => markText(point, scale, box));
     return (
         `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         areas.join("") +

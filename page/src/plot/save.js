@@ -10,7 +10,7 @@ function styleOfFile() {
     return rules.replace(/var\((--[\w-]+)\)/g, (_, name) => light[name]);
 }
 
-export function svgText(svg) {
+function svgText(svg) {
     const copy = svg.cloneNode(true);
     copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
     const [, , width, height] = copy.getAttribute("viewBox").split(" ");
@@ -36,7 +36,7 @@ function savePng(name, svg) {
 }
 
 /** Rows of numbers, columns by name. */
-export const csvText = (names, rows) =>
+const csvText = (names, rows) =>
     [names.join(","), ...rows.map((row) => row.map((v) => (v === null || Number.isNaN(v) ? "" : v)).join(","))].join(
         "\n",
     ) + "\n";

@@ -21,7 +21,27 @@ function tableOf({ names, rows, state }) {
     return `<table class="numbers rows"><caption class="hidden">Solved rows</caption><thead><tr>${head}</tr></thead><tbody>${body}</tbody></table>`;
 }
 
-export function makeBatch(state, changed) {
+/** Why the first rows that have no answer have none. */
+function faultsOf({ rows }) {
+    const found = rows.map((row, i) => [i + 1, row.at(-1)]).filter(([, error]) => error !== "");
+    const first = found.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`);
+    return first.join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "");
+}
+
+/** What is said above the table. */
+function remarkOf(solved) {
+    if (solved.complaint !== undefined) return solved.complaint;
+    const { rows, errors, constants } = solved;
+    const from = Object.entries(constants).map(([name, text]) => `${name} = ${text}`);
+    return (
+        `${rows.length} rows, ${errors} could not be solved. ${faultsOf(solved)}` +
+        (from.length > 0 ? ` From the case at the left: ${from.join(", ")}.` : "") +
+        (rows.length > SHOWN ? ` The first ${SHOWN} are drawn; all are copied.` : "")
+    );
+}
+
+/** Where rows are pasted, with a label and an example; the parts in their order. */
+function pasteArea() {
     const pasted = element("textarea", {
         id: "batch",
         rows: 8,
@@ -29,46 +49,45 @@ export function makeBatch(state, changed) {
         "aria-describedby": "batch-note",
         placeholder: example,
     });
+    const title =
+        "Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does";
+    const tryExample = () => {
+        pasted.value = example;
+        pasted.dispatchEvent(new Event("input"));
+    };
+    const line = element(
+        "p",
+        { class: "tools" },
+        element("button", { type: "button", onclick: tryExample }, "Try an example"),
+        element("span", {}, "What the rows lack is taken from the case at the left."),
+    );
+    return { pasted, parts: [element("label", { for: "batch" }, title), pasted, line] };
+}
+
+/** What is done with the solved rows. solved() gives them. */
+function saveTools(solved) {
+    const save = () => download("solved.csv", new Blob([csvOf(solved())], { type: "text/csv" }));
+    return element(
+        "p",
+        { class: "tools" },
+        copyButton("Copy the solved rows", () => asText(solved())),
+        element("button", { type: "button", onclick: save }, "Save as CSV"),
+    );
+}
+
+export function makeBatch(state, changed) {
+    const { pasted, parts } = pasteArea();
     const note = element("p", { id: "batch-note", class: "note", "aria-live": "polite" });
     const numbers = element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "Solved rows" });
     let solved = null,
         model;
-    const tools = element(
-        "p",
-        { class: "tools" },
-        copyButton("Copy the solved rows", () => asText(solved)),
-        element(
-            "button",
-            { type: "button", onclick: () => download("solved.csv", new Blob([csvOf(solved)], { type: "text/csv" })) },
-            "Save as CSV",
-        ),
-    );
-    const faults = () => {
-        const found = solved.rows.map((row, i) => [i + 1, row.at(-1)]).filter(([, error]) => error !== "");
-        return (
-            found
-                .slice(0, 5)
-                .map(([i, error]) => `Row ${i}: ${error}.`)
-                .join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "")
-        );
-    };
-    const words = () => {
-        if (solved.complaint !== undefined) return solved.complaint;
-        const from = Object.entries(solved.constants)
-            .map(([name, text]) => `${name} = ${text}`)
-            .join(", ");
-        return (
-            `${solved.rows.length} rows, ${solved.errors} could not be solved. ${faults()}` +
-            (from ? ` From the case at the left: ${from}.` : "") +
-            (solved.rows.length > SHOWN ? ` The first ${SHOWN} are drawn; all are copied.` : "")
-        );
-    };
+    const tools = saveTools(() => solved);
     const show = (present) => {
         model = present;
         if (document.activeElement !== pasted) pasted.value = state.batch;
         solved = solveRows(state.batch, model.texts, state.sign);
         const bad = solved.complaint !== undefined;
-        note.textContent = words();
+        note.textContent = remarkOf(solved);
         note.className = bad ? "note bad" : "note";
         tools.hidden = numbers.hidden = bad;
         numbers.innerHTML = bad ? "" : tableOf(solved);
@@ -78,34 +97,6 @@ export function makeBatch(state, changed) {
         show(model);
         changed();
     });
-    const panel = element(
-        "div",
-        {},
-        element(
-            "label",
-            { for: "batch" },
-            "Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does",
-        ),
-        pasted,
-        element(
-            "p",
-            { class: "tools" },
-            element(
-                "button",
-                {
-                    type: "button",
-                    onclick: () => {
-                        pasted.value = example;
-                        pasted.dispatchEvent(new Event("input"));
-                    },
-                },
-                "Try an example",
-            ),
-            element("span", {}, "What the rows lack is taken from the case at the left."),
-        ),
-        note,
-        tools,
-        numbers,
-    );
+    const panel = element("div", {}, ...parts, note, tools, numbers);
     return { panel, show };
 }

@@ -23,35 +23,29 @@ function branches({ what, results }) {
     ];
 }
 
+/** The load of the case, where a yield stress is given. */
+function presentPoint({ what, results, write }) {
+    const y = results.load_over_bk;
+    return y === null ? [] : [{ x: what.f, y, name: `this load, P/(bk) = ${write(y)}`, below: true }];
+}
+
+/** Where yield moves to the surface: the limit has a kink there. */
+function criticalPoint({ what, results }) {
+    const x = results.f_critical;
+    if (!(x > 0)) return [];
+    return [{ x, y: rwedge.elastic_limit(results.a_over_b, x, what.nu1), name: "critical friction" }];
+}
+
 /** A branch far above the limit is left out of the picture, not out of the table. */
-function plotOf({ what, results, write }, curves) {
-    const present =
-        results.load_over_bk === null
-            ? []
-            : [
-                  {
-                      x: what.f,
-                      y: results.load_over_bk,
-                      name: `this load, P/(bk) = ${write(results.load_over_bk)}`,
-                      below: true,
-                  },
-              ];
+function plotOf(model, curves) {
+    const { results, write } = model,
+        present = presentPoint(model);
     const highest = Math.max(...curves[0].y, ...present.map((p) => p.y));
-    const kink =
-        results.f_critical > 0
-            ? [
-                  {
-                      x: results.f_critical,
-                      y: rwedge.elastic_limit(results.a_over_b, results.f_critical, what.nu1),
-                      name: "critical friction",
-                  },
-              ]
-            : [];
     const shown = curves.map((c, i) => (i === 0 ? c : { ...c, y: c.y.map((v) => (v > 1.2 * highest ? NaN : v)) }));
     return curvesText({
         title: `Elastic limit over friction for a/b = ${write(results.a_over_b)}`,
         curves: shown,
-        points: [...kink, ...present],
+        points: [...criticalPoint(model), ...present],
         xLabel: "coefficient of friction f",
         yLabel: "P/(bk)",
         yDomain: [0, 1.25 * highest],
@@ -72,6 +66,25 @@ const shownRows = {
     yield_y: "",
 };
 
+/** Why nothing is drawn, as HTML; empty where it is. */
+function reasonFor({ results }) {
+    if (!results) return noResults;
+    if (results.a_over_b === 0) return "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>";
+    return results.a_over_b < 1e-14 ? "<p>a/b must be 0 or at least 1e-14 here.</p>" : "";
+}
+
+function numbersText({ results, unit, write }) {
+    const values = { ...results, safety_strength: safetyOnStrength(results) };
+    const units = { P_yield: unit["force/length"], yield_x: unit.length, yield_y: unit.length };
+    const rows = Object.entries(shownRows).map(([name, meaning]) => ({
+        name,
+        meaning,
+        value: write(values[name]),
+        unit: units[name],
+    }));
+    return tableText("Strength", rows);
+}
+
 export function makeStrength() {
     const plot = element("div"),
         numbers = element("div", { class: "wide" }),
@@ -90,13 +103,7 @@ export function makeStrength() {
         numbers,
     );
     const show = (model) => {
-        const reason = !model.results
-            ? noResults
-            : model.results.a_over_b === 0
-              ? "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>"
-              : model.results.a_over_b < 1e-14
-                ? "<p>a/b must be 0 or at least 1e-14 here.</p>"
-                : "";
+        const reason = reasonFor(model);
         numbers.textContent = remark.textContent = "";
         panel.classList.toggle("empty", reason !== "");
         if (reason) {
@@ -108,18 +115,7 @@ export function makeStrength() {
         if (isOffCentre(model.what))
             remark.textContent =
                 "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
-        const values = { ...model.results, safety_strength: safetyOnStrength(model.results) };
-        numbers.innerHTML = tableText(
-            "Strength",
-            Object.entries(shownRows).map(([name, meaning]) => ({
-                name,
-                meaning,
-                value: model.write(values[name]),
-                unit: { P_yield: model.unit["force/length"], yield_x: model.unit.length, yield_y: model.unit.length }[
-                    name
-                ],
-            })),
-        );
+        numbers.innerHTML = numbersText(model);
     };
     return { panel, show };
 }

@@ -17,7 +17,7 @@ const titles = {
     about: ["About", makeAbout],
 };
 
-/** What cannot be computed, as far beyond the usual sizes, is said where it would be seen. */
+/** Draws a tab. What cannot be computed, far beyond the usual sizes, is said in the tab. */
 function drawSafely({ draw, fault }, model) {
     fault.textContent = "";
     try {
@@ -25,6 +25,18 @@ function drawSafely({ draw, fault }, model) {
     } catch (error) {
         fault.textContent = `This cannot be computed: ${error.message}`;
     }
+}
+
+/** A tab: its button, its panel, how it is drawn, and where a fault is said. */
+function makePart(name, title, { panel, show: draw }, open) {
+    const button = element(
+        "button",
+        { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `panel-${name}`, onclick: open },
+        title,
+    );
+    const fault = element("p", { class: "note bad", role: "alert" });
+    const attributes = { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` };
+    return { button, box: element("div", attributes, fault, panel), draw, fault };
 }
 
 /** The list of tabs, their panels, and show(model). model() is the present case; changed() follows a change of the state. */
@@ -37,28 +49,8 @@ export function makeTabs(state, model, changed) {
         changed();
         if (focus) parts[name].button.focus();
     };
-    for (const [name, [title, make]] of Object.entries(titles)) {
-        const { panel, show: draw } = make(state, changed);
-        const button = element(
-            "button",
-            {
-                type: "button",
-                role: "tab",
-                id: `tab-${name}`,
-                "aria-controls": `panel-${name}`,
-                onclick: () => open(name),
-            },
-            title,
-        );
-        const fault = element("p", { class: "note bad", role: "alert" });
-        const box = element(
-            "div",
-            { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` },
-            fault,
-            panel,
-        );
-        parts[name] = { button, box, draw, fault };
-    }
+    for (const [name, [title, make]] of Object.entries(titles))
+        parts[name] = makePart(name, title, make(state, changed), () => open(name));
     const list = element(
         "div",
         { role: "tablist", "aria-label": "Answers" },

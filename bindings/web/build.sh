@@ -6,7 +6,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
-mkdir -p "$1/web/gsl"
+mkdir -p "$1/web"
 cd "$1/web"
 # Several tests may ask for it at the same time: the others wait.
 exec 9>lock
@@ -26,22 +26,9 @@ compile -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
     skip "clang has no libc.a or libclang_rt.builtins-wasm32.a for wasm32-wasi: $(tail -n 1 log)"
 sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL cannot be fetched: $(grep '^E: ' log | head -n 1)"
 
-# GSL: its root-finder, and singular values in place of LAPACK's
-gsl()
-{
-    mkdir -p include/gsl
-    cp sources/gsl/gsl_*.h sources/gsl/*/gsl_*.h include/gsl
-    sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' sources/gsl/config.h.in >include/config.h
-    for name in roots/brent roots/fsolver roots/convergence sys/fdiv sys/infnan linalg/svd blas/blas cblas/ddot cblas/dnrm2 cblas/dscal \
-        cblas/dgemv matrix/matrix matrix/view matrix/rowcol matrix/init vector/vector vector/view vector/oper vector/init; do
-        compile -DHAVE_INLINE -ffunction-sections -Iinclude -Isources/gsl -c "sources/gsl/$name.c" \
-            -o "gsl/$(echo $name | tr / -).o" || return 1
-    done
-    echo "$options" >gsl/made # last: it stands for all of them
-}
-
 if ! {
-    { [ "$(cat gsl/made 2>/dev/null)" = "$options" ] || gsl; } &&
+    # shellcheck disable=SC2086
+    sh "$top/packages/gsl.sh" sources clang $options &&
         # the library's objects, with the options that it is always built with
         cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
             -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \
@@ -50,8 +37,8 @@ if ! {
         cmake --build library --target rwedge_objects &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
         # shellcheck disable=SC2046,SC2086
-        compile -Iinclude "$here/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports -mexec-model=reactor \
-            -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
+        compile -Iinclude "$top/packages/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports \
+            -mexec-model=reactor -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
 } >log 2>&1; then
     cat log >&2
     exit 1

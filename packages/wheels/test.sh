@@ -102,6 +102,22 @@ if [ -f "$musl" ]; then
     alike "$(basename "$musl"), its library from C with musl, not in a Python"
 fi
 
+nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._library import library; print(library._name)')" |
+    sed 's/.* //' | LC_ALL=C sort >wanted
+
+# The libraries for macOS: what can be read of them. The rest of their promises is said to be untested.
+for mac in "$folder"/*-macosx*.whl; do
+    [ -f "$mac" ] || continue # make.sh has said it
+    unpacked "$mac"
+    python3 -B "$here/macho.py" there/rwedge/_rwedge.so >read
+    from=$(basename "$mac" | sed 's/.*-macosx_\([0-9]*\)_\([0-9]*\)_.*/\1.\2/')
+    [ "$(grep -v '^offers' read | sort | tr '\n' ';')" = "from macOS $from;needs /usr/lib/libSystem.B.dylib;" ] ||
+        fail "$mac needs other libraries or another macOS"
+    sed -n 's/^offers //p' read | LC_ALL=C sort | cmp - wanted || fail "the library for macOS offers other functions than that for Linux"
+    echo "not tested: $(basename "$mac"): nothing here runs it. It offers the functions of that for Linux, and needs macOS alone" |
+        tee -a "$tested"
+done
+
 # The library for Windows, under Wine. It holds musl's mathematics.
 windows=$(echo "$folder"/*-win_amd64.whl)
 . "$top/packages/windows/wine.sh"
@@ -114,8 +130,6 @@ else
     x86_64-w64-mingw32-objdump -p there/rwedge/_rwedge.dll >tables
     [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
     grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
-    nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._library import library; print(library._name)')" |
-        sed 's/.* //' | LC_ALL=C sort >wanted
     LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
     x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
         there/rwedge/_rwedge.dll -o there/rwedge/door.exe

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* LAPACK's dgelsd, as far as lib/base/least_squares.c calls it, by GSL's singular values: LAPACK is
- * Fortran, and no Fortran compiler writes WebAssembly. A = U S V', and the solution of least length
- * is x = V S^-1 U' b without the singular values below rcond times the largest. */
+/* LAPACK's dgelsd, as far as lib/base/least_squares.c calls it, by GSL's singular values: for
+ * WebAssembly and macOS, as LAPACK is Fortran and no Fortran compiler for them is here. A = U S V',
+ * and the solution of least length is x = V S^-1 U' b without the singular values below rcond times
+ * the largest. */
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
 #include <stdint.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "charts.h"
 
+#include "sheet/chart.h"
 #include "workbook/case/formula.h"
 #include "workbook/tables/table_sheets.h"
 #include "working.h"

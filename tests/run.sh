@@ -22,16 +22,14 @@ cd "$top"
 accept_path "$top"
 . tests/support/compilers.sh
 
-compilers=no sanitize=no campaign=no make_packages=no elsewhere=no strict=no
+compilers=no sanitize=no strict=no long=
 for option; do
     case $option in
     --compilers) compilers=yes ;;
     --sanitize) sanitize=yes ;;
-    --campaign) campaign=yes ;;
-    --packages) make_packages=yes ;;
-    --elsewhere) elsewhere=yes ;;
+    --campaign | --packages | --elsewhere) long="${long:+$long|}${option#--}" ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes campaign=yes make_packages=yes elsewhere=yes ;;
+    --all) compilers=yes sanitize=yes long='campaign|packages|elsewhere' ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -50,7 +48,7 @@ wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octav
 # JavaScript, WebAssembly, the page; clang is below. Browsers are for the long run alone
 wish command:node=nodejs command:npm=npm command:wasm-ld=lld file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
     file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32
-[ $campaign = no ] || wish command:chromium=chromium command:firefox-esr=firefox-esr
+[ -z "$long" ] || wish command:chromium=chromium command:firefox-esr=firefox-esr
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
@@ -78,15 +76,22 @@ count()
     passed=$((passed + all - bad - left))
 }
 
-# build_and_test FOLDER EXCLUDED CMAKE-ARGUMENTS...
-build_and_test()
+# build FOLDER CMAKE-ARGUMENTS...
+build()
 {
-    folder=$1 excluded=$2
-    shift 2
+    folder=$1
+    shift
     cmake -S . -B "$folder" -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON "$@" >/dev/null
     cmake --build "$folder" --parallel "$(processors)"
+}
+
+# run_tests FOLDER CTEST-ARGUMENTS... - the tests of a build, two or more at a time.
+run_tests()
+{
+    folder=$1
+    shift
     rm -f "$folder/results.xml"
-    ctest --test-dir "$folder" --exclude-regex "$excluded" --output-on-failure --parallel "$(processors)" --output-junit results.xml &&
+    ctest --test-dir "$folder" --output-on-failure --parallel "$(processors)" --output-junit results.xml "$@" &&
         ended=well || ended=badly
     before=$failed
     count "$folder/results.xml"
@@ -139,8 +144,8 @@ the_same_tables()
     done
 }
 
-none='^$'
-build_and_test build "$none" -DCMAKE_BUILD_TYPE=Release
+build build -DCMAKE_BUILD_TYPE=Release
+run_tests build
 if [ $compilers = yes ]; then
     for compiler in $(compilers_here); do
         step "no warning from $compiler" without_warnings "$compiler"
@@ -157,39 +162,14 @@ if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
     # The tool has alternate stacks of its own.
     export ASAN_OPTIONS=use_sigaltstack=0
-    build_and_test build/debug "$of_another_compiler" --preset debug
+    build build/debug --preset debug
+    run_tests build/debug --exclude-regex "$of_another_compiler"
     unset ASAN_OPTIONS
 fi
-if [ $campaign = yes ]; then
-    step "commands of the READMEs" python3 tests/shipped/commands.py . --run
-    # every branch of lib/ reached; then what lib/ is checked by
-    step "branches of lib/" sh tests/suite/coverage/coverage.sh . build
-    step "faults in lib/ that the tests notice" sh tests/suite/mutation/mutation.sh . build --sample 60 --jobs "$(processors)"
-    step "survey of the strength" build/tests/proof/strength_survey 10000 2026
-    step "survey of the yield factor" build/tests/proof/yield_survey 2000 2026
-    step "accuracy" build/tests/proof/accuracy/accuracy 10000
-    step "certificate of the tables" build/tests/proof/certificate/certificate --jobs "$(processors)" tables/elastic-limit-*.csv
-    step "certificate of the whole range" \
-        sh tests/proof/certificate/wide.sh build/tests/proof/certificate/certificate build/cli/rwedge "$(processors)"
-    step "the DLL and the module for Excel" sh bindings/excel/test.sh build
-    step "the page in Chromium and Firefox" sh page/test.sh --long build
-    step "JavaScript: the same bits as in C with the same libm, and times" sh bindings/web/test.sh --long build
-    step "exchanged arguments in every binding" python3 -B tests/doors/exchange.py build
-    step "every C file compiles alone" sh tests/package/alone.sh .
-    step "the same bits at every level of optimisation" sh tests/package/reproducible.sh . build all
-    step "Python: types, a sweep on a cluster, the source distribution, an older NumPy" sh bindings/python/test.sh --long build
-    step "edges of all arguments" build/tests/host/test_calls 5000
-    step "a file of 100000 rows" sh tests/cli/results/batch.sh build/cli/rwedge tests/data 100000
-    step "a spreadsheet of too many rows" sh tests/cli/files/spreadsheet.sh build/cli/rwedge tests/data all
-    step "failing system calls" sh tests/cli/system/faults.sh build/cli/rwedge tests/data 0
-    step "failing allocations" sh tests/host/allocations.sh build/cli/rwedge tests/data build/tests/host/libfailmalloc.so 2000
-    step "fuzzing" sh tests/random/long.sh
-fi
-if [ $make_packages = yes ]; then
-    step "the packages" sh packages/make.sh build
-fi
-if [ $elsewhere = yes ]; then
-    step "the two commands on Debian stable" sh tests/elsewhere.sh stable
+if [ -n "$long" ]; then
+    echo "== The long run"
+    run_tests build --build-config Long --label-regex "^($long)\$" --test-output-size-passed 100000
+    echo "What they said: build/Testing/Temporary/LastTest.log"
 fi
 
 # Good reasons to skip: the processor lacks something, this machine does not allow it, or its distribution has no package of it.

@@ -23,8 +23,7 @@ for room in $rooms; do
     done
     # the files of a room but those of the rooms inside it
     files=$(find "$room" -name '*.[ch]' | while read -r file; do
-        folder=$(dirname "$file")
-        [ "$folder" != "$room" ] && [ -e "$folder/README.md" ] || echo "$file"
+        [ "${file%/*}" != "$room" ] && [ -e "${file%/*}/README.md" ] || echo "$file"
     done)
     for other in $(sed -n 's|^#include "\([a-z/]*\)/[^/]*".*|\1|p' $files | sort -u); do
         case " $uses $room " in

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the JavaScript package takes from the header, written when the package is built: write_web.py rwedge.h FOLDER
 
-    description.mjs  each function's arguments, results and domains, for runtime.mjs
+    description.mjs  the statuses; each function's arguments, results and domains, for runtime.mjs
     rwedge.mjs       the functions and classes: calls of runtime.mjs
     rwedge.d.mts     their types and texts
 """
@@ -65,8 +65,8 @@ def description(interface: Interface) -> str:
     functions = {f.name: {"result": f.result, "pointwise": of_points(f), "given": [p.name for p in arguments(f)],
                           "parameters": [about_parameter(p) for p in f.parameters]} for f in interface.functions}
     lines = [f"    {name}: {json.dumps(about)}," for name, about in functions.items()]
-    statuses = json.dumps({value: name for name, value in interface.statuses.items()})
-    return "\n".join([TOP, f"export const statuses = {statuses};", "export const functions = {", *lines, "};", ""])
+    statuses = json.dumps(interface.statuses)
+    return "\n".join([TOP, f"export const statuses = Object.freeze({statuses});", "export const functions = {", *lines, "};", ""])
 
 
 def call(f: Function) -> str:
@@ -92,7 +92,8 @@ def definition(f: Function) -> str:
 
 
 def module(interface: Interface) -> str:
-    parts = [TOP, 'import { adopt, call, formula, free } from "./runtime.mjs";\n\nexport { RwedgeError } from "./runtime.mjs";\n']
+    parts = [TOP, 'import { adopt, call, formula, free } from "./runtime.mjs";\n\n'
+             'export { statuses } from "./description.mjs";\nexport { RwedgeError } from "./runtime.mjs";\n']
     parts += [definition(f) for f in interface.functions if not f.family]
     for family in ("contact", "series"):
         methods = [definition(f) for f in interface.functions if f.family == family]
@@ -165,16 +166,20 @@ TYPES = """
 /** An array of numbers. */
 export type Numbers = Float64Array | readonly number[];
 
+/** The header's statuses: strerror() takes their numbers. */
+export const statuses: {statuses};
+
 /** What a status of the library other than RWEDGE_OK becomes. */
 export class RwedgeError extends Error {
     /** The header's name of it, such as "RWEDGE_EDOMAIN". */
-    readonly status: string;
+    readonly status: keyof typeof statuses;
 }
 """
 
 
 def types(interface: Interface) -> str:
-    lines = [TOP, TYPES]
+    statuses = "".join(f"    readonly {name}: {value};\n" for name, value in interface.statuses.items())
+    lines = [TOP, TYPES.replace("{statuses}", f"{{\n{statuses}}}")]
     for f in interface.functions:
         if not f.family:
             lines += [*comment(f, ""), *declarations(f), ""]

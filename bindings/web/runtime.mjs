@@ -100,7 +100,8 @@ function check(name, about, status, given) {
     const told = refused.length ? refused.map((p) => `${outside(p, values.get(p.name))} (${p.domain.text})`)
         : parameters.map((p) => `${p.name} = ${shown(values.get(p.name))}`);
     const reason = textAt(library.rwedge_strerror(status));
-    throw new RwedgeError(statuses[status], `${name}(): ${reason}${told.length ? `: ${told.join(", ")}` : ""}`);
+    const constant = Object.keys(statuses).find((each) => statuses[each] === status);
+    throw new RwedgeError(constant, `${name}(): ${reason}${told.length ? `: ${told.join(", ")}` : ""}`);
 }
 
 /** The outputs: nothing, the one, or an object of several with their names in the header. */
@@ -189,6 +190,27 @@ function taken(name, about, given) {
     return { values, single: ofPoints.length > 0 && !points };
 }
 
+/** One after another from an address on: the places of what a function reads and writes in memory. The arrays are written there. */
+function placed(parameters, values, length, address) {
+    const places = new Map();
+    for (const p of parameters) {
+        places.set(p.name, address);
+        if (p.role === "in array") memory().set(values.get(p.name), address / 8);
+        address += 8 * length(p);
+    }
+    return places;
+}
+
+/** What a function gives: the value that it returns, the object that it makes, or its outputs; read(p, place) is one of these. */
+function answer(about, returned, places, read) {
+    if (about.result === "value") return returned;
+    if (about.result === "text") return textAt(returned);
+    const made = about.parameters.find((p) => p.role === "created");
+    if (made) return new Uint32Array(library.memory.buffer)[places.get(made.name) / 4];
+    const outputs = about.parameters.filter((p) => p.role === "out" || p.role === "out array");
+    return results(outputs, (p) => read(p, places.get(p.name)));
+}
+
 export function call(name, object, given) {
     const about = functions[name], handle = object ? addressOf(object) : 0;
     const { values, single } = taken(name, about, given);
@@ -196,29 +218,15 @@ export function call(name, object, given) {
     const length = (p) => (p.size ? p.size.reduce((n, size) => n * sizes.get(size), 1) : 1);
     const inMemory = about.parameters.filter((p) => ["in array", "out", "out array", "created"].includes(p.role));
     const block = library.malloc(8 * inMemory.reduce((n, p) => n + length(p), 1));
-    if (!block) check(name, about, Number(Object.keys(statuses).find((k) => statuses[k] === "RWEDGE_ENOMEM")), () => new Map());
+    if (!block) check(name, about, statuses.RWEDGE_ENOMEM, () => new Map());
     try {
-        const places = new Map();
-        let next = block;
-        for (const p of inMemory) {
-            places.set(p.name, next);
-            if (p.role === "in array") memory().set(values.get(p.name), next / 8);
-            next += 8 * length(p);
-        }
+        const places = placed(inMemory, values, length, block);
         const passed = about.parameters.map((p) => places.get(p.name) ??
             (p.role === "size" ? sizes.get(p.name) : p.role === "in" ? values.get(p.name) : handle));
-        const value = library[`rwedge_${name}`](...passed);
-        if (about.result === "value") return value;
-        if (about.result === "text") return textAt(value);
-        if (about.result === "nothing") return undefined;
-        check(name, about, value, () => values);
-        const made = about.parameters.find((p) => p.role === "created");
-        if (made) return new Uint32Array(library.memory.buffer)[places.get(made.name) / 4];
-        const outputs = inMemory.filter((p) => p.role !== "in array");
-        return results(outputs, (p) => {
-            const start = places.get(p.name) / 8;
-            return p.role === "out" || single ? memory()[start] : memory().slice(start, start + length(p));
-        });
+        const returned = library[`rwedge_${name}`](...passed);
+        if (about.result === "status") check(name, about, returned, () => values);
+        return answer(about, returned, places, (p, place) =>
+            p.role === "out" || single ? memory()[place / 8] : memory().slice(place / 8, place / 8 + length(p)));
     } finally {
         library.free(block);
     }

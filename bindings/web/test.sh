@@ -49,6 +49,11 @@ cd installed
 node --expose-gc --test --test-reporter=tap test.mjs >../test.log 2>&1 || { cat ../test.log; fail "test.mjs"; }
 sed -n 's/^# pass/tests passed:/p' ../test.log
 ../tools/node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts || fail "the types"
+# The statuses are those of the header.
+sed -nE 's/^    (RWEDGE_(OK|E[A-Z]+)) = ([0-9]+).*/\1 \3/p' "$top/include/rwedge.h" >statuses.txt
+[ "$(wc -l <statuses.txt)" -ge 10 ] || fail "the statuses of rwedge.h are not found"
+echo 'import { statuses } from "rwedge"; for (const each of Object.entries(statuses)) console.log(...each);' >statuses.mjs
+node statuses.mjs | diff - statuses.txt || fail "the statuses are not those of rwedge.h"
 # The README's example prints what it shows.
 sed -n '/^```js$/,/^```$/p' "$here/README.md" | sed '/^```/d' >example.mjs
 sed -n '/^```text$/,/^```$/p' "$here/README.md" | sed '/^```/d' >expected.txt

@@ -3,24 +3,20 @@
 import * as rwedge from "rwedge";
 
 export { rwedge };
-export const { Contact } = rwedge;
+export const { Contact, statuses } = rwedge;
 
+/** The number of the status that an error of the library has. Any other error is a mistake of the page. */
 function statusOf(error) {
-    if (error instanceof rwedge.RwedgeError) return error.status;
+    if (error instanceof rwedge.RwedgeError) return statuses[error.status];
     throw error;
 }
 
 export const status = {
-    OK: "RWEDGE_OK",
-    EDOMAIN: "RWEDGE_EDOMAIN",
-    ESLIDING: "RWEDGE_ESLIDING",
-    EPATH: "RWEDGE_EPATH",
-
     /** What an action ends with. */
     of(action) {
         try {
             action();
-            return status.OK;
+            return statuses.RWEDGE_OK;
         } catch (error) {
             return statusOf(error);
         }
@@ -36,17 +32,3 @@ export const status = {
         }
     },
 };
-
-/** The library's words for a status: strerror() takes numbers. */
-export function reason(name) {
-    const numbers = {
-        RWEDGE_EDOMAIN: 1,
-        RWEDGE_ERANGE: 3,
-        RWEDGE_ENOCONV: 4,
-        RWEDGE_ENOMEM: 5,
-        RWEDGE_ESLIDING: 6,
-        RWEDGE_EABSENT: 8,
-        RWEDGE_EPATH: 9,
-    };
-    return rwedge.strerror(numbers[name] ?? 0);
-}

@@ -453,7 +453,7 @@ export async function the_hardest_place_has_the_stress_that_is_said({ session, f
     const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
     const place = await page.evaluate(() =>
         document
-            .querySelector(".stage + .save + p")
+            .querySelector("#panel-stress .save + p")
             .textContent.match(/stress: (\S+) MPa at x = (\S+), y = (\S+) mm/)
             .slice(1),
     );

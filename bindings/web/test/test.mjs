@@ -38,7 +38,6 @@ test("several results have their names in the header", () => {
     assert.deepEqual(rwedge.stresses(0.25, 0.3, 0, 0.5, 0.1), rwedge.stress(0.25, 0.3, 0, 0.5, 0.1));
     assert.deepEqual(rwedge.stresses(0.25, 0.3, 0, [0.5, -1], 0.1), rwedge.stress(0.25, 0.3, 0, [0.5, -1], 0.1));
     assert.match(rwedge.version(), /^\d+\.\d+\.\d+$/);
-    assert.equal(rwedge.strerror(0), "success");
     assert.equal(rwedge.validity_text(3), "");
 });
 
@@ -63,6 +62,14 @@ test("what is wrong is said", () => {
     assert.throws(() => rwedge.smith_watson_topper_field(2, [1, 2, 3], [1, 2, 3], [1, 2, 3], 2e5, 0.3), /sxx must have loads \* n numbers/);
     assert.throws(() => rwedge.smith_watson_topper_field(0, [], [], [], 2e5, 0.3), Error);
     assert.throws(() => rwedge.smith_watson_topper_field(-1, [1], [1], [1], 2e5, 0.3), Error);
+});
+
+test("a status has its number and its words", () => {
+    assert.equal(rwedge.strerror(rwedge.statuses.RWEDGE_OK), "success");
+    assert.throws(() => made().load(1000, 900), (error) => error.message.includes(rwedge.strerror(rwedge.statuses[error.status])));
+    assert.throws(() => {
+        rwedge.statuses.RWEDGE_OK = 1;
+    }, TypeError);
 });
 
 test("a contact remembers its loads", () => {

@@ -18,7 +18,9 @@ const twin: Contact = Contact.restore(contact.state());
 const cycle: { value: Float64Array } = rwedge.smith_watson_topper_field(2, listed, listed, listed, 2e5, 0.3);
 const fitted: Series = Series.fit(listed, listed, 2);
 const said: string = rwedge.validity_text(1) + contact.obstacle(1, 0, 0, 0);
-const status: string = new RwedgeError().status;
+const status: keyof typeof rwedge.statuses = new RwedgeError().status;
+const reason: string = rwedge.strerror(rwedge.statuses[status]);
+const outside: 1 = rwedge.statuses.RWEDGE_EDOMAIN;
 contact.free();
 
 // @ts-expect-error: an argument is missing
@@ -29,7 +31,9 @@ elastic_limit("0.25", 0.1, 0.3);
 const wrong: Float64Array = elastic_limit(0.25, 0.1, 0.3);
 // @ts-expect-error: a method needs its object
 Contact.half_width();
+// @ts-expect-error: no such status
+rwedge.statuses.RWEDGE_EHALF;
 // @ts-expect-error: no such function
 rwedge.half_of_it(1);
 
-export { one, many, point, field, nothing, width, left, right, here, there, twin, cycle, fitted, said, status, wrong };
+export { one, many, point, field, nothing, width, left, right, here, there, twin, cycle, fitted, said, status, reason, outside, wrong };

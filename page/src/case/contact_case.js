@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One contact and its loads, from texts. It is what cli/contact/contact_case.c is to the tool: a change of one is a change of the other.
-import { Contact, rwedge, status } from "../library.js";
+import { Contact, rwedge, statuses } from "../library.js";
 import { alternatives, inputNames, isGiven, readInput } from "./inputs.js";
 import { applyMonotonic, faultOfLoad } from "./loads.js";
 
@@ -89,7 +89,7 @@ export function readCase(texts, { withLoads = true } = {}) {
 export function loadedContact(what) {
     const contact = new Contact(what.theta, what.a, what.A, what.f);
     const answer = applyMonotonic(contact, what);
-    if (answer === status.OK) return { contact };
+    if (answer === statuses.RWEDGE_OK) return { contact };
     const fault = faultOfLoad(answer, contact, what, what.f);
     contact.free();
     return { fault };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loads of a contact, and what is wrong with one: as cli/contact/loads.c.
-import { reason, status } from "../library.js";
+import { rwedge, status, statuses } from "../library.js";
 import { writeNumber } from "../number.js";
 
 const apply = (contact, { P, M, Q, sigma }) => status.of(() => contact.apply(P, M, Q, sigma));
@@ -8,14 +8,14 @@ const apply = (contact, { P, M, Q, sigma }) => status.of(() => contact.apply(P, 
 /** Q and sigma grow together from 0 under constant P and M. The status. */
 export function applyMonotonic(contact, load) {
     const first = apply(contact, { P: load.P, M: load.M, Q: 0, sigma: 0 });
-    return first === status.OK ? apply(contact, load) : first;
+    return first === statuses.RWEDGE_OK ? apply(contact, load) : first;
 }
 
 function isInDomain(contact, load) {
     const trial = contact.copy();
     const answer = apply(trial, load);
     trial.free();
-    return answer !== status.EDOMAIN;
+    return answer !== statuses.RWEDGE_EDOMAIN;
 }
 
 const SIZE_LEAST = 1e-60; // whatever has a size is 0 or at least this
@@ -35,7 +35,7 @@ function largestMoment(contact, load) {
 function domainFault(contact, load) {
     if (load.P < 0) return { input: "P", text: "P must not be below 0, and Q must be 0 where P is" };
     if (load.P === 0) return { input: "M", text: "M must be 0 where P is" };
-    if (!isInDomain(contact, { ...load, M: 0 })) return { text: reason(status.EDOMAIN) };
+    if (!isInDomain(contact, { ...load, M: 0 })) return { text: rwedge.strerror(statuses.RWEDGE_EDOMAIN) };
     const most = largestMoment(contact, load);
     if (most === 0) return { input: "M", text: "M must be 0: any other lays a flank on the surface" };
     return {
@@ -58,19 +58,19 @@ function pathFault(contact, load) {
 
 /** Why a contact as it is refuses a load: { input, text }, and whether it slides or has no closed form. */
 export function faultOfLoad(answer, contact, load, f) {
-    if (answer === status.EDOMAIN) return domainFault(contact, load);
-    if (answer === status.EPATH) return pathFault(contact, load);
-    if (answer === status.ESLIDING)
+    if (answer === statuses.RWEDGE_EDOMAIN) return domainFault(contact, load);
+    if (answer === statuses.RWEDGE_EPATH) return pathFault(contact, load);
+    if (answer === statuses.RWEDGE_ESLIDING)
         return {
             input: "Q",
             text: `Q must not exceed f P = ${writeNumber(f * load.P, 6)}: there is no equilibrium`,
             slides: true,
         };
-    return { text: reason(answer) };
+    return { text: rwedge.strerror(answer) };
 }
 
 /** Goes on to a load: nothing, or the fault. The contact is then as before. */
 export function applyNext(contact, load, f) {
     const answer = apply(contact, load);
-    return answer === status.OK ? null : faultOfLoad(answer, contact, load, f);
+    return answer === statuses.RWEDGE_OK ? null : faultOfLoad(answer, contact, load, f);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last cycle of a course of loads: the contact after each load, and on the way where P or M change. As cli/fretting/last_cycle.c.
-import { Contact, status } from "../library.js";
+import { Contact, status, statuses } from "../library.js";
 import { applyNext } from "../case/loads.js";
 
 const PARTS = 32;
@@ -31,7 +31,7 @@ export function statesOnTheWay(contact, to, parts) {
         states = [];
     for (let i = 1; i < parts; i++) {
         const { P, M, Q, sigma } = between(from, to, i / parts);
-        if (status.of(() => trial.apply(P, M, Q, sigma)) !== status.OK) {
+        if (status.of(() => trial.apply(P, M, Q, sigma)) !== statuses.RWEDGE_OK) {
             states.forEach((state) => state.contact.free());
             trial.free();
             return [];

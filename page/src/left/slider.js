@@ -18,41 +18,45 @@ const ways = {
     Q: { to: (limit, share) => limit * share, from: (limit, value) => (limit > 0 ? value / limit : 0) },
 };
 
-/** Nothing where the input has no slider. state() has the texts; type(text) takes what is dragged to. */
-export function slider(field, state, type) {
-    const way = ways[field];
-    if (!way) return null;
-    const input = element("input", {
-        type: "range",
-        min: -steps,
-        max: steps,
-        step: 1,
-        "aria-label": `${field}, slider`,
-    });
-    let name = field,
-        base = NaN;
-    const begin = () => {
-        const { texts } = state();
-        base = field === "Q" ? (valueOf(texts, "f") || 0) * valueOf(texts, "P") : valueOf(texts, name);
-    };
-    const isUsed = () => document.activeElement === input && input.dataset.moving === "yes";
-    input.addEventListener("input", () => {
-        if (input.dataset.moving !== "yes") begin();
-        input.dataset.moving = "yes";
-        const value = way.to(base, input.valueAsNumber / steps);
-        if (Number.isFinite(value)) type(writeNumber(value, 4));
-    });
-    input.addEventListener("change", () => {
-        input.dataset.moving = "no";
-        show(name);
-    });
-    const show = (present) => {
-        name = present;
-        if (isUsed()) return;
-        begin();
-        const share = way.from(base, valueOf(state().texts, name) || (field === "Q" || field === "f" ? 0 : NaN));
-        input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
-        input.setAttribute("aria-valuetext", state().texts[name] ?? "empty");
-    };
-    return { input, show };
+class Slider {
+    /** name: of the input as it is given now; base: the number from which the drag began. */
+    constructor(field, state, type) {
+        Object.assign(this, { field, state, type, name: field, base: NaN });
+        const label = `${field}, slider`;
+        this.input = element("input", { type: "range", min: -steps, max: steps, step: 1, "aria-label": label });
+        this.input.addEventListener("input", () => this.drag());
+        this.input.addEventListener("change", () => this.letGo());
+    }
+
+    begin() {
+        const { texts } = this.state();
+        const isShear = this.field === "Q"; // which runs as far as the friction
+        this.base = isShear ? (valueOf(texts, "f") || 0) * valueOf(texts, "P") : valueOf(texts, this.name);
+    }
+
+    drag() {
+        if (this.input.dataset.moving !== "yes") this.begin();
+        this.input.dataset.moving = "yes";
+        const value = ways[this.field].to(this.base, this.input.valueAsNumber / steps);
+        if (Number.isFinite(value)) this.type(writeNumber(value, 4));
+    }
+
+    letGo() {
+        this.input.dataset.moving = "no";
+        this.show(this.name);
+    }
+
+    show(name) {
+        this.name = name;
+        if (document.activeElement === this.input && this.input.dataset.moving === "yes") return;
+        this.begin();
+        const { texts } = this.state();
+        const ifEmpty = this.field === "Q" || this.field === "f" ? 0 : NaN;
+        const share = ways[this.field].from(this.base, valueOf(texts, name) || ifEmpty);
+        this.input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
+        this.input.setAttribute("aria-valuetext", texts[name] ?? "empty");
+    }
 }
+
+/** Nothing where the input has no slider. state() has the texts; type(text) takes what is dragged to. */
+export const slider = (field, state, type) => (ways[field] ? new Slider(field, state, type) : null);

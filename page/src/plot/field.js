@@ -51,43 +51,53 @@ function key(levels, colours, box, unit) {
     return `<text class="tick" x="${x}" y="${box.top + 8}">${escaped(unit)}</text>` + boxes.join("");
 }
 
-/**
- * values: nx * ny numbers, row by row from the surface down, at x from x0 to x1 and y from 0 to depth.
- * points: [{ x, y, name }]; surface: [{ from, to, style, name }] above the frame.
- */
-export function fieldText({ title, values, nx, ny, x0, x1, depth, xLabel, yLabel, unit, points = [], surface = [] }) {
-    const box = fieldFrame(),
-        scale = scales([x0, x1], [0, depth], box, true);
+/** The values between which the colours change, the first below all, and the colour of each band above one. */
+function bandsOf(values) {
     const [lo, hi] = range(values);
     const levels = [-Infinity, ...ticks(lo, hi, LEVELS).filter((v) => v > lo && v < hi)];
+    const ends = [...levels.slice(1), hi];
+    return { levels, colours: levels.map((level, i) => colourOf(((i === 0 ? lo : level) + ends[i]) / 2, lo, hi)) };
+}
+
+/** The bands but the lowest, one upon the other. */
+function bandTexts({ levels, colours }, { values, nx, ny, x0, x1, depth }, scale) {
     const toX = (i) => scale.x(x0 + ((i - 0.5) / (nx - 1)) * (x1 - x0)),
         toY = (j) => scale.y(((j - 0.5) / (ny - 1)) * depth);
     const find = contours().size([nx, ny]).smooth(true);
-    const ends = [...levels.slice(1), hi];
-    const colours = levels.map((level, i) => colourOf(((i === 0 ? lo : level) + ends[i]) / 2, lo, hi));
+    const path = (level) => pathOf(find.contour(values, level).coordinates, toX, toY);
+    return levels.slice(1).map((level, i) => `<path class="level" fill="${colours[i + 1]}" d="${path(level)}"/>`);
+}
+
+function pointText({ x, y, name }, scale) {
+    const [u, v] = [scale.x(x).toFixed(1), scale.y(y).toFixed(1)];
+    return `<circle class="point" cx="${u}" cy="${v}" r="5"><title>${escaped(name)}</title></circle>`;
+}
+
+/** A line above the frame. */
+function barText({ from, to, style, name }, scale, box) {
+    const [u1, u2] = [scale.x(from).toFixed(1), scale.x(to).toFixed(1)],
+        v = box.top - 4;
+    return `<line class="${style}" x1="${u1}" x2="${u2}" y1="${v}" y2="${v}"><title>${escaped(name)}</title></line>`;
+}
+
+/**
+ * grid: values, nx * ny numbers, row by row from the surface down, at x from x0 to x1 and y from 0 to depth.
+ * points: [{ x, y, name }]; surface: [{ from, to, style, name }] above the frame.
+ */
+export function fieldText(grid, { title, xLabel, yLabel, unit, points = [], surface = [] }) {
+    const box = fieldFrame(),
+        scale = scales([grid.x0, grid.x1], [0, grid.depth], box, true);
+    const bands = bandsOf(grid.values);
     const [width, height] = [box.width - box.left - box.right, box.height - box.top - box.bottom];
-    const bands = levels
-        .slice(1)
-        .map(
-            (level, i) =>
-                `<path class="level" fill="${colours[i + 1]}" d="${pathOf(find.contour(values, level).coordinates, toX, toY)}"/>`,
-        );
-    const marks = points.map(
-        (p) =>
-            `<circle class="point" cx="${scale.x(p.x).toFixed(1)}" cy="${scale.y(p.y).toFixed(1)}" r="5"><title>${escaped(p.name)}</title></circle>`,
-    );
-    const bars = surface.map(
-        (s) =>
-            `<line class="${s.style}" x1="${scale.x(s.from).toFixed(1)}" x2="${scale.x(s.to).toFixed(1)}" y1="${box.top - 4}" y2="${box.top - 4}"><title>${escaped(s.name)}</title></line>`,
-    );
+    const frame = `x="${box.left}" y="${box.top}" width="${width}" height="${height}"`;
     return (
         `<svg class="plot field" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        `<clipPath id="inside"><rect x="${box.left}" y="${box.top}" width="${width}" height="${height}"/></clipPath>` +
-        `<g clip-path="url(#inside)"><rect x="${box.left}" y="${box.top}" width="${width}" height="${height}" fill="${colours[0]}"/>${bands.join("")}</g>` +
+        `<clipPath id="inside"><rect ${frame}/></clipPath>` +
+        `<g clip-path="url(#inside)"><rect ${frame} fill="${bands.colours[0]}"/>${bandTexts(bands, grid, scale).join("")}</g>` +
         axes(scale, xLabel, yLabel, box).replaceAll('class="grid"', 'class="none"') +
-        bars.join("") +
-        key(levels, colours, box, unit) +
-        marks.join("") +
+        surface.map((bar) => barText(bar, scale, box)).join("") +
+        key(bands.levels, bands.colours, box, unit) +
+        points.map((point) => pointText(point, scale)).join("") +
         `<g class="probe"></g></svg>`
     );
 }

@@ -42,7 +42,7 @@ const csvText = (names, rows) =>
     ) + "\n";
 
 /** Three buttons. svg() is the plot, table() is { names, rows }. */
-export function saveButtons(name, svg, table) {
+function saveButtons(name, svg, table) {
     const button = (form, save) =>
         element("button", { type: "button", "aria-label": `Save ${name} as ${form}`, onclick: save }, form);
     return element(
@@ -57,4 +57,15 @@ export function saveButtons(name, svg, table) {
             download(`${name}.csv`, new Blob([csvText(table().names, table().rows)], { type: "text/csv" })),
         ),
     );
+}
+
+/** A plot above the buttons that save it. draw(text) fills it; where the text has no SVG there are no buttons. */
+export function savedPlot(name, table) {
+    const plot = element("div");
+    const buttons = saveButtons(name, () => plot.querySelector("svg"), table);
+    const draw = (text) => {
+        plot.innerHTML = text;
+        buttons.hidden = !plot.querySelector("svg");
+    };
+    return { plot, parts: [plot, buttons], draw };
 }

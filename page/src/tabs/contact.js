@@ -3,7 +3,7 @@
 import { element } from "../elements.js";
 import { resultKinds, safetyOnStrength } from "../case/results.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
-import { saveButtons } from "../plot/save.js";
+import { savedPlot } from "../plot/save.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../stresses.js";
 import { noResults, tableText } from "./table.js";
@@ -64,35 +64,14 @@ function resultRows(model) {
 }
 
 export function makeContact() {
-    const plot = element("div"),
-        numbers = element("div", { class: "wide" });
     let curves;
-    const panel = element(
-        "div",
-        {},
-        plot,
-        saveButtons(
-            "tractions",
-            () => plot.querySelector("svg"),
-            () => curvesTable("x", curves),
-        ),
-        element(
-            "p",
-            { class: "note" },
-            "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.",
-        ),
-        numbers,
-    );
+    const plot = savedPlot("tractions", () => curvesTable("x", curves));
+    const colours = "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.";
+    const numbers = element("div", { class: "wide" });
     const show = (model) => {
-        panel.classList.toggle("empty", !model.results);
-        if (!model.results) {
-            plot.innerHTML = noResults;
-            numbers.textContent = "";
-            return;
-        }
-        curves = tractions(model);
-        plot.innerHTML = plotOf(model, curves);
-        numbers.innerHTML = tableText("Results", resultRows(model));
+        curves = model.results && tractions(model);
+        plot.draw(curves ? plotOf(model, curves) : noResults);
+        numbers.innerHTML = curves ? tableText("Results", resultRows(model)) : "";
     };
-    return { panel, show };
+    return { panel: element("div", {}, ...plot.parts, element("p", { class: "note" }, colours), numbers), show };
 }

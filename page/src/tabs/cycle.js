@@ -6,7 +6,7 @@ import { measureKinds } from "../cycle/measures.js";
 import { readCase } from "../case/contact_case.js";
 import { roomy } from "../plot/axes.js";
 import { curvesText } from "../plot/curves.js";
-import { saveButtons } from "../plot/save.js";
+import { savedPlot } from "../plot/save.js";
 import { withUnit } from "../model.js";
 import { tableText } from "./table.js";
 
@@ -69,81 +69,79 @@ function loopTable({ loop }) {
     return { names: [loop.xName.replaceAll(" ", "_"), loop.yName], rows: loop.x.map((v, i) => [v, loop.y[i]]) };
 }
 
-/** One plot with its buttons; hidden where there is nothing to draw. */
-function plotBox(name, table) {
-    const plot = element("div");
-    const box = element(
-        "div",
-        {},
-        plot,
-        saveButtons(name, () => plot.querySelector("svg"), table),
-    );
-    const draw = (text) => {
-        box.hidden = text === "";
-        plot.innerHTML = text;
-    };
-    return { box, draw };
-}
-
 function remarkOf(found, state) {
     if (found.complaint) return found.complaint;
     const usual = state.loads.trim() ? "" : "No table is given: this is Q to and fro under constant P. ";
     return usual + (found.slipKnown ? "" : "The slip has no closed form after these loads.");
 }
 
-export function makeCycle(state, changed) {
-    const loads = element("textarea", { id: "loads", rows: 5, spellcheck: "false", "aria-describedby": "loads-note" });
-    const cycles = element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" });
-    const note = element("p", { id: "loads-note", class: "note", "aria-live": "polite" });
+/** What is typed, and the remark on it. */
+function makeEntries() {
+    return {
+        loads: element("textarea", { id: "loads", rows: 5, spellcheck: "false", "aria-describedby": "loads-note" }),
+        cycles: element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
+        note: element("p", { id: "loads-note", class: "note", "aria-live": "polite" }),
+    };
+}
+
+function showEntries({ loads, cycles, note }, state, texts, found) {
+    if (document.activeElement !== loads) loads.value = state.loads;
+    if (document.activeElement !== cycles) cycles.value = state.cycles;
+    const { what } = readCase(texts, { withLoads: false });
+    loads.placeholder = what ? usualLoads(what) : "P\tQ";
+    loads.setAttribute("aria-invalid", Boolean(found.complaint));
+    note.className = found.complaint ? "note bad" : "note";
+    note.textContent = remarkOf(found, state);
+}
+
+/** The worst places and the plots. show(found, model) draws none of them where there is a complaint. */
+function makeAnswers() {
+    let found;
     const numbers = element("div", { class: "wide" });
-    let found, model;
-    const swt = plotBox("swt", () => surfaceTable(found));
-    const slip = plotBox("slip", () => surfaceTable(found));
-    const loop = plotBox("loop", () => loopTable(found));
-    const draw = () => {
+    const swt = savedPlot("swt", () => surfaceTable(found));
+    const slip = savedPlot("slip", () => surfaceTable(found));
+    const loop = savedPlot("loop", () => loopTable(found));
+    const show = (present, model) => {
+        found = present;
         const none = Boolean(found.complaint);
         numbers.innerHTML = none ? "" : worstText(found, model);
         swt.draw(none ? "" : alongText(found, model, "swt", "Smith\u2013Watson\u2013Topper along the surface"));
         slip.draw(none ? "" : alongText(found, model, "slip_range", "range of slip along the surface"));
         loop.draw(none ? "" : loopText(found, model));
     };
-    const show = (present) => {
-        model = present;
-        if (document.activeElement !== loads) loads.value = state.loads;
-        if (document.activeElement !== cycles) cycles.value = state.cycles;
-        const { what } = readCase(model.texts, { withLoads: false });
-        loads.placeholder = what ? usualLoads(what) : "P\tQ";
-        found = answerOf(model.texts, state.loads, Number(state.cycles));
-        loads.setAttribute("aria-invalid", Boolean(found.complaint));
-        note.className = found.complaint ? "note bad" : "note";
-        note.textContent = remarkOf(found, state);
-        draw();
-    };
-    for (const [name, input] of Object.entries({ loads, cycles }))
-        input.addEventListener("input", () => {
-            state[name] = input.value;
-            show(model);
-            changed();
-        });
+    return { parts: [numbers, ...swt.parts, ...slip.parts, ...loop.parts], show };
+}
+
+function panelOf({ loads, cycles, note }, answers) {
     const title = "Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma";
-    const panel = element(
+    const times = element("label", { for: "cycles" }, "gone through");
+    return element(
         "div",
         {},
         element("label", { for: "loads" }, title),
         loads,
-        element(
-            "p",
-            { class: "tools" },
-            element("label", { for: "cycles" }, "gone through"),
-            cycles,
-            "times; the last time counts",
-        ),
+        element("p", { class: "tools" }, times, cycles, "times; the last time counts"),
         note,
         element("h2", {}, "Worst places"),
-        numbers,
-        swt.box,
-        slip.box,
-        loop.box,
+        ...answers.parts,
     );
-    return { panel, show };
+}
+
+export function makeCycle(state, changed) {
+    const entries = makeEntries(),
+        answers = makeAnswers();
+    let model;
+    const show = (present) => {
+        model = present;
+        const found = answerOf(model.texts, state.loads, Number(state.cycles));
+        showEntries(entries, state, model.texts, found);
+        answers.show(found, model);
+    };
+    for (const name of ["loads", "cycles"])
+        entries[name].addEventListener("input", () => {
+            state[name] = entries[name].value;
+            show(model);
+            changed();
+        });
+    return { panel: panelOf(entries, answers), show };
 }

@@ -4,7 +4,7 @@ import { element } from "../elements.js";
 import { rwedge, status } from "../library.js";
 import { isOffCentre, safetyOnStrength } from "../case/results.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
-import { saveButtons } from "../plot/save.js";
+import { savedPlot } from "../plot/save.js";
 import { noResults, tableText } from "./table.js";
 
 const COUNT = 101;
@@ -85,37 +85,23 @@ function numbersText({ results, unit, write }) {
     return tableText("Strength", rows);
 }
 
+const offCentreRemark =
+    "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
+
 export function makeStrength() {
-    const plot = element("div"),
-        numbers = element("div", { class: "wide" }),
-        remark = element("p", { class: "note" });
     let curves;
-    const panel = element(
-        "div",
-        {},
-        plot,
-        saveButtons(
-            "elastic-limit",
-            () => plot.querySelector("svg"),
-            () => curvesTable("f", curves),
-        ),
-        remark,
-        numbers,
-    );
+    const plot = savedPlot("elastic-limit", () => curvesTable("f", curves));
+    const remark = element("p", { class: "note" });
+    const numbers = element("div", { class: "wide" });
     const show = (model) => {
         const reason = reasonFor(model);
         numbers.textContent = remark.textContent = "";
-        panel.classList.toggle("empty", reason !== "");
-        if (reason) {
-            plot.innerHTML = reason;
-            return;
-        }
+        plot.draw(reason);
+        if (reason) return;
         curves = branches(model);
-        plot.innerHTML = plotOf(model, curves);
-        if (isOffCentre(model.what))
-            remark.textContent =
-                "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
+        plot.draw(plotOf(model, curves));
+        if (isOffCentre(model.what)) remark.textContent = offCentreRemark;
         numbers.innerHTML = numbersText(model);
     };
-    return { panel, show };
+    return { panel: element("div", {}, ...plot.parts, remark, numbers), show };
 }

@@ -2,7 +2,7 @@
 // The tab Stress: contours below the surface, the values at a place, and where the material yields first under these loads.
 import { element } from "../elements.js";
 import { fieldText } from "../plot/field.js";
-import { saveButtons } from "../plot/save.js";
+import { savedPlot } from "../plot/save.js";
 import { fieldOf, gridOf, measures, NX, NY } from "../stresses.js";
 import { withUnit } from "../model.js";
 import { Probe } from "./probe.js";
@@ -26,12 +26,9 @@ function surfaceOf({ left, right, stick_left: from, stick_right: to }) {
 
 function plotOf(model, grid, field, measure) {
     const { hardest, unit } = model;
-    return fieldText({
-        ...grid,
+    const values = { ...grid, values: field.values, nx: NX, ny: NY };
+    return fieldText(values, {
         title: `${measures[measure].name} below the surface`,
-        values: field.values,
-        nx: NX,
-        ny: NY,
         xLabel: withUnit("x", unit.length),
         yLabel: withUnit("depth y", unit.length),
         unit: unit.stress,
@@ -54,21 +51,20 @@ function chooser() {
 }
 
 export function makeStress(state, changed) {
-    const plot = element("div", { class: "stage" });
+    let model, grid, field;
+    const plot = savedPlot("stress", () => tableOf(grid, field, state.measure));
     const yields = element("p");
     const choice = chooser();
-    const probe = new Probe(state, changed, plot);
-    let model, grid, field;
+    const probe = new Probe(state, changed, plot.plot);
     const show = (present) => {
         model = present;
-        panel.classList.toggle("empty", !model.results);
         choice.value = state.measure;
         yields.textContent = model.results ? hardestText(model) : "";
         if (model.results) {
             grid = gridOf(model.results);
             field = fieldOf(model, grid, state.measure);
         }
-        plot.innerHTML = model.results ? plotOf(model, grid, field, state.measure) : noResults;
+        plot.draw(model.results ? plotOf(model, grid, field, state.measure) : noResults);
         probe.show(model, grid);
     };
     choice.addEventListener("change", () => {
@@ -76,12 +72,6 @@ export function makeStress(state, changed) {
         show(model);
         changed();
     });
-    const save = saveButtons(
-        "stress",
-        () => plot.querySelector("svg"),
-        () => tableOf(grid, field, state.measure),
-    );
     const choose = element("p", { class: "tools" }, element("label", { for: "measure" }, "Contours of"), choice);
-    const panel = element("div", {}, choose, plot, save, yields, probe.box);
-    return { panel, show };
+    return { panel: element("div", {}, choose, ...plot.parts, yields, probe.box), show };
 }

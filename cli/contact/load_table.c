@@ -189,8 +189,11 @@ static bool read_row(header *names, const csv_input *row, char decimal_sign, loa
             names->column[i] < names->count ? csv_input_cell(row, names->column[i]) : NULL;
         if (text == NULL || number_read_cell(text, decimal_sign, &value[i]))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                 input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
+        if (text[strspn(text, " \t")] == '\0')
+            snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
+        else
+            snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
+                     input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
         return false;
     }
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};

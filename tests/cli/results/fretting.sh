@@ -238,7 +238,7 @@ same "apex" "0,0,,,,,,,,," "$(sed -n 2p out)"
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
-cannot "rwedge fretting: bad.csv: line 3: Q must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
+cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
 refuses "rwedge fretting: --fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
 refuses "rwedge fretting: --threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
 refuses "rwedge fretting: --depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1

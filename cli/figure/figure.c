@@ -232,7 +232,7 @@ static int read_course(const arguments *given, const figure *which, char decimal
     if (status == STATUS_DONE && at->count > 1)
         status = usage_error("--at %s: must be one point", as.value[OPTION_AT]);
     if (status == STATUS_DONE)
-        status = course_read(&as, decimal_sign, which->cycles, whole);
+        status = course_read(&as, decimal_sign, (course_usage){.cycles = which->cycles}, whole);
     if (status != STATUS_DONE)
         return status;
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};

@@ -137,7 +137,7 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     if (status == STATUS_DONE)
         status = check_series(what, how);
     if (status == STATUS_DONE)
-        status = course_read(given, how->decimal_sign, 1, &what->whole);
+        status = course_read(given, how->decimal_sign, (course_usage){.cycles = 1}, &what->whole);
     return status == STATUS_DONE ? check_names(what) : status;
 }
 

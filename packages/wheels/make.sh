@@ -111,6 +111,14 @@ if ! lacks "Linux on ARM" $machine-gcc $machine-gfortran; then
     library aarch64 -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=$machine-gcc \
         -DCMAKE_LINKER=/usr/bin/$machine-ld -DCMAKE_OBJCOPY="$work/$machine-objcopy" $with
     wheel manylinux_2_17_aarch64.manylinux2014_aarch64 "$work/aarch64/_rwedge.so" gsl lapack
+    if sh "$here/arm.sh" "$work/arm" >"$work/log" 2>&1; then
+        # shellcheck disable=SC2086
+        library musl-aarch64 -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER="$work/arm/musl-gcc" \
+            -DCMAKE_LINKER=/usr/bin/$machine-ld -DCMAKE_OBJCOPY=/usr/bin/$machine-objcopy -DRWEDGE_HARDENING=OFF $with
+        wheel musllinux_1_2_aarch64 "$work/musl-aarch64/_rwedge.so" gsl lapack
+    else
+        echo "not made: the wheel for musl on ARM, as musl cannot be fetched: $(tail -n 1 "$work/log")" | tee -a "$tested"
+    fi
 fi
 machine=x86_64-w64-mingw32
 if ! lacks Windows $machine-gcc $machine-gfortran; then

@@ -91,15 +91,26 @@ else
     PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/door.py" <calls >answers-there
     alike "$(basename "$arm"), with a Python for ARM under qemu"
 fi
-musl=$(echo "$folder"/*-musllinux*.whl)
-if [ -f "$musl" ]; then
+# with_musl MACHINE COMPILER [EMULATOR...] - from C, as no Python with musl is here
+with_musl()
+{
+    musl=$(echo "$folder"/*-musllinux*_"$1".whl) compiler=$2
+    shift 2
+    [ -f "$musl" ] || return 0 # make.sh has said it
     unpacked "$musl"
     [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
-    musl-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
+    "$compiler" -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
         -Wl,-rpath,"$work/there/rwedge" -o there/door
-    there/door <calls >answers-there
+    "$@" there/door <calls >answers-there
+    [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "two machines differ, both with musl's mathematics"
     cp answers-there answers-musl
     alike "$(basename "$musl"), its library from C with musl, not in a Python"
+}
+with_musl x86_64 musl-gcc
+if command -v qemu-aarch64 >/dev/null; then
+    with_musl aarch64 "$build/wheels/arm/musl-gcc" qemu-aarch64 -L "$build/wheels/arm/root"
+else
+    echo "not tested: the wheel for musl on ARM, for lack of qemu-user" | tee -a "$tested"
 fi
 
 nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._library import library; print(library._name)')" |

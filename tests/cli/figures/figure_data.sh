@@ -221,7 +221,7 @@ refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure 
 refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
 refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
     figure fretting --history loads.csv --a-over-b 1
-cannot "rwedge figure: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+cannot "rwedge figure: loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 
 finish

@@ -194,7 +194,7 @@ message_has "rwedge fretting: P is above P_yield: the contact yields in full sli
 for load in 135.75 135.75,0,0 nan,0 135.75,x; do
     refuses "rwedge fretting: --load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
 done
-refuses "rwedge fretting: --load 135.75,41: Q must not exceed f P = 40.725: there is no equilibrium" \
+refuses "rwedge fretting: --load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
     fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
 refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one of the two" \
     fretting cycle.csv $specimen --history within.csv --load 135.75,0

@@ -200,16 +200,19 @@ static void slip_to(rubbing *at, double slip, double limit)
     at->limit = limit;
 }
 
-/* It slips until the edge comes by; the edge's own slip tells how far. */
-static void leave(rubbing *at, double x, const cycle_state *from, const cycle_state *to)
+/* It slips until the edge comes by. Where the edge ends up, slip is known before and after; from
+ * there to where the edge was, the change goes to 0. The slip itself may jump at a place that the
+ * contact has never left. */
+static void leave(const last_cycle *of, rubbing *at, double x, size_t to)
 {
-    const bool to_the_left = x < to->left;
-    const double edge[2] = {to_the_left ? from->left : from->right,
-                            to_the_left ? to->left : to->right};
-    const double slip[2] = {to_the_left ? from->slip_left : from->slip_right,
-                            to_the_left ? to->slip_left : to->slip_right};
-    if (!isnan(to->left))
-        slip_to(at, slip[0] + (slip[1] - slip[0]) * (x - edge[0]) / (edge[1] - edge[0]), 0);
+    const cycle_state *before = &of->state[to - 1], *after = &of->state[to];
+    const bool to_the_left = x < after->left;
+    const double start = to_the_left ? before->left : before->right;
+    const double end = to_the_left ? after->left : after->right;
+    if (!isnan(end)) {
+        const double change = last_cycle_slip(of, to, end) - last_cycle_slip(of, to - 1, end);
+        slip_to(at, at->slip + change * (x - start) / (end - start), 0);
+    }
     at->touches = false;
 }
 
@@ -228,7 +231,7 @@ static int32_t rub_through(const last_cycle *of, double x, rubbing *at)
         double place = x, p, q, slip;
         if (!is_inside(now, &place)) {
             if (at->touches)
-                leave(at, x, now - 1, now);
+                leave(of, at, x, i);
             continue;
         }
         int32_t status = rwedge_contact_tractions(now->contact, 1, &place, &p, &q);

@@ -121,6 +121,13 @@ balance 1e-3 --E1 72100 --nu1 0.33 --theta 0.05 --a 0.05 --f 0.6
 printf 'P,Q\n100,10\n150,20\n60,-10\n' >cycle.csv
 balance 2e-2 $specimen
 
+# A place that the contact leaves in the cycle forgets the slip of before; one beside it, that stays, does not. Both slip alike in it.
+run history cycle.csv $specimen --cycles 3
+b=$(tail -n 1 out | cut -d , -f 7)
+run fretting cycle.csv $specimen --at "$(awk -v b="$b" 'BEGIN { printf "%.17g,0;%.17g,0", -0.9999 * b, -1.0001 * b }')"
+awk -F, 'NR == 2 { stays = $8 } NR == 3 { printf "%.17g %s\n", stays, $8 }' out >both
+close_rows "slip range beside the smallest contact" 5e-2 0
+
 # Under constant P the second cycle is like the third, where P changes the third like the fourth. The first is not.
 next_is_like() { # CYCLES [OPTION...]
     cycles=$1

@@ -9,6 +9,7 @@
 typedef struct {
     char **name; /* as they stand in the file */
     size_t count;
+    char separator;                  /* what stands between the cells */
     size_t column[INPUT_COUNT];      /* where each input is; count where it is not there */
     bool has_numbers[CSV_ROW_CELLS]; /* columns in whose rows a number has been seen */
 } header;

@@ -156,7 +156,7 @@ cannot "rwedge history: bad.csv: line 2: y is a depth, and must not be below 0" 
 printf 'x,y,x\n1,2,3\n' >bad.csv
 cannot "rwedge history: bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,2\n1,2,5\n' >bad.csv
-cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header" history loads.csv $specimen --points bad.csv
+cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,"2\n1,2\n' >bad.csv
 cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
 refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \

@@ -24,7 +24,7 @@ typedef struct {
     range value[FIGURE_VARIABLES];
     const course *whole; /* of a figure of a course; NULL otherwise */
     const places *at;
-    double half_width; /* the largest of the contact, in the course */
+    double half_width; /* the largest of the contact, in its cycles */
 } figure_case;
 
 double case_value(const figure_case *of, int variable);

@@ -121,6 +121,21 @@ balance 1e-3 --E1 72100 --nu1 0.33 --theta 0.05 --a 0.05 --f 0.6
 printf 'P,Q\n100,10\n150,20\n60,-10\n' >cycle.csv
 balance 2e-2 $specimen
 
+# A place that the contact leaves in the cycle forgets the slip of before; one beside it, that stays, does not. Both slip alike in it,
+# and so do the places at the edge itself, on either side of its last bit.
+beside_the_smallest() { # a case, whose last load has the smallest contact
+    run history cycle.csv "$@" --cycles 3
+    b=$(tail -n 1 out | cut -d , -f 7)
+    run fretting cycle.csv "$@" --at "$(awk -v b="$b" 'BEGIN {
+        n = split("0.99999 1.00001 1 0.9999999999999996 1.0000000000000004", of)
+        for (i = 1; i <= n; i++) printf "%s%.17g,0", (i > 1 ? ";" : ""), -of[i] * b }')"
+    awk -F, 'NR == 2 { stays = $8 } NR > 2 { printf "%.17g %s\n", stays, $8 }' out >both
+    close_rows "slip range beside the smallest contact" 5e-2 0
+}
+beside_the_smallest $specimen
+printf 'P,Q\n73.7,-56.7\n39.2,-22\n' >cycle.csv
+beside_the_smallest --E1 431728 --nu1 0.2 --theta 0.001039 --a 0.4373 --f 1
+
 # Under constant P the second cycle is like the third, where P changes the third like the fourth. The first is not.
 next_is_like() { # CYCLES [OPTION...]
     cycles=$1
@@ -194,7 +209,7 @@ message_has "rwedge fretting: P is above P_yield: the contact yields in full sli
 for load in 135.75 135.75,0,0 nan,0 135.75,x; do
     refuses "rwedge fretting: --load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
 done
-refuses "rwedge fretting: --load 135.75,41: Q must not exceed f P = 40.725: there is no equilibrium" \
+refuses "rwedge fretting: --load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
     fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
 refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one of the two" \
     fretting cycle.csv $specimen --history within.csv --load 135.75,0

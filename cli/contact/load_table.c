@@ -306,7 +306,7 @@ int load_source_apply(const load_source *from, char decimal_sign, double f, rwed
     int status = load_table_read(from, decimal_sign, false, &loads);
     if (status == STATUS_DONE)
         status = load_table_apply_all(&loads, f, contact);
-    if (status == STATUS_DONE && loads.name != NULL)
+    if (status == STATUS_DONE)
         header_name_unused(&loads.names, loads.name);
     load_table_free(&loads);
     return status;

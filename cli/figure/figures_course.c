@@ -4,12 +4,11 @@
 #include "contact/tensor.h"
 #include "fretting/worst.h"
 #include "fretting/surface.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* ---- Along the loads ---- */
 

@@ -49,4 +49,8 @@ typedef struct {
  * neighbours apart. */
 void style_of_family(curve *one, int i);
 
+/* The curves of a family over the columns x and y, each with the value of its variable on it. */
+void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
+                 drawing *on);
+
 #endif

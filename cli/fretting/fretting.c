@@ -245,8 +245,7 @@ static void say_what_is_doubtful(const plan *what)
     if (!what->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    if (what->whole.loads.name != NULL)
-        header_name_unused(&what->whole.loads.names, what->whole.loads.name);
+    header_name_unused(&what->whole.loads.names, what->whole.loads.name);
 }
 
 static int run(const arguments *given, plan *what)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact_values.h"
 
+#include "text/pi.h"
+
 #include <math.h>
 
 #include <rwedge.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* ---- Inputs ---------------------------------------------------------------------------------- */
 

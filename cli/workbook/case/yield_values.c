@@ -2,13 +2,12 @@
 #include "yield_values.h"
 
 #include "interpolation.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include <rwedge.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* ---- The limit ------------------------------------------------------------------------------- */
 

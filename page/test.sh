@@ -21,7 +21,7 @@ for words in 'GNU GENERAL PUBLIC LICENSE' 'Permission to use, copy, modify' 'd3-
     grep -q "$words" "$page" || fail "the page does not say: $words"
 done
 # The verdicts are those of the workbook. Its texts are C strings over several lines: they are joined first.
-workbook=$(tr -d '"\n' <"$top/cli/workbook/calculator.c" | sed 's/\\//g; s/  */ /g')
+workbook=$(tr -d '"\n' <"$top/cli/workbook/calculator/calculator.c" | sed 's/\\//g; s/  */ /g')
 for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibrium.' 'YIELDS: P is above the load at first yield.' \
     'CAUTION: no yield stress is given, so there is no safety'; do
     echo "$workbook" | grep -qF "$words" || fail "the workbook does not say: $words"

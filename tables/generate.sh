@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL [FORM]]]
-# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM decimal-comma, only the CSV
-# files, in that form. What is missing on the machine
-# is installed first, where that is possible. Status 3: all but the spreadsheets is written, and what they need is said.
+# With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM, csv or decimal-comma, only the
+# CSV files, in that form. What is missing on the machine is installed first, where that is possible. Status 3: all but the
+# spreadsheets is written, and what they need is said.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/tests/support/install.sh"
@@ -16,7 +16,7 @@ tool=${2:-$top/build/cli/rwedge}
 case ${3:-csv} in
 csv) as='' ;;
 decimal-comma) as=--decimal-comma ;;
-*) echo "$0: $3: unknown form; allowed: decimal-comma" >&2; exit 2 ;;
+*) echo "$0: $3: unknown form; allowed: csv, decimal-comma" >&2; exit 2 ;;
 esac
 case $tool in
 /*) ;;

@@ -3,6 +3,7 @@
 #     ctest --test-dir build -C Long -L campaign             as tests/run.sh --campaign does; also: -L packages, -L elsewhere
 #     ctest --test-dir build -C Long -R '^long_fuzzing$'     one of them
 cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
+set(RWEDGE_PROCESSORS ${processors} CACHE INTERNAL "of this machine")
 
 # long_run(LABEL NAME [WIDE | ALONE] MINUTES N [LOCKS LOCK...] [AFTER NAME] COMMAND...)
 # It runs in the source folder. WIDE: it keeps all processors busy. ALONE: it measures times. MINUTES: about how many, as the longest
@@ -12,7 +13,7 @@ function(long_run label name)
     add_test(NAME long_${name} CONFIGURATIONS Long COMMAND ${long_COMMAND} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(long_${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT 7200 COST ${long_MINUTES})
     if(long_WIDE)
-        set_tests_properties(long_${name} PROPERTIES PROCESSORS ${processors})
+        set_tests_properties(long_${name} PROPERTIES PROCESSORS ${RWEDGE_PROCESSORS})
     endif()
     if(long_ALONE)
         set_tests_properties(long_${name} PROPERTIES RUN_SERIAL TRUE)

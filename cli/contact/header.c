@@ -243,6 +243,7 @@ bool header_read(csv_input *in, const bool wanted[INPUT_COUNT], const input_text
     }
     if (!copy_names(in, names))
         return false;
+    names->separator = csv_input_separator(in);
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = names->count;
     for (int i = 0; i < INPUT_COUNT; i++)
@@ -296,8 +297,8 @@ bool header_fits(const header *names, size_t cells, char complaint[COMPLAINT_SIZ
 {
     if (cells == names->count)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header", cells,
-             names->count);
+    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header%s", cells,
+             names->count, csv_surplus_hint(cells, names->count, names->separator));
     return false;
 }
 

@@ -9,6 +9,7 @@
 typedef struct {
     char **name; /* as they stand in the file */
     size_t count;
+    char separator;                  /* what stands between the cells */
     size_t column[INPUT_COUNT];      /* where each input is; count where it is not there */
     bool has_numbers[CSV_ROW_CELLS]; /* columns in whose rows a number has been seen */
 } header;
@@ -29,7 +30,7 @@ void header_free(header *names);
 bool header_is_input(const header *names, size_t column);
 
 /* Says which columns are no inputs but have numbers: one of them may be meant for an input, and
- * nobody would notice. */
+ * nobody would notice. Loads without a file have no columns: nothing is said. */
 void header_name_unused(const header *names, const char *file);
 
 bool header_has(const header *names, const char *name);

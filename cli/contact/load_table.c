@@ -189,8 +189,11 @@ static bool read_row(header *names, const csv_input *row, char decimal_sign, loa
             names->column[i] < names->count ? csv_input_cell(row, names->column[i]) : NULL;
         if (text == NULL || number_read_cell(text, decimal_sign, &value[i]))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                 input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
+        if (text[strspn(text, " \t")] == '\0')
+            snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
+        else
+            snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
+                     input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
         return false;
     }
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
@@ -288,15 +291,22 @@ int load_table_fail(const load_table *loads, size_t row, const char *word, const
                                : usage_error("%s%s: %s", place, word, complaint);
 }
 
+int load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact)
+{
+    char complaint[COMPLAINT_SIZE];
+    for (size_t i = 0; i < loads->count; i++)
+        if (!load_table_apply(loads, i, f, contact, complaint))
+            return load_table_fail(loads, i, "", complaint);
+    return STATUS_DONE;
+}
+
 int load_source_apply(const load_source *from, char decimal_sign, double f, rwedge_contact *contact)
 {
     load_table loads;
-    char complaint[COMPLAINT_SIZE];
     int status = load_table_read(from, decimal_sign, false, &loads);
-    for (size_t i = 0; i < loads.count && status == STATUS_DONE; i++)
-        if (!load_table_apply(&loads, i, f, contact, complaint))
-            status = load_table_fail(&loads, i, "", complaint);
-    if (status == STATUS_DONE && loads.name != NULL)
+    if (status == STATUS_DONE)
+        status = load_table_apply_all(&loads, f, contact);
+    if (status == STATUS_DONE)
         header_name_unused(&loads.names, loads.name);
     load_table_free(&loads);
     return status;

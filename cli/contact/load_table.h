@@ -51,6 +51,9 @@ const char *load_table_cell(const load_table *loads, size_t row, size_t column);
 bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
                       char complaint[COMPLAINT_SIZE]);
 
+/* Applies them all, in order. Returns the exit status, with the first refusal said. */
+int load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact);
+
 /* Says that a load cannot be applied, after a word such as ", cycle 2", or "". Returns the exit
  * status. */
 int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint);

@@ -110,9 +110,15 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
     if (status == RWEDGE_OK)
         return true;
     const load_fault fault = loads_fault(status, to, f, contact);
-    char name[INPUT_NAME_SIZE] = "";
-    if (fault.input < INPUT_COUNT && status != RWEDGE_EPATH) /* the path has no one to blame */
-        input_column(fault.input, name);
-    snprintf(complaint, COMPLAINT_SIZE, "%s%s%s", name, name[0] != '\0' ? " " : "", fault.why);
+    char name[INPUT_NAME_SIZE], value[NUMBER_SIZE];
+    const double of[INPUT_COUNT] = {
+        [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
+    if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
+        snprintf(complaint, COMPLAINT_SIZE, "%s", fault.why);
+    else {
+        number_write(of[fault.input], NUMBER_DIGITS, '.', value);
+        snprintf(complaint, COMPLAINT_SIZE, "%s %s: %s", input_column(fault.input, name), value,
+                 fault.why);
+    }
     return false;
 }

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-struct poptOption state_option_table[] = {
+static struct poptOption loads_option_table[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
      "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
@@ -16,6 +16,15 @@ struct poptOption state_option_table[] = {
      "With --a-over-b: tangential force over its sliding value, 0 to 1 (default 0)", "NUMBER"},
     {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_C_OVER_B,
      "With --a-over-b: or the stick zone over the contact, 0 to 1", "NUMBER"},
+    POPT_TABLEEND,
+};
+
+struct poptOption state_option_table[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
+     "Its strength, to be warned of yield:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loads_option_table, 0,
+     "Its loads, or natural units:", NULL},
     POPT_TABLEEND,
 };
 

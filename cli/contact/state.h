@@ -15,7 +15,7 @@ enum {
     OPTION_AFTER_STATE
 };
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact, its strength, its loads. */
 extern struct poptOption state_option_table[];
 
 typedef struct {

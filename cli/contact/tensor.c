@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tensor.h"
 
+#include "text/pi.h"
+
 #include <math.h>
 
 const char *const tensor_names[TENSOR_COUNT] = {
@@ -17,7 +19,7 @@ const char *const tensor_names[TENSOR_COUNT] = {
 
 double degrees(double angle)
 {
-    return angle * (180 / 3.14159265358979323846);
+    return angle * (180 / PI);
 }
 
 tensor tensor_of(double sxx, double syy, double txy, double nu)

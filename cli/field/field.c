@@ -16,11 +16,7 @@ static struct poptOption field_output_option_table[] = {
 };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
-     "Its strength, to be warned of yield:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
-     "Its loads, or natural units:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
      "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,

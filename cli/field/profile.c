@@ -4,6 +4,7 @@
 #include "text/message.h"
 #include "rows/output_options.h"
 #include "system/progress.h"
+#include "text/pi.h"
 #include "text/range.h"
 #include "contact/state.h"
 
@@ -12,11 +13,7 @@
 enum { OPTION_X = OPTION_AFTER_STATE, OPTION_POINTS };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
-     "Its strength, to be warned of yield:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0,
-     "Its loads, or natural units:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},
     {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
      "Or how many points from edge to edge, dense at the edges (default 201)", "N"},
@@ -54,10 +51,9 @@ static double x_of(const plan *what, int64_t i)
         return range_value(&what->x, i);
     if (i == 0 || i == what->points - 1)
         return i == 0 ? what->state.left : what->state.right;
-    const double half_pi = 1.5707963267948966;
     return (what->state.left + what->state.right) / 2 +
            what->state.b *
-               sin(half_pi * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
+               sin(PI / 2 * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
 }
 
 static const char *zone_of(const contact_state *state, double x)

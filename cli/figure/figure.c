@@ -115,7 +115,8 @@ static void describe_figures(FILE *stream)
     }
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number. gnuplot draws the\n"
           "pictures, 85 mm wide in PDF and PNG: it must be on PATH (package gnuplot-nox);\n"
-          "--data does without.\n",
+          "--data does without. Beside --history, --load gives loads that are applied once,\n"
+          "before the first cycle.\n",
           stream);
 }
 
@@ -232,7 +233,8 @@ static int read_course(const arguments *given, const figure *which, char decimal
     if (status == STATUS_DONE && at->count > 1)
         status = usage_error("--at %s: must be one point", as.value[OPTION_AT]);
     if (status == STATUS_DONE)
-        status = course_read(&as, decimal_sign, which->cycles, whole);
+        status = course_read(&as, decimal_sign,
+                             (course_usage){.cycles = which->cycles, .loads_before = true}, whole);
     if (status != STATUS_DONE)
         return status;
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/loads.h"
 #include "figure_eccentric.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include <rwedge.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* Of the rows. */
 enum { SIGMA, X, SHEAR, STICK_LEFT, STICK_RIGHT };

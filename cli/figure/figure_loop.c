@@ -16,12 +16,12 @@
  * dissipated, because the part in proportion to Q encloses no area. */
 #include "figure_loop.h"
 
+#include "text/pi.h"
+
 #include <math.h>
 #include <stdio.h>
 
 #include <rwedge.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* Integral of P(s)/s from 0 to s, in natural units; P(s) is the load of the contact |x| < s. */
 static double load_integral(double alpha, double s)

@@ -4,12 +4,11 @@
 #include "contact/tensor.h"
 #include "fretting/worst.h"
 #include "fretting/surface.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* ---- Along the loads ---- */
 
@@ -43,11 +42,11 @@ static int32_t visit_between(const figure_case *of, size_t step, rwedge_contact 
     return status;
 }
 
-/* Of the loads from the first on. */
+/* Of the loads from the first on. Those before the first cycle have no number and no place. */
 static int32_t visit_all(const figure_case *of, size_t first, visitor *visit, dataset *rows)
 {
-    rwedge_contact *contact = NULL;
-    int32_t status = case_contact(&of->whole->what, &contact);
+    rwedge_contact *contact = course_begin(of->whole);
+    int32_t status = contact != NULL ? RWEDGE_OK : RWEDGE_ENOMEM;
     for (size_t step = 0; step < of->whole->steps && status == RWEDGE_OK; step++) {
         const load to = course_load(of->whole, step);
         if (step > first)

@@ -234,13 +234,7 @@ static const char *draw_sliding(const figure_case *of, const dataset *rows, draw
     on->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
     on->y = drawing_axis(top, "*P*/(*bk*)");
     on->height = 0.96;
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *one = drawing_curve(on, rows, n, 1, 3);
-        style_of_family(one, n);
-        case_text(of, A_OVER_B, n, text);
-        snprintf(one->legend, sizeof one->legend, "%s", text);
-    }
-    names_on_curves(on);
+    draw_family(of, A_OVER_B, rows, 1, 3, on);
     return NULL;
 }
 

@@ -3,13 +3,12 @@
 #include "figures_traction.h"
 
 #include "picture/names.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include <rwedge.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
  * vertical tangent. Below the first step there are eight places a decade, so many as the smallest
@@ -80,18 +79,11 @@ static double top_of_pressures(const figure_case *of)
 
 static const char *draw_pressure(const figure_case *of, const dataset *rows, drawing *on)
 {
-    char text[NUMBER_SIZE];
     snprintf(on->title, sizeof on->title, "Contact pressure, by *a*/*b*");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
     on->y = drawing_axis(top_of_pressures(of), "−*pA*π/θ");
     on->height = 0.85;
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *one = drawing_curve(on, rows, n, 1, 2);
-        style_of_family(one, n);
-        case_text(of, A_OVER_B, n, text);
-        snprintf(one->legend, sizeof one->legend, "%s", text);
-    }
-    names_on_curves(on);
+    draw_family(of, A_OVER_B, rows, 1, 2, on);
     return NULL;
 }
 

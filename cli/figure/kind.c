@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "kind.h"
 
+#include "picture/names.h"
+
+#include <stdio.h>
 #include <string.h>
 
 double case_value(const figure_case *of, int variable)
@@ -34,4 +37,17 @@ void style_of_family(curve *one, int i)
     enum { CYCLE = sizeof cycle / sizeof cycle[0] };
     one->colour = cycle[i % CYCLE];
     one->dash = i % 4; /* 4 and 5 have no common divisor: a pair comes again after 20 curves */
+}
+
+void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
+                 drawing *on)
+{
+    for (int n = 0; n < dataset_curves(rows); n++) {
+        char text[NUMBER_SIZE];
+        curve *one = drawing_curve(on, rows, n, x, y);
+        style_of_family(one, n);
+        case_text(of, variable, n, text);
+        snprintf(one->legend, sizeof one->legend, "%s", text);
+    }
+    names_on_curves(on);
 }

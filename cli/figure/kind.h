@@ -24,7 +24,7 @@ typedef struct {
     range value[FIGURE_VARIABLES];
     const course *whole; /* of a figure of a course; NULL otherwise */
     const places *at;
-    double half_width; /* the largest of the contact, in the course */
+    double half_width; /* the largest of the contact, in its cycles */
 } figure_case;
 
 double case_value(const figure_case *of, int variable);
@@ -48,5 +48,9 @@ typedef struct {
 /* Style of the curve i of a family: colour and dashes both change, so that either tells
  * neighbours apart. */
 void style_of_family(curve *one, int i);
+
+/* The curves of a family over the columns x and y, each with the value of its variable on it. */
+void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
+                 drawing *on);
 
 #endif

@@ -35,6 +35,8 @@ static void describe(FILE *stream)
     fputs("\nLOADS.csv is a cycle of loads, as for \"rwedge history\". It is gone through\n"
           "--cycles times (default 3), and the last time counts: stresses after each of its\n"
           "loads, slip on the way. Edges of contact and stick zone are always looked at.\n"
+          "Beside a file, --load gives loads that are applied once, before the first cycle;\n"
+          "without a file, the cycle.\n"
           "\nColumns:\n"
           "  x, y            the place, y the depth\n",
           stream);
@@ -199,7 +201,8 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     if (status == STATUS_DONE)
         status = threads_read(given, &what->threads);
     if (status == STATUS_DONE)
-        status = course_read(given, how->decimal_sign, 3, &what->whole);
+        status = course_read(given, how->decimal_sign,
+                             (course_usage){.cycles = 3, .loads_before = true}, &what->whole);
     if (status == STATUS_DONE)
         status = read_k_over_sy(given, &what->whole.what, &k_over_sy);
     if (status == STATUS_DONE &&
@@ -210,23 +213,39 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     return status;
 }
 
+static int32_t doubts_now(const contact_case *what, const rwedge_contact *contact)
+{
+    double factor = NAN;
+    if (!isnan(what->k))
+        rwedge_contact_yield_factor(contact, what->nu1, what->k, &factor, NULL, NULL);
+    return doubts_of(what, rwedge_contact_half_width(contact), factor);
+}
+
+/* Of the loads before the first cycle. */
+static int32_t doubts_before(const course *whole)
+{
+    char complaint[COMPLAINT_SIZE];
+    rwedge_contact *contact;
+    int32_t doubts = 0;
+    bool going = case_contact(&whole->what, &contact) == RWEDGE_OK;
+    for (size_t i = 0; i < whole->before.count && going; i++) {
+        going = load_table_apply(&whole->before, i, whole->what.f, contact, complaint);
+        doubts |= doubts_now(&whole->what, contact);
+    }
+    rwedge_contact_destroy(contact);
+    return doubts;
+}
+
 static void say_what_is_doubtful(const plan *what)
 {
-    int32_t doubts = 0;
-    for (size_t i = 1; i < what->last.states; i++) {
-        const rwedge_contact *contact = what->last.state[i].contact;
-        double factor = NAN;
-        if (!isnan(what->whole.what.k))
-            rwedge_contact_yield_factor(contact, what->whole.what.nu1, what->whole.what.k, &factor,
-                                        NULL, NULL);
-        doubts |= doubts_of(&what->whole.what, rwedge_contact_half_width(contact), factor);
-    }
+    int32_t doubts = doubts_before(&what->whole);
+    for (size_t i = 1; i < what->last.states; i++)
+        doubts |= doubts_now(&what->whole.what, what->last.state[i].contact);
     doubts_say(doubts, "");
     if (!what->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    if (what->whole.loads.name != NULL)
-        header_name_unused(&what->whole.loads.names, what->whole.loads.name);
+    header_name_unused(&what->whole.loads.names, what->whole.loads.name);
 }
 
 static int run(const arguments *given, plan *what)

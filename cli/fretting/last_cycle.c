@@ -33,9 +33,9 @@ static bool add_state(last_cycle *of, const rwedge_contact *contact)
     }
     of->states++;
     rwedge_contact_edges(contact, &next->left, &next->right);
-    if (!isnan(next->left) &&
-        (rwedge_contact_slip(next->contact, 1, &next->left, &next->slip_left) != RWEDGE_OK ||
-         rwedge_contact_slip(next->contact, 1, &next->right, &next->slip_right) != RWEDGE_OK))
+    const double edges[2] = {next->left, next->right};
+    double slip[2];
+    if (!isnan(next->left) && rwedge_contact_slip(contact, 2, edges, slip) != RWEDGE_OK)
         of->slip_known = false;
     return true;
 }
@@ -163,14 +163,32 @@ static int32_t critical_planes(const last_cycle *of, size_t n, const double *str
 
 /* ---- Slip ---- */
 
+static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
+
 /* An edge of one load may lie outside the contact of another by a rounding. */
 static bool is_inside(const cycle_state *state, double *x)
 {
-    const double rounding = 1e-12 * (state->right - state->left);
+    const double rounding = ROUNDING * (state->right - state->left);
     if (!(*x >= state->left - rounding && *x <= state->right + rounding))
         return false;
     *x = fmin(fmax(*x, state->left), state->right);
     return true;
+}
+
+/* A place at an edge, moved inwards until it is inside without doubt: there slip may jump, and all
+ * states must have the place on the same side of the jump. */
+static double off_the_edges(const last_cycle *of, double x)
+{
+    double inside = x;
+    for (size_t i = 0; i < of->states; i++) {
+        const cycle_state *state = &of->state[i];
+        const double margin = 4 * ROUNDING * (state->right - state->left);
+        if (fabs(x - state->left) <= margin)
+            inside = fmax(inside, state->left + margin);
+        if (fabs(x - state->right) <= margin)
+            inside = fmin(inside, state->right - margin);
+    }
+    return inside;
 }
 
 double last_cycle_slip(const last_cycle *of, size_t state, double x)
@@ -200,16 +218,19 @@ static void slip_to(rubbing *at, double slip, double limit)
     at->limit = limit;
 }
 
-/* It slips until the edge comes by; the edge's own slip tells how far. */
-static void leave(rubbing *at, double x, const cycle_state *from, const cycle_state *to)
+/* It slips until the edge comes by. Where the edge ends up, slip is known before and after; from
+ * there to where the edge was, the change goes to 0. The slip itself may jump at a place that the
+ * contact has never left. */
+static void leave(const last_cycle *of, rubbing *at, double x, size_t to)
 {
-    const bool to_the_left = x < to->left;
-    const double edge[2] = {to_the_left ? from->left : from->right,
-                            to_the_left ? to->left : to->right};
-    const double slip[2] = {to_the_left ? from->slip_left : from->slip_right,
-                            to_the_left ? to->slip_left : to->slip_right};
-    if (!isnan(to->left))
-        slip_to(at, slip[0] + (slip[1] - slip[0]) * (x - edge[0]) / (edge[1] - edge[0]), 0);
+    const cycle_state *before = &of->state[to - 1], *after = &of->state[to];
+    const bool to_the_left = x < after->left;
+    const double start = to_the_left ? before->left : before->right;
+    const double end = to_the_left ? after->left : after->right;
+    const double near = off_the_edges(of, end);
+    const double change = last_cycle_slip(of, to, near) - last_cycle_slip(of, to - 1, near);
+    if (!isnan(change)) /* part of the contact is where some of it was */
+        slip_to(at, at->slip + change * (x - start) / (end - start), 0);
     at->touches = false;
 }
 
@@ -223,17 +244,19 @@ static void touch(rubbing *at)
 static int32_t rub_through(const last_cycle *of, double x, rubbing *at)
 {
     *at = (rubbing){.most = -HUGE_VAL, .least = HUGE_VAL};
+    const double inside = off_the_edges(of, x);
     for (size_t i = 0; i < of->states; i++) {
         const cycle_state *now = &of->state[i];
-        double place = x, p, q, slip;
+        double place = inside, p, q, slip;
         if (!is_inside(now, &place)) {
             if (at->touches)
-                leave(at, x, now - 1, now);
+                leave(of, at, inside, i);
             continue;
         }
-        int32_t status = rwedge_contact_tractions(now->contact, 1, &place, &p, &q);
+        int32_t status = rwedge_contact_slip(now->contact, 1, &place, &slip);
+        place = fmin(fmax(x, now->left), now->right);
         if (status == RWEDGE_OK)
-            status = rwedge_contact_slip(now->contact, 1, &place, &slip);
+            status = rwedge_contact_tractions(now->contact, 1, &place, &p, &q);
         if (status != RWEDGE_OK)
             return status;
         if (!at->touches)

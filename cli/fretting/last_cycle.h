@@ -32,8 +32,7 @@ typedef struct {
 /* A state on the way: after a load; and, where P or M changes, between two. */
 typedef struct {
     rwedge_contact *contact;
-    double left, right;           /* edges; NAN when separated */
-    double slip_left, slip_right; /* at the edges */
+    double left, right; /* edges; NAN when separated */
     bool is_load;
 } cycle_state;
 

@@ -23,9 +23,15 @@ const char *course_file(const arguments *given)
                                                                : given->value[OPTION_HISTORY];
 }
 
-static int find_loads(const arguments *given, const input_texts *texts, load_source *from)
+static int find_loads(const arguments *given, const input_texts *texts, bool loads_before,
+                      load_source *from, load_source *before)
 {
     *from = load_source_of(given);
+    *before = (load_source){0};
+    if (loads_before && course_file(given) != NULL) {
+        before->list = from->list;
+        from->list = NULL;
+    }
     const char *word = given->operand != NULL ? given->operand[0] : NULL;
     if (word != NULL && given->operand[1] != NULL)
         return usage_error("%s: unexpected; allowed: one file of loads", given->operand[1]);
@@ -60,13 +66,22 @@ load course_load(const course *whole, size_t step)
     return whole->loads.load[course_row(whole, step)];
 }
 
+/* Returns the exit status; destroy the contact in either case. */
+static int begin(const course *whole, rwedge_contact **contact)
+{
+    const int32_t status = case_contact(&whole->what, contact);
+    if (status != RWEDGE_OK)
+        return failure("the contact: %s", rwedge_strerror(status));
+    return load_table_apply_all(&whole->before, whole->what.f, *contact);
+}
+
 rwedge_contact *course_begin(const course *whole)
 {
     rwedge_contact *contact;
-    const int32_t status = case_contact(&whole->what, &contact);
-    if (status != RWEDGE_OK)
-        failure("the contact: %s", rwedge_strerror(status));
-    return contact;
+    if (begin(whole, &contact) == STATUS_DONE)
+        return contact;
+    rwedge_contact_destroy(contact);
+    return NULL;
 }
 
 /* Where there are several cycles, the word says in which it was. */
@@ -87,8 +102,8 @@ static int try_loads(course *whole, bool until)
 {
     char complaint[COMPLAINT_SIZE];
     const size_t wanted = whole->loads.count * (size_t)whole->cycles;
-    rwedge_contact *contact = course_begin(whole);
-    int status = contact != NULL ? STATUS_DONE : STATUS_FAILED;
+    rwedge_contact *contact;
+    int status = begin(whole, &contact);
     bool applied = true;
     while (status == STATUS_DONE && applied && whole->steps < wanted) {
         applied = load_table_apply(&whole->loads, course_row(whole, whole->steps), whole->what.f,
@@ -111,20 +126,22 @@ bool course_go_on(const course *whole, size_t step, rwedge_contact *contact)
     return false;
 }
 
-int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles, course *whole)
+int course_read(const arguments *given, char decimal_sign, course_usage usage, course *whole)
 {
     input_texts texts;
-    load_source from;
+    load_source from, before;
     char complaint[COMPLAINT_SIZE];
     *whole = (course){0};
     input_texts_from_options(given, &texts);
-    int status = find_loads(given, &texts, &from);
+    int status = find_loads(given, &texts, usage.loads_before, &from, &before);
     if (status == STATUS_DONE)
-        status = read_cycles(given, usual_cycles, &whole->cycles);
+        status = read_cycles(given, usage.cycles, &whole->cycles);
     if (status == STATUS_DONE && !case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))
         status = usage_error("%s", complaint);
     if (status == STATUS_DONE)
         status = load_table_read(&from, decimal_sign, true, &whole->loads);
+    if (status == STATUS_DONE && before.list != NULL)
+        status = load_table_read(&before, decimal_sign, false, &whole->before);
     if (status == STATUS_DONE)
         status = try_loads(whole, given->value[OPTION_UNTIL] != NULL);
     return status;
@@ -132,5 +149,6 @@ int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles,
 
 void course_free(course *whole)
 {
+    load_table_free(&whole->before);
     load_table_free(&whole->loads);
 }

@@ -11,8 +11,15 @@ enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_COURSE };
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption course_option_table[];
 
+/* What a command does with the loads. */
+typedef struct {
+    int64_t cycles;    /* where --cycles is not given */
+    bool loads_before; /* --load beside a file: loads before the first cycle; else it is refused */
+} course_usage;
+
 typedef struct {
     contact_case what;
+    load_table before; /* applied once, before the first cycle; perhaps none */
     load_table loads;
     int64_t cycles; /* how often the table is gone through */
     size_t steps;   /* how many loads are applied: all, or with --until those before the first that
@@ -20,9 +27,9 @@ typedef struct {
 } course;
 
 /* Reads the options, and a file that stands in place of --history, and tries every load: a load
- * that cannot be applied ends it, unless --until is given. The cycles are as many as by default
- * where --cycles is not given. Returns the exit status; free it in either case. */
-int course_read(const arguments *given, char decimal_sign, int64_t usual_cycles, course *whole);
+ * that cannot be applied ends it, unless --until is given. Returns the exit status; free it in
+ * either case. */
+int course_read(const arguments *given, char decimal_sign, course_usage usage, course *whole);
 void course_free(course *whole);
 
 /* The file the loads come from; NULL where there is none. */
@@ -32,7 +39,7 @@ const char *course_file(const arguments *given);
 size_t course_row(const course *whole, size_t step);
 load course_load(const course *whole, size_t step);
 
-/* The contact before its first load; NULL, with the reason said. */
+/* The contact before its first cycle; NULL, with the reason said. */
 rwedge_contact *course_begin(const course *whole);
 
 /* Applies the load of a step, which has been tried; false, with the reason said. */

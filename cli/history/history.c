@@ -137,7 +137,7 @@ static int read_plan(const arguments *given, plan *what, output_options *how)
     if (status == STATUS_DONE)
         status = check_series(what, how);
     if (status == STATUS_DONE)
-        status = course_read(given, how->decimal_sign, 1, &what->whole);
+        status = course_read(given, how->decimal_sign, (course_usage){.cycles = 1}, &what->whole);
     return status == STATUS_DONE ? check_names(what) : status;
 }
 
@@ -147,8 +147,7 @@ static void say_what_is_doubtful(const plan *what)
     snprintf(where, sizeof where, "%.250s, in some rows: ",
              what->whole.loads.name != NULL ? what->whole.loads.name : "--load");
     doubts_say(what->doubts, where);
-    if (what->whole.loads.name != NULL)
-        header_name_unused(&what->whole.loads.names, what->whole.loads.name);
+    header_name_unused(&what->whole.loads.names, what->whole.loads.name);
     if (what->whole.cycles > 1 && what->at.count == 0)
         notice("dissipated in the last cycle: %.6g", what->energy[1] - what->energy[0]);
 }

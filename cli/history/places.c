@@ -128,12 +128,13 @@ static int find_columns(csv_input *in, columns *of)
     return status;
 }
 
-static int read_row(const csv_input *in, const columns *of, char decimal_sign, places *found)
+static int read_row(csv_input *in, const columns *of, char decimal_sign, places *found)
 {
     double value[2];
     if (csv_input_count(in) != of->count)
-        return failure("%s: line %" PRId64 ": %zu cells in this row, %zu in the header",
-                       csv_input_name(in), csv_input_line(in), csv_input_count(in), of->count);
+        return failure("%s: line %" PRId64 ": %zu cells in this row, %zu in the header%s",
+                       csv_input_name(in), csv_input_line(in), csv_input_count(in), of->count,
+                       csv_surplus_hint(csv_input_count(in), of->count, csv_input_separator(in)));
     for (int i = 0; i < 2; i++) {
         const char *text = csv_input_cell(in, of->column[i]);
         if (!number_read_cell(text, decimal_sign, &value[i]))

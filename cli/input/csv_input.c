@@ -393,6 +393,18 @@ const char *csv_input_name(const csv_input *in)
     return text_input_name(in->source);
 }
 
+char csv_input_separator(csv_input *in)
+{
+    return (char)csv_get_delim(&in->parser);
+}
+
+const char *csv_surplus_hint(size_t cells, size_t wanted, char separator)
+{
+    return cells > wanted && separator == ','
+               ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
+               : "";
+}
+
 bool csv_input_has_mark(const csv_input *in)
 {
     return text_input_has_mark(in->source);

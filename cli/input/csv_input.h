@@ -47,6 +47,13 @@ const char *csv_input_row(csv_input *in);
 int64_t csv_input_line(const csv_input *in);
 const char *csv_input_name(const csv_input *in);
 
+/* What stands between the cells: a comma, a semicolon, a tab, or what the file names. */
+char csv_input_separator(csv_input *in);
+
+/* "; with decimal commas, ...": why a row may have more cells than are wanted. Nothing where it has
+ * not, or where no comma separates. */
+const char *csv_surplus_hint(size_t cells, size_t wanted, char separator);
+
 /* Whether the file begins with the mark of Unicode. */
 bool csv_input_has_mark(const csv_input *in);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spreadsheet files, by libxlsxwriter, which xlsx.c alone sees. What goes wrong on the way is
- * remembered, and said at the end. */
+/* Spreadsheet files, by libxlsxwriter, which this room alone sees: the file, its sheets and their
+ * cells. What goes wrong on the way is remembered, and said at the end. */
 #ifndef CLI_XLSX_H
 #define CLI_XLSX_H
 
@@ -109,31 +109,6 @@ typedef struct {
     int wide; /* so many pages, with the first column on each */
 } xlsx_page;
 void xlsx_print(xlsx *book, xlsx_page page);
-
-enum { XLSX_SERIES_MAX = 24 };
-typedef enum {
-    XLSX_LINE,
-    XLSX_THICK_LINE,
-    XLSX_DASHED_LINE,
-    XLSX_MARK,
-    XLSX_OUTLINE, /* black */
-    XLSX_LABEL    /* the name, at an invisible point */
-} xlsx_drawing;
-typedef struct {
-    const char *name;  /* in the legend, or a cell that has it, "='Sheet'!$A$1"; NULL for none */
-    const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
-    xlsx_drawing drawing;
-} xlsx_series;
-typedef struct {
-    const char *title, *x_title, *y_title; /* NULL for none */
-    double x_min, x_max, x_step, y_min, y_max;
-    int width, height; /* pixels */
-    int right, down;   /* pixels from the corner of the cell */
-    bool bare;         /* no axes, no legend */
-    xlsx_series series[XLSX_SERIES_MAX];
-    int series_count;
-} xlsx_chart;
-void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart);
 
 /* Ends it, into the output. NULL, or why it could not be made; what the output could not take,
  * output_finish() says. */

@@ -3,7 +3,8 @@
  * which are hidden. A row refers to itself and to the tables alone: it may be copied. */
 #include "batch_sheet.h"
 
-#include "formula.h"
+#include "workbook/case/formula.h"
+#include "workbook/case/model.h"
 
 #include <math.h>
 #include <stdio.h>

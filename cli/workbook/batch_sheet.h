@@ -3,9 +3,8 @@
 #ifndef CLI_BATCH_SHEET_H
 #define CLI_BATCH_SHEET_H
 
-#include "model.h"
-
 #include "sheet/xlsx.h"
+#include "workbook/case/yield_table.h"
 
 enum { BATCH_ROWS = 200 };
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "book.h"
 
+#include "text/message.h"
+#include "workbook/calculator/calculator.h"
+#include "workbook/calculator/working.h"
+#include "workbook/tables/look_up.h"
+#include "workbook/tables/table_sheets.h"
 #include "about.h"
 #include "batch_sheet.h"
-#include "calculator.h"
-#include "look_up.h"
-#include "table_sheets.h"
-#include "text/message.h"
-#include "working.h"
 
 #include <stdlib.h>
 

@@ -51,6 +51,7 @@ rwedge ($version-1) unstable; urgency=medium
 
  -- $(sed -n 's/^Maintainer: //p' "$here/debian/control")  $(git -C "$top" log -1 --format=%cD)
 END
+chmod -R u=rwX,go=rX "$work/making$source/debian" # whatever the umask is: the same bytes
 # shellcheck disable=SC2016
 in_copy making 'get build-essential
     apt-get -qq build-dep -y --no-install-recommends .

@@ -69,7 +69,7 @@ on_windows '$folder/rwedge.exe' "\$@"
 EOF
 chmod +x "$work/rwedge"
 mkdir "$work/tables"
-sh "$top/tables/generate.sh" "$work/tables" "$work/rwedge" >"$work/log" 2>&1 || true # it ends at the picture, for lack of gnuplot
+sh "$top/tables/generate.sh" "$work/tables" "$work/rwedge" csv >"$work/log" 2>&1 || { tail -n 4 "$work/log"; fail "generate.sh"; }
 for table in "$top"/tables/*.csv; do
     cmp "$table" "$work/tables/$(basename "$table")" || fail "another table"
 done

@@ -398,6 +398,7 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
     const cycles = [
         "P\tQ\n190\t20\n190\t-20",
         "P,Q\n190,30\n120,-10\n190,5\n",
+        "P,Q\n100,10\n150,20\n60,-10\n",
         "P\tM\tQ\tsigma\n190\t2\t0\t0\n190\t2\t20\t0\n190\t2\t-20\t0",
     ];
     const page = await openPage(session, file);

@@ -4,7 +4,7 @@
 #     rooms.sh PROGRAM DATA
 set -eu
 cd "$(dirname "$0")/../../cli"
-rooms=$(sed -n '/^Includes name the room/,/^$/p' README.md | grep -o '`[a-z]*`' | tr -d '`')
+rooms=$(sed -n '/^Includes name the room/,/^$/p' README.md | grep -o '`[a-z/]*`' | tr -d '`')
 bad=0
 wrong()
 {
@@ -21,7 +21,11 @@ for room in $rooms; do
         *) wrong "cli/$room uses $other, which cli/README.md does not name before it" ;;
         esac
     done
-    for other in $(sed -n 's|^#include "\([a-z]*\)/.*|\1|p' $(find "$room" -name '*.[ch]') | sort -u); do
+    # the files of a room but those of the rooms inside it
+    files=$(find "$room" -name '*.[ch]' | while read -r file; do
+        [ "${file%/*}" != "$room" ] && [ -e "${file%/*}/README.md" ] || echo "$file"
+    done)
+    for other in $(sed -n 's|^#include "\([a-z/]*\)/[^/]*".*|\1|p' $files | sort -u); do
         case " $uses $room " in
         *" $other "*) ;;
         *) wrong "cli/$room includes a header of $other, which its README does not allow" ;;
@@ -34,7 +38,7 @@ for room in $rooms; do
     done
     above="$above $room"
 done
-for folder in */; do
+for folder in */ $(find . -mindepth 3 -name README.md | sed 's|^./||; s|README.md$||'); do
     case " $above " in
     *" ${folder%/} "*) ;;
     *) wrong "cli/$folder is no room of cli/README.md" ;;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict on a case, in the words and colours of the workbook (cli/workbook/calculator.c).
+// The verdict on a case, in the words and colours of the workbook (cli/workbook/calculator/calculator.c).
 
 /** { colour: green | amber | red, text }. */
 export function verdict({ complaints, fault, results, what }) {

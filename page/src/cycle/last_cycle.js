@@ -8,16 +8,13 @@ const PARTS = 32;
 function stateOf(contact, isLoad, Q) {
     const held = contact.copy(),
         edges = status.orNull(() => held.edges());
-    const slip = edges && status.orNull(() => held.slip(Float64Array.of(edges.left, edges.right)));
     return {
         contact: held,
         isLoad,
         Q,
         left: edges?.left ?? NaN,
         right: edges?.right ?? NaN,
-        slipLeft: slip?.[0],
-        slipRight: slip?.[1],
-        slipKnown: !edges || Boolean(slip),
+        slipKnown: !edges || Boolean(status.orNull(() => held.slip(Float64Array.of(edges.left, edges.right)))),
     };
 }
 

@@ -54,24 +54,40 @@ function criticalPlanes({ what }, s, n) {
     };
 }
 
-/** Where x is inside of the contact of a state; an edge may lie outside by a rounding. NaN where it is not. */
-function inside({ left, right }, x) {
-    const rounding = 1e-12 * (right - left);
-    return x >= left - rounding && x <= right + rounding ? Math.min(Math.max(x, left), right) : NaN;
+const ROUNDING = 1e-12; // of an edge, in widths of the contact
+const clamped = ({ left, right }, x) => Math.min(Math.max(x, left), right);
+
+/** An edge of one load may lie outside the contact of another by a rounding. */
+function isInside({ left, right }, x) {
+    const rounding = ROUNDING * (right - left);
+    return x >= left - rounding && x <= right + rounding;
 }
 
-/** p, q and slip of the places that touch in a state. */
-function touching(state, x) {
-    const at = [],
-        places = [];
-    x.forEach((v, i) => {
-        const place = inside(state, v);
-        if (!Number.isNaN(place)) (at.push(i), places.push(place));
-    });
-    const found = { p: nowhere(x.length), q: nowhere(x.length), slip: nowhere(x.length) };
+/**
+ * A place at an edge, moved inwards until it is inside without doubt: there slip may jump, and all states must have the place on
+ * the same side of the jump.
+ */
+function offTheEdges(states, x) {
+    let inside = x;
+    for (const { left, right } of states) {
+        const margin = 4 * ROUNDING * (right - left);
+        if (Math.abs(x - left) <= margin) inside = Math.max(inside, left + margin);
+        if (Math.abs(x - right) <= margin) inside = Math.min(inside, right - margin);
+    }
+    return inside;
+}
+
+/** NaN outside the contact. */
+const slipAt = (state, x) => (isInside(state, x) ? state.contact.slip(Float64Array.of(clamped(state, x)))[0] : NaN);
+
+/** p, q and slip of the places x that touch in a state; `inside` are the same places, off the edges. */
+function touching(state, x, inside) {
+    const at = [...x.keys()].filter((i) => isInside(state, inside[i])),
+        found = { p: nowhere(x.length), q: nowhere(x.length), slip: nowhere(x.length) };
     if (at.length === 0) return found;
-    const { p, q } = state.contact.tractions(Float64Array.from(places)),
-        slip = state.contact.slip(Float64Array.from(places));
+    const of = (places) => Float64Array.from(at, (i) => clamped(state, places[i]));
+    const { p, q } = state.contact.tractions(of(x)),
+        slip = state.contact.slip(of(inside));
     at.forEach((i, k) => ([found.p[i], found.q[i], found.slip[i]] = [p[k], q[k], slip[k]]));
     return found;
 }
@@ -85,28 +101,24 @@ function slipTo(at, slip, limit) {
     at.limit = limit;
 }
 
-/** It slips until the edge comes by; the edge's own slip tells how far. */
-function leave(at, x, from, to) {
-    const [edge, slip] =
-        x < to.left
-            ? [
-                  [from.left, to.left],
-                  [from.slipLeft, to.slipLeft],
-              ]
-            : [
-                  [from.right, to.right],
-                  [from.slipRight, to.slipRight],
-              ];
-    if (!Number.isNaN(to.left)) slipTo(at, slip[0] + ((slip[1] - slip[0]) * (x - edge[0])) / (edge[1] - edge[0]), 0);
+/**
+ * It slips until the edge comes by. Where the edge ends up, slip is known before and after; from there to where the edge was, the
+ * change goes to 0. The slip itself may jump at a place that the contact has never left.
+ */
+function leave(states, at, x, to) {
+    const [before, after] = [states[to - 1], states[to]];
+    const [start, end] = x < after.left ? [before.left, after.left] : [before.right, after.right];
+    const near = offTheEdges(states, end),
+        change = slipAt(after, near) - slipAt(before, near);
+    if (!Number.isNaN(change)) slipTo(at, at.slip + (change * (x - start)) / (end - start), 0);
     at.touches = false;
 }
 
 function rubThrough({ what, states }, x, i, found) {
     let at = { touches: false, slip: 0, limit: 0, most: -Infinity, least: Infinity, shear: 0, energy: 0 };
-    states.forEach((state, s) => {
-        const { p, q, slip } = found[s];
+    found.forEach(({ p, q, slip }, s) => {
         if (Number.isNaN(slip[i])) {
-            if (at.touches) leave(at, x, states[s - 1], state);
+            if (at.touches) leave(states, at, x, s);
             return;
         }
         if (!at.touches) Object.assign(at, { touches: true, slip: 0, limit: 0 });
@@ -118,9 +130,10 @@ function rubThrough({ what, states }, x, i, found) {
 }
 
 function friction(of, x, tension) {
-    const found = of.states.map((state) => touching(state, x)),
+    const inside = x.map((v) => offTheEdges(of.states, v)),
+        found = of.states.map((state) => touching(state, x, inside)),
         all = nothingSlips(x.length);
-    x.forEach((v, i) => {
+    inside.forEach((v, i) => {
         const at = rubThrough(of, v, i, found);
         if (at.most < at.least) return;
         const range = at.most - at.least;

@@ -217,11 +217,32 @@ status_is 0
 cut -d , -f 1-2 out | tail -n +2 >drawn
 run fretting loads.csv $specimen --cycles 2
 same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+# Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
+once="--load 135.75,0 --load 135.75,38"
+run figure fretting --history loads.csv $once $specimen --data
+status_is 0
+cut -d , -f 1-7 out | tail -n +2 >drawn
+run fretting loads.csv $once $specimen
+same "fretting after loads" "" "$(cut -d , -f 1,4,5,8-11 out | awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+run figure fretting --history loads.csv $specimen --data
+same "fretting without them" differs "$(tail -n +2 out | cmp -s - drawn || echo differs)"
+{
+    printf 'P,Q\n135.75,0\n135.75,38\n'
+    tail -n +2 loads.csv
+} >all.csv
+for kind in "history --at -0.2,0.01" loop; do
+    run figure $kind --history all.csv $specimen --data --cycles 1
+    awk -F, -v OFS=, 'NR > 1 && $1 == int($1) && $1 > 2 { $1 -= 2; print }' out >in_one
+    run figure $kind --history loads.csv $once $specimen --data --cycles 1
+    status_is 0
+    same "$kind after loads" "$(cat in_one)" "$(awk -F, 'NR > 1 && $1 == int($1)' out)"
+    same "rows to compare" 4 "$(wc -l <in_one | tr -d ' ')"
+done
 refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
 refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
 refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
     figure fretting --history loads.csv --a-over-b 1
-cannot "rwedge figure: loads.csv: line 3: Q must not exceed f P = 27.15: there is no equilibrium" \
+cannot "rwedge figure: loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 
 finish

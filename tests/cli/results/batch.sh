@@ -103,7 +103,7 @@ k 0: the yield stress must be a number above 0
 E1 2e5 MPa: Young's modulus of body 1 must be a number above 0
 E1: the cell is empty
 7 cells in this row, 9 in the header
-10 cells in this row, 9 in the header: 13,210000,0.3,0.05,1,100,10,0.2,300,extra
+10 cells in this row, 9 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma: 13,210000,0.3,0.05,1,100,10,0.2,300,extra
 misplaced quotes in the row of line 15: 14,210000,""0.3""5,0.05,1,100,10,0.2,300
 nu1 0,3: Poisson's ratio must be a number from 0 to 0.5; the decimal sign is a point, or a comma with --decimal-comma
 E1 inf: Young's modulus of body 1 must be a number above 0; a rigid body is body 2, with --E2 inf

@@ -121,22 +121,102 @@ balance 1e-3 --E1 72100 --nu1 0.33 --theta 0.05 --a 0.05 --f 0.6
 printf 'P,Q\n100,10\n150,20\n60,-10\n' >cycle.csv
 balance 2e-2 $specimen
 
+# A place that the contact leaves in the cycle forgets the slip of before; one beside it, that stays, does not. Both slip alike in it,
+# and so do the places at the edge itself, on either side of its last bit.
+beside_the_smallest() { # a case, whose last load has the smallest contact
+    run history cycle.csv "$@" --cycles 3
+    b=$(tail -n 1 out | cut -d , -f 7)
+    run fretting cycle.csv "$@" --at "$(awk -v b="$b" 'BEGIN {
+        n = split("0.99999 1.00001 1 0.9999999999999996 1.0000000000000004", of)
+        for (i = 1; i <= n; i++) printf "%s%.17g,0", (i > 1 ? ";" : ""), -of[i] * b }')"
+    awk -F, 'NR == 2 { stays = $8 } NR > 2 { printf "%.17g %s\n", stays, $8 }' out >both
+    close_rows "slip range beside the smallest contact" 5e-2 0
+}
+beside_the_smallest $specimen
+printf 'P,Q\n73.7,-56.7\n39.2,-22\n' >cycle.csv
+beside_the_smallest --E1 431728 --nu1 0.2 --theta 0.001039 --a 0.4373 --f 1
+
 # Under constant P the second cycle is like the third, where P changes the third like the fourth. The first is not.
-next_is_like() { # CYCLES
-    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles "$1"
+next_is_like() { # CYCLES [OPTION...]
+    cycles=$1
+    shift
+    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles "$cycles" "$@"
     cp out before
-    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles $(($1 + 1))
+    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles $((cycles + 1)) "$@"
     paste -d , before out | awk -F, 'NR > 1 { for (i = 3; i <= 11; i++) if ($i != "" && i != 5 && i != 7) print $i, $(i + 11) }' >both
-    close_rows "cycle $1 and the next" 1e-9 1e-12
+    close_rows "cycle $cycles and the next" 1e-9 1e-12
 }
 printf 'P,Q\n135.75,10\n135.75,30\n135.75,-20\n' >cycle.csv
 next_is_like 2
+next_is_like 2 --load 200,0 --load 135.75,0 --load 135.75,-38
 printf 'P,Q\n100,10\n150,40\n110,-20\n' >cycle.csv
+next_is_like 3 --load 135.75,0 --load 135.75,38
 next_is_like 3
 run fretting cycle.csv $specimen --x=-0.25:0.25:0.01
 same "three cycles by default" "" "$(diff before out)"
 run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles 1
 same "the first cycle" differs "$(cmp -s out before || echo differs)"
+
+# Loads before the first cycle, once. A tangential force of 38 leaves its mark: the stresses and the slip are those of history and
+# profile, where the loads and five cycles stand in one file; the parameter outside the contact, where sxx acts alone, from them.
+printf 'P,Q,sigma\n135.75,20,100\n135.75,5,40\n' >cycle.csv
+once="--load 135.75,0 --load 135.75,0,38,60"
+{
+    printf 'P,Q,sigma\n135.75,0,0\n135.75,38,60\n'
+    for cycle in 1 2 3 4 5; do tail -n 2 cycle.csv; done
+} >all.csv
+sed '$d' all.csv >but_one.csv
+places="-0.25,-0.21,-0.2,0.1,0.2"
+run history all.csv $specimen --x=$places --depth 0
+tail -n 10 out | head -n 5 | cut -d , -f 4 >high
+tail -n 5 out | cut -d , -f 4 | paste -d , high - >tensions
+for file in but_one all; do
+    run profile $specimen --history $file.csv --x=$places
+    column slip out | tail -n 5 >slip_$file
+done
+paste -d , tensions slip_but_one slip_all >other_route
+run fretting cycle.csv $specimen $once --x=$places
+status_is 0
+cp out marked
+tail -n 5 out | paste -d , other_route - | awk -F, 'function size(v) { return v < 0 ? -v : v }
+    { printf "%.17g %s\n", size($1 - $2), $7
+      if ($12 != "") printf "%.17g %s\n", size($3 - $4), $12
+      else printf "%.17g %s\n", $1 * ($1 - $2) / 2 * (1 - 0.33 ^ 2) / 72100, $8 }' >both
+same "numbers to compare" 10 "$(wc -l <both | tr -d ' ')"
+close_rows "the same by history and profile" 1e-9 1e-12
+run fretting cycle.csv $specimen --load 135.75,0 --x=$places
+same "without that force" differs "$(cmp -s out marked || echo differs)"
+# The file by either way, any number of threads; and a first row that is the last of these loads.
+run fretting $specimen $once --history - --x=$places --threads 3 <cycle.csv
+same "the file by --history" "" "$(cmp out marked 2>&1)"
+run fretting cycle.csv $specimen $once --load 135.75,0,20,100 --x=$places
+paste -d , marked out | awk -F, 'NR > 1 { for (i = 3; i <= 11; i++) if ($i != "" && i != 5) print $i, $(i + 11) }' >both
+close_rows "a first row that is there already" 1e-9 1e-12
+# To and fro in phase, what slips is the same whether P comes before the cycle or in it. Stresses turn in between.
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >within.csv
+printf 'P,Q,sigma\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+run fretting within.csv $specimen --x=$places
+cp out within
+run fretting cycle.csv $specimen --load 135.75,0 --x=$places
+paste -d , within out | awk -F, 'NR > 1 && $8 != "" { print $8, $19; print $9, $20; print $11, $22 }' >both
+same "numbers to compare" 9 "$(wc -l <both | tr -d ' ')"
+close_rows "P before the cycle, or in it" 1e-9 1e-12
+# Yield under one of them alone is said.
+run fretting cycle.csv $specimen --load 135.75,0 --yield-stress 500 --at 0,0
+same "within its strength" 1 "$(wc -l <err | tr -d ' ')"
+run fretting cycle.csv $specimen --load 2000,0 --load 135.75,0 --yield-stress 500 --at 0,0
+message_has "rwedge fretting: P is above P_yield: the contact yields in full sliding"
+for load in 135.75 135.75,0,0 nan,0 135.75,x; do
+    refuses "rwedge fretting: --load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
+done
+refuses "rwedge fretting: --load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
+    fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
+refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one of the two" \
+    fretting cycle.csv $specimen --history within.csv --load 135.75,0
+refuses "rwedge fretting: --P 3: given together with --history, which has the loads; allowed: one of the two" \
+    fretting cycle.csv $specimen --load 135.75,0 --P 3
+cannot "rwedge fretting: cycle.csv: line 2: no closed form: the bodies would touch under a shear that does not grow in proportion to the contact: put a load before it with the same P and M, Q = 0, and sigma as it was" \
+    fretting cycle.csv $specimen --load 135.75,0 --load 0,0
 
 # The mirror image, and any number of threads.
 printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >one.csv
@@ -173,7 +253,7 @@ same "apex" "0,0,,,,,,,,," "$(sed -n 2p out)"
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
-cannot "rwedge fretting: bad.csv: line 3: Q must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
+cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
 refuses "rwedge fretting: --fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
 refuses "rwedge fretting: --threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
 refuses "rwedge fretting: --depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1

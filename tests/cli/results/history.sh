@@ -123,10 +123,10 @@ status_is 0
 message_has "bad.csv: line 3: no closed form: one edge"
 message_has "; the results end before it"
 same "rows" 2 "$(wc -l <out | tr -d ' ')"
-fails "line 3: Q must not exceed f P = 30: there is no equilibrium" 'P,Q\n100,0\n100,31\n'
-fails "line 2: P must not be below 0, and Q must be 0 where P is" 'P,Q\n-100,0\n'
+fails "line 3: Q 31: must not exceed f P = 30: there is no equilibrium" 'P,Q\n100,0\n100,31\n'
+fails "line 2: P -100: must not be below 0, and Q must be 0 where P is" 'P,Q\n-100,0\n'
 fails "line 3: Q nan: must be a number, with a decimal point" 'P,Q\n100,0\n100,nan\n'
-fails "line 3: Q : must be a number, with a decimal point" 'P,Q\n100,0\n100,\n'
+fails "line 3: Q: the cell is empty" 'P,Q\n100,0\n100,\n'
 fails "column Q: missing; a history needs P and Q" 'P,M\n1,2\n'
 fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" 'P;Q\n100,5;0\n'
 fails "empty; needed: a header row with the names of the columns" ''
@@ -137,7 +137,7 @@ run history cycle.csv $specimen
 cp out expected
 run history comma.csv $specimen --decimal-comma
 same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
-refuses "rwedge history: --load 100,31: Q must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
+refuses "rwedge history: --load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
 refuses "rwedge history: a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
 refuses "rwedge history: loads.csv: given together with --load; allowed: one of the two" history loads.csv $specimen --load 1,0
 refuses "rwedge history: --P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
@@ -156,7 +156,7 @@ cannot "rwedge history: bad.csv: line 2: y is a depth, and must not be below 0" 
 printf 'x,y,x\n1,2,3\n' >bad.csv
 cannot "rwedge history: bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,2\n1,2,5\n' >bad.csv
-cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header" history loads.csv $specimen --points bad.csv
+cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,"2\n1,2\n' >bad.csv
 cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
 refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \

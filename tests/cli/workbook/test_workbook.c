@@ -14,7 +14,7 @@
 
 #include <rwedge.h>
 
-#include "workbook/model.h"
+#include "workbook/case/model.h"
 
 /* What the sheet About, the calculator's notes and cli/README.md say. */
 static const double EXACT = 1e-12, LIMIT = 5e-4, YIELD = 1.5e-3, YIELD_SMALL_TIP = 5e-3,

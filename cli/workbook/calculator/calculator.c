@@ -3,7 +3,7 @@
 #include "calculator.h"
 
 #include "charts.h"
-#include "formula.h"
+#include "workbook/case/formula.h"
 
 #include <math.h>
 #include <stdio.h>

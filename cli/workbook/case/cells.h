@@ -130,6 +130,12 @@ typedef struct {
 
 extern const case_cell case_cells[CELL_COUNT];
 
+/* A value in a cell: a text where there is one, or a number; NAN is an empty text. */
+typedef struct {
+    double number[CELL_COUNT];
+    char safety[24], branch[12]; /* texts of CELL_SAFETY and CELL_BRANCH; "" for the number */
+} case_values;
+
 /* What an input must be, for the message and for the check of what is typed. */
 typedef struct {
     const char *wrong; /* the condition that it is not */

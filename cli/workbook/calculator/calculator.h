@@ -3,9 +3,8 @@
 #ifndef CLI_CALCULATOR_H
 #define CLI_CALCULATOR_H
 
-#include "model.h"
-
 #include "sheet/xlsx.h"
+#include "workbook/case/model.h"
 
 /* Fills the sheet that has been turned to; and the values of its case, which the sheet of working
  * cells needs. */

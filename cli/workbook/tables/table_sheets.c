@@ -4,6 +4,7 @@
 #include "table_sheets.h"
 
 #include "table/tables.h"
+#include "workbook/case/rounded.h"
 
 #include <math.h>
 #include <stdio.h>

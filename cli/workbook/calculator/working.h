@@ -4,9 +4,9 @@
 #ifndef CLI_WORKING_H
 #define CLI_WORKING_H
 
-#include "model.h"
-
 #include "sheet/xlsx.h"
+#include "workbook/case/cells.h"
+#include "workbook/case/yield_table.h"
 
 /* Where the charts find their curves and marks: columns of the rows from CURVE_ROW on. */
 enum {

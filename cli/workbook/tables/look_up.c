@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "look_up.h"
 
-#include "formula.h"
+#include "workbook/case/formula.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "charts.h"
 
-#include "formula.h"
-#include "table_sheets.h"
+#include "sheet/chart.h"
+#include "workbook/case/formula.h"
+#include "workbook/tables/table_sheets.h"
 #include "working.h"
 
 #include <stdio.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formula.h"
 
+#include "rounded.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>

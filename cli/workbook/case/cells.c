@@ -4,7 +4,7 @@
  * empty: so no cell ever has an error. */
 #include "cells.h"
 
-#include "model.h"
+#include "yield_table.h"
 
 /* ---- Conditions ------------------------------------------------------------------------------ */
 

@@ -3,9 +3,9 @@
 #ifndef CLI_TABLE_SHEETS_H
 #define CLI_TABLE_SHEETS_H
 
-#include "model.h"
-
 #include "sheet/xlsx.h"
+
+#include <stdbool.h>
 
 /* Ranges that the charts draw. */
 #define TENSION_TIPS "='Maximum tension'!$A$5:$A$105"

@@ -3,7 +3,7 @@
 #ifndef CLI_FORMULA_H
 #define CLI_FORMULA_H
 
-#include "model.h"
+#include "cells.h"
 
 #include "sheet/xlsx.h"
 #include "text/printf_like.h"

@@ -2,7 +2,9 @@
 /* The names of this sheet begin with rwt_, and are hidden. */
 #include "working.h"
 
-#include "formula.h"
+#include "workbook/case/formula.h"
+#include "workbook/case/rounded.h"
+#include "workbook/case/yield_values.h"
 
 #include <math.h>
 #include <stdio.h>

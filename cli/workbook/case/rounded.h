@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Numbers with fewer digits: a last bit that differs between math libraries does not show. */
+#ifndef CLI_ROUNDED_H
+#define CLI_ROUNDED_H
+
+/* A value that is not finite stays as it is. */
+double rounded_to(double value, int digits);
+
+/* To ten digits, as the sheets have them. */
+double workbook_rounded(double value);
+
+#endif

@@ -1,12 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the packages of what is committed here, and tests each as it is installed. The last lines say what was tested, what was not.
-#     make.sh BUILD            -> BUILD/packages/
+#     make.sh [--untested] BUILD            -> BUILD/packages/
 # What a step needs and this machine lacks is said; the step is left out then. The status is 0 if nothing failed, 77 if a step was left out.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/.." && pwd)
-[ $# = 1 ] || { echo "usage: $0 BUILD" >&2; exit 2; }
+only_made=no
+[ "${1-}" != --untested ] || { only_made=yes; shift; }
+[ $# = 1 ] || { echo "usage: $0 [--untested] BUILD" >&2; exit 2; }
 mkdir -p "$1/packages"
 build=$(cd "$1" && pwd)
 . "$top/tests/support/install.sh"
@@ -24,9 +26,11 @@ mkdir "$build/packages"
 tested=$(mktemp)
 trap 'rm -f "$tested"' EXIT
 ended=0
+set -- "$tested"
+[ $only_made = no ] || shift
 for step in source windows matlab npm debian docs wheels; do
     echo "== $step"
-    sh "$here/$step/make.sh" "$build" "$build/packages" "$tested" && status=0 || status=$?
+    sh "$here/$step/make.sh" "$build" "$build/packages" "$@" && status=0 || status=$?
     case $status in
     0) ;;
     77) [ $ended = 1 ] || ended=77 ;;

@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages of the source archive, for the release and the processor of this machine: made in a clean system with what
 # debian/control asks for, looked at by lintian, and tested by debian/tests in another clean system.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 . "$top/tests/support/install.sh"
 . "$top/tests/support/clean_system.sh"
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 archive=$packages/rwedge-$version.tar.gz
 release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 work=$build/debian
-source=/srv/rwedge-$version
+place=/srv/$(echo "$build" | cksum | cut -d " " -f 1) # another folder makes them in another place
+source=$place/rwedge-$version
 fail() { tail -n 40 "$work/log"; echo "FAILED: the Debian packages: $*"; exit 1; }
 leave_out() { echo "not made: the packages for Debian: $*" | tee -a "$tested"; exit 77; }
 [ -f "$archive" ] || leave_out "there is no source archive"
@@ -38,9 +39,10 @@ in_copy()
         $2" >"$work/log" 2>&1
 }
 
-cp -a "$clean" "$work/making"
-tar -xzf "$archive" -C "$work/making/srv"
-cp "$archive" "$work/making/srv/rwedge_$version.orig.tar.gz"
+cp -a "$clean/." "$work/making"
+mkdir "$work/making$place"
+tar -xzf "$archive" -C "$work/making$place"
+cp "$archive" "$work/making$place/rwedge_$version.orig.tar.gz"
 cp -r "$here/debian" "$work/making$source"
 cat >"$work/making$source/debian/changelog" <<END
 rwedge ($version-1) unstable; urgency=medium
@@ -51,15 +53,21 @@ rwedge ($version-1) unstable; urgency=medium
 END
 chmod -R u=rwX,go=rX "$work/making$source/debian" # whatever the umask is: the same bytes
 # shellcheck disable=SC2016
-in_copy making 'get build-essential lintian
+in_copy making 'get build-essential
     apt-get -qq build-dep -y --no-install-recommends .
-    DEB_BUILD_OPTIONS="parallel=$(nproc) noautodbgsym" dpkg-buildpackage -us -uc
-    lintian --allow-root --fail-on error ../*.changes' || fail "as they are made"
+    DEB_BUILD_OPTIONS="parallel=$(nproc) noautodbgsym" dpkg-buildpackage -us -uc' || fail "as they are made"
+mkdir "$packages/debian-$release"
+(cd "$work/making$place" && cp ./*.deb ./*.dsc ./*.debian.tar.* ./*.orig.tar.gz "$packages/debian-$release")
+[ $# = 3 ] || exit 0
+
+in_copy making 'get lintian
+    lintian --allow-root --fail-on error ../*.changes' || fail "as lintian sees them"
 sed -n '/^[EW]: /p' "$work/log"
 
-cp -a "$clean" "$work/using"
-cp -a "$work/making$source" "$work/using/srv"
-cp "$work/making/srv/"*.deb "$work/using/srv"
+cp -a "$clean/." "$work/using"
+mkdir "$work/using$place"
+cp -a "$work/making$source" "$work/using$place"
+cp "$work/making$place/"*.deb "$work/using$place"
 needs=$(sed -n 's/^Depends: //p' "$here/debian/tests/control" | tr -d , | tr '\n' ' ' | sed 's/[a-z0-9]*-*rwedge[-a-z]*//g')
 in_copy using "get $needs ../*.deb
     for test in $(sed -n 's/^Tests: //p' "$here/debian/tests/control"  | tr '\n' ' '); do
@@ -69,8 +77,6 @@ in_copy using 'dpkg --purge python3-rwedge rwedge librwedge-dev librwedge1
     left=$(find / -xdev "(" -path /srv -o -path /var/cache ")" -prune -o -name "*rwedge*" -print)
     [ -z "$left" ] || { echo "$left"; exit 1; }' || fail "something is left behind"
 
-mkdir "$packages/debian-$release"
-(cd "$work/making/srv" && cp ./*.deb ./*.dsc ./*.debian.tar.* ./*.orig.tar.gz "$packages/debian-$release")
 {
     echo "tested: debian-$release/: made from the source package in a clean system; lintian finds no error; installed in another, the"
     echo "    README's example in C compiles, shared and static, CMake finds the library, the Fortran module compiles; the tool writes the"

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pages to look things up in, as a folder that needs no network.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 name=rwedge-$version-docs
 epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
@@ -19,6 +19,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -R "$build/docs" "$work/$name"
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$work/$name"
+[ $# = 3 ] || exit 0
 mkdir "$work/a folder"
 python3 -m zipfile -e "$packages/$name.zip" "$work/a folder"
 python3 -B "$top/docs/check.py" "$work/a folder/$name"

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The folder for MATLAB and Octave: functions, the source of the MEX file, and the library with its GSL and LAPACK inside, for the
 # Linux of this machine and, after windows/make.sh, for Windows.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 binding=$top/bindings/matlab
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 name=rwedge-$version-matlab
@@ -49,4 +49,4 @@ fi
 } || { echo "not made: the folder for MATLAB: no licence texts: $(tail -n 1 "$work/log")" | tee -a "$tested"; exit 77; }
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$folder"
 
-sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"
+[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

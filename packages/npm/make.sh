@@ -1,14 +1,24 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The npm package, as the tests of the binding have packed and installed it.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 log=$build/npm.log
-sh "$top/bindings/web/test.sh" "$build" >"$log" 2>&1 && status=0 || status=$?
+made_and_packed()
+(
+    sh "$top/bindings/web/build.sh" "$build" && cd "$build/web/package" && mkdir -p ../packed &&
+        npm pack --silent --pack-destination ../packed
+)
+if [ $# = 3 ]; then
+    set -- sh "$top/bindings/web/test.sh" "$build"
+else
+    set -- made_and_packed
+fi
+"$@" >"$log" 2>&1 && status=0 || status=$?
 case $status in
 0) ;;
 77) echo "not made: the npm package: $(tail -n 1 "$log")" | tee -a "$tested"; exit 77 ;;

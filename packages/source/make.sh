@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The source archive of what is committed, and the list of what it is built with: the same bytes for the same commit.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 if ! git -C "$top" rev-parse HEAD >/dev/null 2>&1; then
     echo "not made: the source archive, as these files are no clone" | tee -a "$tested"
@@ -23,6 +23,7 @@ else
     echo "not made: the licences of what it is linked with, as their sources cannot be fetched" | tee -a "$tested"
 fi
 
+[ $# = 3 ] || exit 0
 # It builds and passes tests without git.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Python's source distribution, and of it the wheels: for each system another shared library in the same package.
-#     make.sh BUILD PACKAGES TESTED
+#     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=$3
+build=$1 packages=$2 tested=${3-/dev/null}
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 work=$build/wheels
 sources=$build/excel/sources # as those of the zip for Windows
@@ -140,4 +140,4 @@ if ! lacks macOS clang "$(clang -print-prog-name=ld64.lld 2>/dev/null)"; then
     fi
 fi
 
-sh "$here/test.sh" "$build" "$packages/python" "$tested"
+[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/python" "$tested"

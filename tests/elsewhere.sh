@@ -33,4 +33,6 @@ echo "$(. "$system/etc/os-release" && echo "$PRETTY_NAME"), $(git -C "$top" log 
 there ./tables/generate.sh || fail "generate.sh ends with status $?"
 changed=$(there git status --porcelain)
 [ -z "$changed" ] || fail "generate.sh has changed $changed"
-there ./tests/run.sh --strict || fail "run.sh ends with status $?"
+there ./tests/run.sh --strict >"$work/said" 2>&1 && ended=0 || ended=$?
+sed 's/SKIPPED: /skipped there: /' "$work/said" # it has judged them itself
+[ $ended = 0 ] || fail "run.sh ends with status $ended"

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The long run: tests that take minutes. Each is declared in its room. ctest leaves them out unless it is asked for them:
-#     ctest --test-dir build -C Long -L campaign             as tests/run.sh --campaign does; also: -L packages, -L elsewhere
+#     ctest --test-dir build -C Long -L campaign             as tests/run.sh --campaign does; also: compilers, packages, elsewhere
 #     ctest --test-dir build -C Long -R '^long_fuzzing$'     one of them
 cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
 set(RWEDGE_PROCESSORS ${processors} CACHE INTERNAL "of this machine")
 
 # long_run(LABEL NAME [WIDE | ALONE] MINUTES N [LOCKS LOCK...] [AFTER NAME] COMMAND...)
-# It runs in the source folder. WIDE: it keeps all processors busy. ALONE: it measures times. MINUTES: about how many, as the longest
-# is begun first. LOCKS: what it may not share.
+# It runs in the source folder. WIDE: it needs all processors for itself. ALONE: it measures times. MINUTES: about how many, as the
+# longest is begun first. LOCKS: what it may not share. AFTER: the test that must end first, if there is one of that name.
 function(long_run label name)
     cmake_parse_arguments(PARSE_ARGV 2 long "WIDE;ALONE" "MINUTES;AFTER" "LOCKS;COMMAND")
     add_test(NAME long_${name} CONFIGURATIONS Long COMMAND ${long_COMMAND} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

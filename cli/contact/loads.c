@@ -54,7 +54,7 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     level.M = 0;
     if (to.P < 0)
         fault = (load_fault){INPUT_P, "must not be below 0, and Q must be 0 where P is"};
-    else if (to.P == 0)
+    else if (to.P == 0 && to.M != 0)
         fault = (load_fault){INPUT_M, "must be 0 where P is"};
     else if (is_in_domain(level, contact)) {
         fault.input = INPUT_M;

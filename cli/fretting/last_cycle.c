@@ -175,8 +175,8 @@ static bool is_inside(const cycle_state *state, double *x)
     return true;
 }
 
-/* A place at an edge, moved inwards until it is inside without doubt: there slip may jump, and all
- * states must have the place on the same side of the jump. */
+/* Slip may jump at an edge. A place within a rounding of an edge is moved inwards, so that all
+ * states see it on the same side. */
 static double off_the_edges(const last_cycle *of, double x)
 {
     double inside = x;
@@ -218,9 +218,9 @@ static void slip_to(rubbing *at, double slip, double limit)
     at->limit = limit;
 }
 
-/* It slips until the edge comes by. Where the edge ends up, slip is known before and after; from
- * there to where the edge was, the change goes to 0. The slip itself may jump at a place that the
- * contact has never left. */
+/* The place slips until the edge passes it. How much it slips is interpolated: at the edge's new
+ * position the change of slip is known, at its old position it is 0. The change is taken, not the
+ * slip: slip jumps at the border of what the contact has never left. */
 static void leave(const last_cycle *of, rubbing *at, double x, size_t to)
 {
     const cycle_state *before = &of->state[to - 1], *after = &of->state[to];

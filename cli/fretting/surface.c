@@ -2,6 +2,7 @@
 #include "surface.h"
 
 #include "text/message.h"
+#include "text/pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -87,9 +88,8 @@ static int add_usual(const last_cycle *of, stops *all)
     if (isnan(left))
         return usage_error("--x: missing; there is no contact in the cycle to take places from");
     const double middle = (left + right) / 2, half = (right - left) / 2;
-    const double half_pi = 1.5707963267948966;
     for (int i = 1; i < INSIDE; i++)
-        add(all, middle + half * sin(half_pi * (2 * i - INSIDE) / INSIDE), true);
+        add(all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
     for (int i = 1; i <= OUTSIDE; i++) {
         const double part = (double)i / OUTSIDE, beyond = half * part * part;
         add(all, left - beyond, true);

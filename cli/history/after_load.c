@@ -5,6 +5,7 @@
 
 #include "contact/doubts.h"
 #include "text/message.h"
+#include "text/pi.h"
 
 #include <math.h>
 
@@ -61,10 +62,9 @@ static double largest(const touching *of, peak_function *f)
     int best = 0;
     peak found = {of->left, f(of, of->left)};
     for (int i = 0; i <= 2 * STEPS; i++) {
-        const double half_pi = 1.5707963267948966;
         place[i] = i == 0           ? of->left
                    : i == 2 * STEPS ? of->right
-                                    : middle + half * sin(half_pi * (i - STEPS) / STEPS);
+                                    : middle + half * sin(PI / 2 * (i - STEPS) / STEPS);
         const double value = f(of, place[i]);
         if (!(value > found.value))
             continue;

@@ -50,8 +50,8 @@ const char *csv_input_name(const csv_input *in);
 /* What stands between the cells: a comma, a semicolon, a tab, or what the file names. */
 char csv_input_separator(csv_input *in);
 
-/* "; with decimal commas, ...": why a row may have more cells than are wanted. Nothing where it has
- * not, or where no comma separates. */
+/* A hint for a row with more cells than wanted, where commas separate: decimal commas may be the
+ * reason. Otherwise an empty text. */
 const char *csv_surplus_hint(size_t cells, size_t wanted, char separator);
 
 /* Whether the file begins with the mark of Unicode. */

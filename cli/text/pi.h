@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* C99 has no name for it. */
+/* pi, which C99 does not name. */
 #ifndef CLI_PI_H
 #define CLI_PI_H
 

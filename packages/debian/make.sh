@@ -58,7 +58,7 @@ in_copy making 'get build-essential
     DEB_BUILD_OPTIONS="parallel=$(nproc) noautodbgsym" dpkg-buildpackage -us -uc' || fail "as they are made"
 mkdir "$packages/debian-$release"
 (cd "$work/making$place" && cp ./*.deb ./*.dsc ./*.debian.tar.* ./*.orig.tar.gz "$packages/debian-$release")
-[ $# = 3 ] || exit 0
+[ $# = 3 ] || exit 0 # untested
 
 in_copy making 'get lintian
     lintian --allow-root --fail-on error ../*.changes' || fail "as lintian sees them"

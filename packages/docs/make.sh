@@ -19,7 +19,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -R "$build/docs" "$work/$name"
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$work/$name"
-[ $# = 3 ] || exit 0
+[ $# = 3 ] || exit 0 # untested
 mkdir "$work/a folder"
 python3 -m zipfile -e "$packages/$name.zip" "$work/a folder"
 python3 -B "$top/docs/check.py" "$work/a folder/$name"

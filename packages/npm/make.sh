@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The npm package, as the tests of the binding have packed and installed it.
+# The npm package. With TESTED it is the one that the tests of the binding have packed and installed.
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -8,6 +8,9 @@ top=$(cd "$here/../.." && pwd)
 build=$1 packages=$2 tested=${3-/dev/null}
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 log=$build/npm.log
+for command in node npm python3; do
+    command -v $command >/dev/null || { echo "not made: the npm package, for lack of $command" | tee -a "$tested"; exit 77; }
+done
 made_and_packed()
 (
     sh "$top/bindings/web/build.sh" "$build" && cd "$build/web/package" && mkdir -p ../packed &&

@@ -117,7 +117,7 @@ if ! lacks "Linux on ARM" $machine-gcc $machine-gfortran; then
             -DCMAKE_LINKER=/usr/bin/$machine-ld -DCMAKE_OBJCOPY=/usr/bin/$machine-objcopy -DRWEDGE_HARDENING=OFF $with
         wheel musllinux_1_2_aarch64 "$work/musl-aarch64/_rwedge.so" gsl lapack
     else
-        echo "not made: the wheel for musl on ARM, as musl cannot be fetched: $(tail -n 1 "$work/log")" | tee -a "$tested"
+        echo "not made: the wheel for musl on ARM, as what it needs for ARM cannot be fetched: $(tail -n 1 "$work/log")" | tee -a "$tested"
     fi
 fi
 machine=x86_64-w64-mingw32

@@ -34,7 +34,7 @@ function largestMoment(contact, load) {
 
 function domainFault(contact, load) {
     if (load.P < 0) return { input: "P", text: "P must not be below 0, and Q must be 0 where P is" };
-    if (load.P === 0) return { input: "M", text: "M must be 0 where P is" };
+    if (load.P === 0 && load.M !== 0) return { input: "M", text: "M must be 0 where P is" };
     if (!isInDomain(contact, { ...load, M: 0 })) return { text: rwedge.strerror(statuses.RWEDGE_EDOMAIN) };
     const most = largestMoment(contact, load);
     if (most === 0) return { input: "M", text: "M must be 0: any other lays a flank on the surface" };

@@ -63,10 +63,7 @@ function isInside({ left, right }, x) {
     return x >= left - rounding && x <= right + rounding;
 }
 
-/**
- * A place at an edge, moved inwards until it is inside without doubt: there slip may jump, and all states must have the place on
- * the same side of the jump.
- */
+/** Slip may jump at an edge. A place within a rounding of an edge is moved inwards, so that all states see it on the same side. */
 function offTheEdges(states, x) {
     let inside = x;
     for (const { left, right } of states) {
@@ -102,8 +99,8 @@ function slipTo(at, slip, limit) {
 }
 
 /**
- * It slips until the edge comes by. Where the edge ends up, slip is known before and after; from there to where the edge was, the
- * change goes to 0. The slip itself may jump at a place that the contact has never left.
+ * The place slips until the edge passes it. How much it slips is interpolated: at the edge's new position the change of slip is known,
+ * at its old position it is 0. The change is taken, not the slip: slip jumps at the border of what the contact has never left.
  */
 function leave(states, at, x, to) {
     const [before, after] = [states[to - 1], states[to]];

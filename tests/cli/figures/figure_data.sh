@@ -215,6 +215,7 @@ same "stresses of history" "$(tail -n +2 out | cut -d , -f 2-7)" "$(cat drawn)"
 run figure fretting --history loads.csv $specimen --data --cycles 2
 status_is 0
 cut -d , -f 1-2 out | tail -n +2 >drawn
+same "places of fretting" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $specimen --cycles 2
 same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
@@ -222,6 +223,7 @@ once="--load 135.75,0 --load 135.75,38"
 run figure fretting --history loads.csv $once $specimen --data
 status_is 0
 cut -d , -f 1-7 out | tail -n +2 >drawn
+same "places of fretting after loads" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $once $specimen
 same "fretting after loads" "" "$(cut -d , -f 1,4,5,8-11 out | awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 run figure fretting --history loads.csv $specimen --data

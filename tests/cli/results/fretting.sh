@@ -113,13 +113,13 @@ printf 'P,Q,sigma\n135.75,0,0\n135.75,30,60\n135.75,-30,-60\n' >cycle.csv
 balance 1e-6 $specimen
 printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >cycle.csv
 balance 1e-6 $specimen
-# Where P changes, steps are cut into 32: 1e-3 at the most in these, 2 % where little slips.
+# Where P changes, steps are cut into 32: 1e-3 at the most in these, 1 % where little slips.
 printf 'P,Q\n135.75,0\n150,40\n120,-30\n' >cycle.csv
 balance 1e-3 $specimen
 printf 'P,Q\n1000,0\n1300,780\n700,-200\n' >cycle.csv
 balance 1e-3 --E1 72100 --nu1 0.33 --theta 0.05 --a 0.05 --f 0.6
 printf 'P,Q\n100,10\n150,20\n60,-10\n' >cycle.csv
-balance 2e-2 $specimen
+balance 1e-2 $specimen
 
 # A place that the contact leaves in the cycle forgets the slip of before; one beside it, that stays, does not. Both slip alike in it,
 # and so do the places at the edge itself, on either side of its last bit.

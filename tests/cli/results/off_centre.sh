@@ -177,6 +177,7 @@ refuses "rwedge solve: --sigma inf: the bulk tension must be a number" solve $sp
 refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a yield stress is given" \
     solve --E1 1 --nu1 0 --theta 0.1 --a 1 --P 1 --sigma 1
 refuses "rwedge solve: --Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
+refuses "rwedge profile: --load 0,0,1e70,0: an argument is outside its domain" profile $specimen --load 0,0,1e70,0
 refuses "rwedge profile: --load 0,1,0,0: M 1: must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
 refuses "rwedge profile: --load 100,40,0,0: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
     profile $specimen --load 100,5,0,0 --load 100,40,0,0

@@ -7,7 +7,7 @@
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
 #     ./tests/run.sh --packages   also: the packages made, each tested as it is installed, and made again to the same bytes
-#     ./tests/run.sh --elsewhere  also: the everyday run on the stable release of Debian, if this machine is another system
+#     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system
 #     ./tests/run.sh --all        all of these
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #

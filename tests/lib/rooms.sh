@@ -1,21 +1,47 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every C file of lib/ has its test in the same room here, or README.md says which file tests it.    rooms.sh SOURCE
+# Every C file of lib/ has its test in the same room here, or README.md says which file tests it. A room of lib/ includes only
+# headers of the rooms that its README names, and lib/README.md lists these above it.    rooms.sh SOURCE
 set -eu
 cd "$1"
 bad=no
+
+wrong()
+{
+    echo "FAILED: $*"
+    bad=yes
+}
+
 for file in lib/*/*.c; do
     name=${file#lib/}
-    [ ! -f "tests/lib/$(dirname "$name")/test_$(basename "$name")" ] || continue
-    grep -q "^|.*\`$name\`.*|" tests/lib/README.md || {
-        echo "FAILED: $file has no test: add tests/lib/$(dirname "$name")/test_$(basename "$name"), or name it in tests/lib/README.md"
-        bad=yes
-    }
+    [ -f "tests/lib/$(dirname "$name")/test_$(basename "$name")" ] || grep -q "^|.*\`$name\`.*|" tests/lib/README.md ||
+        wrong "$file has no test: add tests/lib/$(dirname "$name")/test_$(basename "$name"), or name it in tests/lib/README.md"
 done
 for test in $(sed -n 's/^|.*| `\([a-z_]*\/test_[a-z_]*\.c\)` |$/\1/p' tests/lib/README.md); do
-    [ -f "tests/lib/$test" ] || {
-        echo "FAILED: tests/lib/README.md names $test, which is not there"
-        bad=yes
-    }
+    [ -f "tests/lib/$test" ] || wrong "tests/lib/README.md names $test, which is not there"
+done
+
+above=''
+for room in $(sed -n 's/^| `\([a-z]*\)\/`.*/\1/p' lib/README.md); do
+    uses=$(grep '^This room depends on' "lib/$room/README.md" | grep -o '`[a-z]*`' | tr -d '`' | tr '\n' ' ')
+    for other in $(find "lib/$room" -maxdepth 1 -name '*.[ch]' -exec sed -n 's|^#include "\([a-z]*\)/.*|\1|p' {} + | sort -u); do
+        case " $uses $room " in
+        *" $other "*) ;;
+        *) wrong "lib/$room includes a header of $other, which its README does not name" ;;
+        esac
+    done
+    for other in $uses; do
+        case " $above " in
+        *" $other "*) ;;
+        *) wrong "lib/$room uses $other, which lib/README.md does not list above it" ;;
+        esac
+    done
+    above="$above $room"
+done
+for folder in lib/*/; do
+    case " $above " in
+    *" $(basename "$folder") "*) ;;
+    *) wrong "$folder is no room of lib/README.md" ;;
+    esac
 done
 [ $bad = no ]

@@ -87,9 +87,10 @@ done
 for command in solve profile field history fretting; do
     called="rwedge $command --help"
     "$rwedge" $command --help >out
-    for word in $(grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' out | sort -u) \
-        $(sed -n '/^Results:/,/^$/s/^  \([A-Za-z_0-9]*\) .*/\1/p; /^Columns/,/^$/s/^  \([a-z_0-9, ]*\)  .*/\1/p' out |
-            tr -d ,); do
+    columns=$(sed -n '/^Results/,/^$/p; /^Columns/,/^$/p' out | # a line: "  x, y  the point"
+        sed -n 's/^  \([A-Za-z_0-9]*\(, [A-Za-z_0-9]*\)*\) .*/\1/p' | tr -d ,)
+    same "help without columns" "" "$([ "$columns" ] || echo "$command")"
+    for word in $(grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' out | sort -u) $columns; do
         same "README has $word" 1 "$(grep -c -m 1 -e "\`$word[ \`]" -e "^$word," "$readme")"
     done
 done

@@ -1,0 +1,352 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far a contact with a history is from yield. */
+#include "histories.h"
+
+#include <fenv.h>
+
+static double yield_factor(const rwedge_contact *contact, double nu, double k, double *x, double *y)
+{
+    double factor = -1;
+    assert_int_equal(rwedge_contact_yield_factor(contact, nu, k, &factor, x, y), RWEDGE_OK);
+    return factor;
+}
+
+static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {1e-13, 1e-7, 1e-3, 0.0176, 0.05, 0.1, 0.3, 0.5, 0.9, 1, 3};
+    static const double FRICTIONS[] = {0, 0.05, 0.15, 0.2367, 0.26, 0.4, 0.8};
+    static const double NUS[] = {0, 0.2, 0.3, 0.5};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
+            for (size_t m = 0; m < sizeof NUS / sizeof *NUS; m++) {
+                const double b = 0.7, a = ALPHAS[i] * b, f = FRICTIONS[j], k = 3;
+                const double P = rwedge_normal_load(THETA, a, A, b);
+                rwedge_contact *contact = create(a, f);
+                load(contact, P, f * P);
+                const double expected = rwedge_elastic_limit(ALPHAS[i], f, NUS[m]) * b * k / P;
+                assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
+                load(contact, P, -f * P); /* the mirror image */
+                assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
+                rwedge_contact_destroy(contact);
+            }
+}
+
+/* Tips, frictions and Poisson's ratios where J2 has ridges that are flat to 1e-9, or a maximum
+ * as near to the edge as b/f^2. */
+static void in_sliding_no_ridge_is_too_flat(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int i = 0; i < 2000; i++) {
+        const double alpha = pow(10, 15 * random_fraction(&seed) - 13.9),
+                     kind = random_fraction(&seed);
+        const double exponent =
+            kind < 0.6 ? 12 * random_fraction(&seed) - 12 : 6 * random_fraction(&seed);
+        const double f = kind < 0.2 ? 0 : pow(10, exponent);
+        const double nu = i % 2 ? 0.5 : 0.5 - pow(10, -12 * random_fraction(&seed)) / 2;
+        const double b = 0.7, P = rwedge_normal_load(THETA, alpha * b, A, b);
+        rwedge_contact *contact = create(alpha * b, f);
+        load(contact, P, f * P);
+        const double expected = rwedge_elastic_limit(alpha, f, nu) * b / P;
+        assert_close(yield_factor(contact, nu, 1, NULL, NULL), expected, 1e-13);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* The maximum is b/f^2 away from the edge, in Hertz' contact above all. A search around the centre
+ * sees it, but does not resolve it. */
+static void strong_friction_yields_next_to_the_edge(void **state)
+{
+    (void)state;
+    static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9},
+                        FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
+    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
+        for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
+            for (double nu = 0.02; nu < 0.5; nu += 0.02) {
+                const double f = FRICTIONS[j], b = 0.7,
+                             P = rwedge_normal_load(THETA, ALPHAS[i] * b, A, b);
+                rwedge_contact *contact = create(ALPHAS[i] * b, f);
+                load(contact, P, f * P);
+                double x;
+                const double expected = rwedge_elastic_limit(ALPHAS[i], f, nu) * b / P;
+                assert_close(yield_factor(contact, nu, 1, &x, NULL), expected, 1e-13);
+                assert_true(fabs(x) > (1 - 10 / (f * f)) * b && fabs(x) < b);
+                rwedge_contact_destroy(contact);
+            }
+}
+
+static double root_J2(const rwedge_contact *contact, double nu, double x, double y)
+{
+    double s[3];
+    assert_int_equal(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    const double szz = nu * (s[0] + s[1]);
+    return sqrt(((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - szz) * (s[1] - szz) +
+                 (szz - s[0]) * (szz - s[0])) /
+                    6 +
+                s[2] * s[2]);
+}
+
+/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is
+ * attained where it says. */
+static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
+{
+    (void)state;
+    for (int number = 2; number < 42; number++) {
+        random_history h;
+        rwedge_contact *contact = begin(&h, number % 4 ? number : number + 1);
+        for (int step = 0; step < 6; step++)
+            go_on(&h, contact);
+        const double b = rwedge_contact_half_width(contact), nu = number % 2 ? 0.3 : 0.5;
+        double x, y, grid = 0;
+        const double factor = yield_factor(contact, nu, 1, &x, &y);
+        for (int i = -150; i <= 150; i++)
+            for (int j = 0; j <= 60; j++)
+                grid = fmax(grid, root_J2(contact, nu, 1.2 * b * i / 150, 1.5 * b * j * j / 3600));
+        for (int i = -4000; i <= 4000; i++)
+            grid = fmax(grid, root_J2(contact, nu, 1.1 * b * i / 4000, 0));
+        assert_true(grid <= 1 / factor * (1 + 1e-14));
+        assert_close(grid, 1 / factor, 0.02);
+        assert_close(root_J2(contact, nu, x, y), 1 / factor, 1e-13);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* Narrow roundings, thin layers and strong friction; points at every scale around every place
+ * where the tractions have a corner, and in rings around the maximum itself. */
+static void no_scale_hides_a_higher_point(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (int number = 0; number < 150; number++) {
+        const double f = 1.5 * random_fraction(&seed), nu = number % 2 ? 0.5 : 0.3;
+        rwedge_contact *contact = create(pow(10, -6 * random_fraction(&seed)), f);
+        for (int step = 0; step < 4; step++) {
+            const double P = 0.3 * pow(10, -2 * random_fraction(&seed));
+            load(contact, P, f * P * (2 * random_fraction(&seed) - 1) * (step % 2 ? 1 : 0.01));
+        }
+        double x, y, points[POINTS_MAX];
+        const double highest = (1 + 1e-13) / yield_factor(contact, nu, 1, &x, &y);
+        const size_t n = breakpoints(contact, points);
+        for (size_t i = 0; i <= 2 * n; i++) {
+            const double mark = i > n ? -points[i - n] : points[i];
+            assert_true(root_J2(contact, nu, mark, 0) <= highest);
+            for (double r = 1; r > 1e-10; r *= 0.7)
+                for (int angle = 0; angle <= 12; angle++)
+                    assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
+                                        r * fabs(sin(angle * PI / 12))) <= highest);
+        }
+        for (double r = 0.5; r > 1e-4; r *= 0.7)
+            for (int angle = 0; angle < 24; angle++)
+                assert_true(root_J2(contact, nu, x + r * hypot(x, y) * cos(angle * PI / 12),
+                                    fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <=
+                            highest);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* With moment and bulk tension: along the surface, in the depth, and around every edge. */
+static void no_point_is_nearer_to_yield_off_the_centre(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    int tilted = 0;
+    for (int number = 0; number < 60; number++) {
+        const double f = 0.1 + 0.8 * random_fraction(&seed), nu = number % 2 ? 0.3 : 0.45;
+        rwedge_contact *contact = create(0.05 + 0.5 * random_fraction(&seed), f);
+        const double P = 0.1 + 0.2 * random_fraction(&seed),
+                     M = 0.1 * P * (2 * random_fraction(&seed) - 1);
+        assert_int_equal(rwedge_contact_apply(contact, P, M, 0, 0), RWEDGE_OK);
+        double sigma = 0;
+        for (int step = 0; step < 3; step++) {
+            const double Q = 0.9 * f * P * (2 * random_fraction(&seed) - 1);
+            const double to = sigma + rwedge_contact_largest_tension_step(contact, Q) *
+                                          (2 * random_fraction(&seed) - 1);
+            if (rwedge_contact_apply(contact, P, M, Q, to) == RWEDGE_OK)
+                sigma = to;
+        }
+        tilted += contact->memory.count > 2 && sigma != 0;
+        double x, y, left, right;
+        const double highest = (1 + 1e-13) / yield_factor(contact, nu, 1, &x, &y);
+        assert_close(root_J2(contact, nu, x, y), highest, 1e-12);
+        assert_int_equal(rwedge_contact_edges(contact, &left, &right), RWEDGE_OK);
+        const double width = right - left;
+        for (int i = -20; i <= 120; i++)
+            for (int j = 0; j <= 30; j++)
+                assert_true(root_J2(contact, nu, left + width * i / 100, width * j * j / 900) <=
+                            highest);
+        for (int i = 0; i <= 2000; i++)
+            assert_true(root_J2(contact, nu, left + width * i / 2000, 0) <= highest);
+        for (size_t i = 1; i < contact->memory.count; i++)
+            for (int side = 0; side < 2; side++) {
+                const rw_patch patch = contact->memory.corners[i].patch;
+                const double mark = side ? patch.left : patch.right;
+                for (double r = width; r > 1e-11 * width; r *= 0.6)
+                    for (int angle = 0; angle <= 12; angle++)
+                        assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
+                                            r * fabs(sin(angle * PI / 12))) <= highest);
+            }
+        rwedge_contact_destroy(contact);
+    }
+    assert_true(tilted > 30);
+}
+
+/* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
+static void a_maximum_next_to_the_edge_is_not_missed(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.01, 3, 0.001, 84.04542447034143, &contact), RWEDGE_OK);
+    load(contact, 5.88, -187.525);
+    load(contact, 5.88, -37.718);
+    load(contact, 5.88, -145.33);
+    assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
+    rwedge_contact_destroy(contact);
+}
+
+/* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
+ * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
+ * search is another. */
+static void a_ridge_beside_the_grid_is_followed(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    const double P = 0.98755269117723787, M = -0.16595399389051149;
+    assert_int_equal(rwedge_contact_create(0.1, 0, 0.1, 0.01043908085530201, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(contact, P, M, 0, 0), RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669),
+        RWEDGE_OK);
+    assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
+    rwedge_contact_destroy(contact);
+}
+
+/* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
+ * off; the grids of other marks find the same top. With nu a little below 0.5 there is less of a
+ * plateau, and J2 differs by less than 1e-13. */
+static void a_long_climb_is_broken_off_without_harm(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.11871519035629816, 4.8339965423190293e-15,
+                                           3.9616415245691163e-08, 0.99667353322652019, &contact),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 0.36913862821393151, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_load(contact, 0.36913862821393151, 0.13581005141048719),
+                     RWEDGE_OK);
+    const double factor = yield_factor(contact, 0.5, 1, NULL, NULL);
+    assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
+    rwedge_contact_destroy(contact);
+}
+
+/* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
+static void many_corners_hide_no_higher_point(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 2; kind++)
+        for (int n = 30; n <= 120; n += 45) {
+            const double f = kind ? 0.3 : 0.7;
+            rwedge_contact *contact = create(0.05, f);
+            load(contact, 0.2, 0);
+            for (int i = 1; i < n; i++) {
+                const double t = 1.5 * i / n;
+                if (kind)
+                    load(contact, 0.2 + 0.05 * sin(t), 0.03 * (1 - cos(t)));
+                else
+                    load(contact, 0.2, (i % 2 ? 0.9 : -0.9) * f * 0.2 * (1 - i / (n + 1.0)));
+            }
+            const double b = rwedge_contact_half_width(contact),
+                         highest = (1 + 1e-13) / yield_factor(contact, 0.3, 1, NULL, NULL);
+            for (size_t i = 1; i < contact->memory.count; i++)
+                for (int side = -1; side <= 1; side += 2) {
+                    const double mark = side * contact->memory.corners[i].patch.right;
+                    for (double r = b; r > 1e-7 * b; r *= 0.5)
+                        for (int angle = 0; angle <= 8; angle++)
+                            assert_true(root_J2(contact, 0.3, mark + r * cos(angle * PI / 8),
+                                                r * fabs(sin(angle * PI / 8))) <= highest);
+                }
+            rwedge_contact_destroy(contact);
+        }
+}
+
+static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0, 0.5);
+    load(contact, 0.2, 0);
+    assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
+    assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), PI / 2 * A / THETA, 1e-12);
+    load(contact, 0.2, 0.05);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
+    load(contact, 0.2, 0.1);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+/* A place of the search's grid around another mark is the apex itself, to the last bit. */
+static void a_grid_that_meets_the_apex_raises_nothing(void **state)
+{
+    (void)state;
+    const double P = 0.001, f = 0.3;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.3, 0, 0.001, f, &contact), RWEDGE_OK);
+    load(contact, P, 0);
+    load(contact, P, -0.3 * (f * P));
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
+    rwedge_contact_destroy(contact);
+}
+
+/* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
+static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
+{
+    (void)state;
+    for (double f = 0.05; f < 0.5; f += 0.05) {
+        rwedge_contact *contact = create(0, f);
+        load(contact, 0.2, 0);
+        load(contact, 0.2, 0.08 * f);
+        load(contact, 0.2, 0.04 * f);
+        const double highest = (1 + 1e-12) / yield_factor(contact, 0.5, 1, NULL, NULL);
+        for (double r = 1; r > 1e-12; r *= 0.7)
+            for (int angle = 0; angle <= 12; angle++)
+                assert_true(root_J2(contact, 0.5, r * cos(angle * PI / 12),
+                                    r * fabs(sin(angle * PI / 12))) <= highest);
+        assert_true(root_J2(contact, 0.5, 0, 1e-9) <= highest);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+static void a_factor_beyond_the_domain_is_refused(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = NULL;
+    assert_int_equal(rwedge_contact_create(0.1, 1e30, 1e30, 0.5, &contact), RWEDGE_OK);
+    load(contact, 1, 0); /* stresses below 1e-30 */
+    double factor = 7;
+    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e60, &factor, NULL, NULL),
+                     RWEDGE_ERANGE);
+    assert_true(factor == 7);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
+        cmocka_unit_test(in_sliding_no_ridge_is_too_flat),
+        cmocka_unit_test(strong_friction_yields_next_to_the_edge),
+        cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
+        cmocka_unit_test(no_scale_hides_a_higher_point),
+        cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
+        cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
+        cmocka_unit_test(a_ridge_beside_the_grid_is_followed),
+        cmocka_unit_test(a_long_climb_is_broken_off_without_harm),
+        cmocka_unit_test(many_corners_hide_no_higher_point),
+        cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
+        cmocka_unit_test(a_grid_that_meets_the_apex_raises_nothing),
+        cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
+        cmocka_unit_test(a_factor_beyond_the_domain_is_refused),
+    };
+    return RUN_CLAIMS("yield_factor", tests);
+}

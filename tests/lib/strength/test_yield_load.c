@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The load at which a given contact first yields, in full sliding. */
+#include "claims.h"
+#include "rwedge.h"
+
+static const double PI = 3.14159265358979323846;
+static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
+
+static void the_yield_load_is_where_the_elastic_limit_says(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int i = 0; i < 200; i++) {
+        const double a = 0.3, alpha = pow(10, 2 * random_fraction(&seed) - 1.7);
+        const double f = i % 5 ? random_fraction(&seed) : 0,
+                     nu = i % 3 ? 0.3 : 0.5 * random_fraction(&seed);
+        const double b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
+        const double k = P / (b * rwedge_elastic_limit(alpha, f, nu));
+        assert_close(rwedge_yield_load(THETA, a, A, f, nu, k), P, 1e-11);
+    }
+}
+
+/* Down to the smallest tip that has an elastic limit. */
+static void tiny_tips_have_a_yield_load(void **state)
+{
+    (void)state;
+    const double a = 0.3, alpha = 1.1e-14, b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
+    const double k = P / (b * rwedge_elastic_limit(alpha, 0.1, 0.3));
+    assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
+}
+
+/* Far from the usual units: exact powers of two. */
+static void the_yield_load_scales_with_the_units(void **state)
+{
+    (void)state;
+    static const struct {
+        double f, nu, k;
+        int length, stress; /* octaves */
+    } CASES[] = {
+        {0, 0.3, 1e-10, -100, 70},   {0, 0.3, 1e-20, 120, -70},   {0.1, 0.3, 2.25, 100, -40},
+        {0.1, 0.3, 3.375, 100, -60}, {0.5, 0.2, 1e-3, -102, 100}, {1e-3, 0.45, 0.7, 102, -100},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        const double f = CASES[i].f, nu = CASES[i].nu, a = ldexp(1, CASES[i].length),
+                     S = ldexp(1, CASES[i].stress);
+        const double expected = rwedge_yield_load(1, 1, 1, f, nu, CASES[i].k);
+        assert_true(expected > 0 && isfinite(expected));
+        assert_close(rwedge_yield_load(1, a, 1 / S, f, nu, CASES[i].k * S),
+                     ldexp(expected, CASES[i].length + CASES[i].stress), 1e-15);
+    }
+}
+
+static void what_never_yields_has_an_infinite_yield_load(void **state)
+{
+    (void)state;
+    const double bound = 2 / PI * THETA / A;
+    assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
+    assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
+    assert_true(rwedge_yield_load(THETA, 0, A, 1e-59, 0.5, 1.001 * bound) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.5, 0.999 * bound) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0.1, 0.3, 1e9) == 0);
+    assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
+    /* A k/theta = 1e150 */
+    assert_true(rwedge_yield_load(1e-50, 1, 1e50, 0.1, 0.3, 1e50) == HUGE_VAL);
+}
+
+static void bad_arguments_have_no_yield_load(void **state)
+{
+    (void)state;
+    static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL, 9e-61, 1.1e60};
+    for (size_t i = 0; i < sizeof BAD / sizeof *BAD; i++) {
+        const double v = BAD[i];
+        assert_nan(rwedge_yield_load(v, 1, 1, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, v, 1, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, v, 0.1, 0.3, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, 1, v, 0.3, 1));
+        if (v != 9e-61) /* nu may be as small as that: it has no size */
+            assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, v, 1));
+        assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, 0.3, v));
+    }
+    assert_nan(rwedge_yield_load(0.1, 1, 1, 0.1, 0.3, 0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_yield_load_is_where_the_elastic_limit_says),
+        cmocka_unit_test(tiny_tips_have_a_yield_load),
+        cmocka_unit_test(the_yield_load_scales_with_the_units),
+        cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
+        cmocka_unit_test(bad_arguments_have_no_yield_load),
+    };
+    return RUN_CLAIMS("yield_load", tests);
+}

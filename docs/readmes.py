@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The READMEs as pages: lays out what Sphinx reads. Each README that a link leads to is a page, other files are copied.
 
-A page of this room takes a section of a README by the line
+A file in pages/ takes a section of a README by the line
 
     @README.md#get-it              with its heading
     @README.md#get-it as Title     with another
     @README.md                     what stands before the first section
 
-    @others                        what no page of this room names, in a list of pages
+    @others                        what no file in pages/ names, in a list of pages
 
-The README at the top is no page: its sections are where the pages of this room show them.
+The README at the top is no page: its sections are where pages/ shows them.
 """
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ TAKEN = re.compile(r"@([\w./-]+\.md)(?:#(\S+))?(?: as (.*))?")
 HEADING = re.compile(r"(#+) (.*)")
 FENCE = re.compile(r"```(\S+).*")
 FRONT = "README.md"
+PAGES = PurePosixPath("docs/pages")
 WITHOUT_COLOURS = {"csv": "text"}
 
 
@@ -56,9 +57,9 @@ def sections(text: str) -> dict[str, list[str]]:
 class Site:
     def __init__(self, top: Path, target: Path) -> None:
         self.top, self.target = top, target
-        self.room = sorted(p for p in (top / "docs").glob("*.md") if p.name != "README.md")
+        self.room = sorted((top / PAGES).glob("*.md"))
         self.shown: dict[str, str] = {}  # anchor of the front README -> page
-        self.waiting = [PurePosixPath("docs", p.name) for p in self.room]
+        self.waiting = [PAGES / p.name for p in self.room]
         self.seen = set(self.waiting)
 
     def text(self, path: PurePosixPath) -> str:
@@ -66,9 +67,8 @@ class Site:
 
     @staticmethod
     def place(path: PurePosixPath) -> str:
-        """Where a file is shown: the pages of this room at the top."""
-        room = path.parent == PurePosixPath("docs") and path.name != "README.md"
-        return path.name if room else str(path)
+        """Where a file is shown: those in pages/ at the top."""
+        return path.name if path.parent == PAGES else str(path)
 
     def find_shown(self) -> None:
         found = sections(self.text(PurePosixPath(FRONT)))
@@ -79,7 +79,7 @@ class Site:
                     self.shown.update({"": page.name} if not match[2] else {slug(h[2]): page.name for h in headings})
         lost = [name for name in found if name not in self.shown]
         if lost:
-            sys.exit(f"FAILED: no page of docs/ shows these sections of {FRONT}: {', '.join(lost)}")
+            sys.exit(f"FAILED: no page of {PAGES} shows these sections of {FRONT}: {', '.join(lost)}")
 
     def moved(self, link: str, anchor: str, origin: PurePosixPath, page: str) -> str:
         """A link of the file origin, as it is shown on the page."""
@@ -116,9 +116,9 @@ class Site:
     def write_page(self, path: PurePosixPath) -> None:
         page, lines = self.place(path), []
         for line in self.text(path).split("\n"):
-            match = TAKEN.fullmatch(line) if path.parent == PurePosixPath("docs") else None
+            match = TAKEN.fullmatch(line) if path.parent == PAGES else None
             lines += self.taken(match, page) if match else [line]
-        if path.parent != PurePosixPath("docs") or path.name == "README.md":
+        if path.parent != PAGES:
             lines = self.shown_on(page, path, lines)
         file = self.target / page
         file.parent.mkdir(parents=True, exist_ok=True)

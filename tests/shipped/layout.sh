@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The C sources are laid out as .clang-format says, and no line of theirs is longer than its 100 columns. (clang-format leaves
-# comments and strings alone, however long they are.)
+# comments and strings alone, however long they are.) No line of a Markdown file is longer than 130 columns, except in tables
+# and code.
 #     layout.sh SOURCE
 set -eu
 cd "$1"
@@ -17,6 +18,15 @@ while IFS= read -r file; do
     # a byte 10xxxxxx continues a character, and is no column
     LC_ALL=C sed 's/[\x80-\xbf]//g' "$file" | LC_ALL=C awk -v file="$file" 'length > 100 { print file ":" NR ": longer than 100 columns" }'
 done <"$work/files" >"$work/long"
+
+# Indented code begins after an empty line. Other lines that are indented belong to a list.
+find . \( -name 'build*' -o -name node_modules -o -name .git \) -prune -o -name '*.md' -print >"$work/texts"
+[ "$(wc -l <"$work/texts")" -gt 50 ] || { echo "FAILED: the texts were not found"; exit 1; }
+while IFS= read -r file; do
+    LC_ALL=C sed 's/[\x80-\xbf]//g' "$file" | LC_ALL=C awk -v file="$file" '/^ *```/ { fenced = !fenced; next }
+        { code = fenced || (/^    / && (code || blank)); blank = /^ *$/ }
+        length > 130 && !code && !/^ *\|/ { print file ":" NR ": longer than 130 columns" }'
+done <"$work/texts" >>"$work/long"
 if [ -s "$work/long" ]; then
     cat "$work/long"
     status=1
@@ -29,6 +39,6 @@ done
 if [ -n "$clang_format" ]; then
     tr '\n' '\0' <"$work/files" | xargs -0 "$clang_format" --dry-run --Werror || status=1
 fi
-[ $status = 0 ] || { echo "FAILED: the layout of the sources"; exit 1; }
+[ $status = 0 ] || { echo "FAILED: the layout of the sources and texts"; exit 1; }
 [ -n "$clang_format" ] || { echo "SKIPPED: no clang-format-$version here, others lay out otherwise; the length of lines was checked"; exit 77; }
-echo "ok: $(wc -l <"$work/files") sources"
+echo "ok: $(wc -l <"$work/files") sources, $(wc -l <"$work/texts") texts"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What "rwedge solve" answers about one contact, by its names: as cli/solve/results.c and off_centre.c.
+// What "rwedge solve" answers about one contact, by its names: as cli/solve/results.c and present_state.c.
 import { rwedge, status } from "../library.js";
 import { words } from "words";
 import { shearRatio, SQRT_3 } from "./contact_case.js";

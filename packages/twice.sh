@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# After make.sh: makes the packages again, in a clone in another folder, with another time zone and umask. They are the same bytes.
+# Makes the packages again, in a clone in another folder, with another time zone and umask: they are the same bytes. Those of BUILD
+# are made first, if they are not of this commit.
 # Sources and tools that were fetched are shared. What was compiled is not.
 #     twice.sh BUILD
 set -eu
@@ -10,11 +11,17 @@ top=$(cd "$here/.." && pwd)
 build=$(cd "$1" && pwd)
 fail() { echo "FAILED: $*"; exit 1; }
 commit=$(git -C "$top" rev-parse HEAD 2>/dev/null) || { echo "SKIPPED: these files are no clone"; exit 77; }
-gzip -dc "$build"/packages/rwedge-*.tar.gz | git get-tar-commit-id | grep -qx "$commit" ||
-    fail "the packages in $build are not those of this commit: make them first"
-
 work=$(mktemp -d)
 trap 'rm -rf --one-file-system "$work"' EXIT
+# make_in CLONE BUILD
+make_in()
+{
+    sh "$1/packages/make.sh" --untested "$2" >"$work/log" 2>&1 && status=0 || status=$?
+    case $status in 0 | 77) ;; *) tail -n 40 "$work/log"; fail "they cannot be made in $2" ;; esac
+}
+gzip -dc "$build"/packages/rwedge-*.tar.gz 2>/dev/null | git get-tar-commit-id 2>/dev/null | grep -qx "$commit" ||
+    make_in "$top" "$build"
+
 umask 002
 export TZ=Pacific/Auckland CCACHE_DISABLE=1
 git clone --quiet "$top" "$work/another"
@@ -25,7 +32,7 @@ for fetched in excel/sources web/sources docs-tools/venv docs-tools/fetched whee
     mkdir -p "$(dirname "$again/$fetched")"
     ln -s "$build/$fetched" "$again/$fetched"
 done
-sh "$work/another/packages/make.sh" --untested "$again" >"$work/log" 2>&1 && status=0 || status=$?
-case $status in 0 | 77) ;; *) tail -n 40 "$work/log"; fail "they cannot be made again" ;; esac
+mkdir -p "$again"
+make_in "$work/another" "$again"
 (cd "$again/packages" && sha256sum --check --quiet "$build/packages/SHA256SUMS") || fail "made again, they have other bytes"
 echo "made again in another folder, they are the same bytes: $(wc -l <"$build/packages/SHA256SUMS") files"

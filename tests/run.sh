@@ -6,9 +6,10 @@
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
 #     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, mutation, bindings
-#     ./tests/run.sh --packages   also: the packages made, each tested as it is installed, and made again to the same bytes
-#     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system
-#     ./tests/run.sh --all        all of these
+#     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
+#     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system; and
+#                                 the packages made again in another folder, to the same bytes
+#     ./tests/run.sh --all        all but --elsewhere: below an hour on two processors
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #
 # Seeds, samples and numbers of runs are fixed: what was green stays green on the same tree. tests/README.md says how to look further.
@@ -29,7 +30,7 @@ for option; do
     --sanitize) sanitize=yes ;;
     --campaign | --packages | --elsewhere) long="${long:+$long|}${option#--}" ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes long='compilers|campaign|packages|elsewhere' ;;
+    --all) compilers=yes sanitize=yes long="compilers|campaign|packages${long:+|$long}" ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac

@@ -51,7 +51,7 @@
 #define RWEDGE_API
 #endif
 
-#define RWEDGE_VERSION "1.1.0"
+#define RWEDGE_VERSION "1.2.0"
 
 #ifdef __cplusplus
 extern "C" {

@@ -22,7 +22,7 @@ struct rwedge_contact {
     /* their sum; the carry is what rounding left out of a long history, and NaN from a load of
      * unknown energy until the first load after the separation */
     double energy, energy_carry;
-    rw_memory memory;            /* loads are P, shears Q/f */
+    rw_memory memory;     /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */

@@ -848,14 +848,15 @@ End Function
 ' ---- A contact with a load history -------------------------------------------------------------
 
 ' The largest |d sigma| with which the present Q may change to another under constant P and M,
-' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+' stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. HUGE_VAL without friction, and where a
+' tension stretches nothing.                                                                    new
 '   Q  finite
 ' NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant, ByVal Q As Double) As Variant
-Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s). HUGE_VAL without friction."
+Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. HUGE_VAL without friction, and where a tension stretches nothing."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -954,7 +955,7 @@ End Function
 ' this is how a pad is matched to a specimen.                                                   new
 '   normal_left, normal_right  K_N, stress over the root of a length
 '   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
-'                              sigma less what it was when the bodies touched
+'                              the strain by sigma less what it was when the bodies touched
 ' RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
 ' rwedge_contact_edges() gives.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
@@ -982,6 +983,7 @@ End Function
 '   Q1, Q2          |Q| <= f P
 '   sigma1, sigma2  finite
 '   left, right     its edges, length
+' The compliances are equal: a tension stretches the surface by A/4 of it.
 ' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
 ' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
 ' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of

@@ -16,6 +16,7 @@ typedef struct {
 struct rwedge_contact {
     rw_geometry geometry;
     double f;
+    double strain; /* of the surface per bulk tension, over A/4: 1 for equal compliances */
     rw_loads loads;
     double slid_from;  /* the largest load since it slides; 0 where it does not */
     double touched_at; /* the bulk tension at which the bodies touched */
@@ -36,6 +37,12 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 {
     const double beyond = corner + 1 < memory->count ? memory->corners[corner + 1].ratio : 0;
     return memory->corners[corner].ratio - beyond;
+}
+
+/* The stretch that a bulk tension makes, in the unit of the memory. */
+static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
+{
+    return c->f > 0 ? -(c->geometry.A / c->geometry.theta) * sigma / (4 * c->f) * c->strain : 0;
 }
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the

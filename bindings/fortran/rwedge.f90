@@ -1690,11 +1690,12 @@ contains
     !> time integral of the traction times the rate of slip over the contact, without the rigid
     !> displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
     !> loop of Q over the rigid displacement.   new
-    !> NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
-    !> has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
-    !> the change of Q/f where that slip reaches an older layer. Off the centre it is below 1e-12 and
-    !> 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the
-    !> edges over the width where that is above 1.
+    !> NaN for NULL. A load off the centre that slips while P or M change, or slides, has no single
+    !> integral: the energy is then NaN until the first load after the bodies have separated, from
+    !> which it counts again. What was dissipated between is missing in the sum. Relative error of each
+    !> load's share below 1e-12, and epsilon times P over the change of Q/f where that slip reaches an
+    !> older layer. Off the centre it is below 1e-12 and 1e-14 times P over the change of Q/f. Both grow
+    !> with 1/(1 - |tilt|/theta), and with |x| at the edges over the width where that is above 1.
     pure function contact_dissipated_energy(this) result(value)
         class(rwedge_contact), intent(in) :: this
         real(c_double) :: value

@@ -76,5 +76,5 @@ size_t rwedge_contact_memory(const rwedge_contact *contact)
 
 double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
 {
-    return contact ? contact->energy : NAN;
+    return contact && !isnan(contact->energy_carry) ? contact->energy : NAN;
 }

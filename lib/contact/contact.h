@@ -19,9 +19,10 @@ struct rwedge_contact {
     rw_loads loads;
     double slid_from;  /* the largest load since it slides; 0 where it does not */
     double touched_at; /* the bulk tension at which the bodies touched */
-    /* their sum; the carry is what rounding left out of a long history */
-    double energy, energy_carry; /* NaN where it is not known */
-    rw_memory memory;            /* loads are P, shears Q/f */
+    /* their sum; the carry is what rounding left out of a long history, and NaN from a load of
+     * unknown energy until the first load after the separation */
+    double energy, energy_carry;
+    rw_memory memory;     /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */

@@ -152,11 +152,13 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
-        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,  &c->f,          &c->loads.P,
-        &c->loads.M,        &c->loads.Q,      &c->loads.sigma, &c->touched_at, &c->settled.left,
-        &c->settled.right,  &c->energy_carry, &c->slid_from};
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,      &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
-    pass(t, &c->energy); /* NaN where it is not known */
+    pass(t, &c->energy_carry); /* NaN where the energy is not known */
+    pass(t, &c->slid_from);
+    pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
@@ -204,8 +206,8 @@ static bool is_contact_sound(const rwedge_contact *c)
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
            rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) &&
-           c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && rw_is_magnitude(c->slid_from) &&
+           !isinf(c->energy_carry) && c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)

@@ -360,3 +360,9 @@ rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
     rw_step rest;
     return leaves_layer(s, &shorter, &rest) ? rw_path_departure(&rest, departure) : found;
 }
+
+bool rw_path_separates_stuck(const rw_step *s)
+{
+    const rw_departure d = rw_memory_departure(s->memory, s->to);
+    return sticking_recession(s, &d) == RW_NO_OBSTACLE;
+}

@@ -20,12 +20,14 @@ static char plain_letter(uint32_t code)
 {
     if (code > 0xff00 && code < 0xff5f)
         return (char)(code - 0xfee0); /* full-width forms */
-    if (code >= 0x2080 && code <= 0x2089)
-        return (char)('0' + (code - 0x2080)); /* subscripts */
+    if ((code >= 0x2080 && code <= 0x2089) || (code >= 0x2074 && code <= 0x2079))
+        return (char)('0' + code % 16); /* subscripts and powers */
     if (code == 0xb2 || code == 0xb3)
-        return (char)('2' + (code - 0xb2)); /* squares and cubes */
-    if (code == 0xb7 || code == 0x22c5)
-        return '.'; /* between units */
+        return (char)('0' + code % 16);
+    if (code == 0xb9)
+        return '1';
+    if (code == 0xb7 || code == 0x22c5 || code == 0x207b || code == 0x2212)
+        return '.'; /* between units, and a minus */
     if (code == 0xa0 || (code >= 0x2000 && code <= 0x200f) || code == 0x202f || code == 0x205f ||
         code == 0x2060 || code == 0x3000 || code == 0xfeff)
         return ' ';
@@ -67,12 +69,12 @@ bool column_name_is_like(const char *a, size_t length, const char *b)
 static bool is_unit(const char *word, size_t length)
 {
     static const char *const units[] = {
-        "N",   "mN",  "daN",    "kN",     "MN",   "newton",   "lb",      "lbs",
-        "lbf", "kip", "kgf",    "Pa",     "hPa",  "kPa",      "MPa",     "GPa",
-        "bar", "psi", "ksi",    "m",      "cm",   "mm",       "um",      "\xc2\xb5m",
-        "in",  "ft",  "inch",   "inches", "Nm",   "Nmm",      "kNm",     "\xce\xbcm",
-        "deg", "rad", "degree", "mrad",   "grad", "degrees",  "radians", "\xc2\xb0",
-        "%",   "percent"};
+        "N",    "mN",   "daN",       "kN",        "MN",       "newton", "lb",
+        "lbs",  "lbf",  "kip",       "kgf",       "Pa",       "hPa",    "kPa",
+        "MPa",  "GPa",  "bar",       "psi",       "ksi",      "m",      "cm",
+        "mm",   "um",   "\xc2\xb5m", "in",        "ft",       "inch",   "inches",
+        "Nm",   "Nmm",  "kNm",       "\xce\xbcm", "deg",      "rad",    "degree",
+        "mrad", "grad", "degrees",   "radians",   "\xc2\xb0", "%",      "percent"};
     while (length > 1 && isdigit((unsigned char)word[length - 1]))
         length--; /* mm2 */
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)

@@ -167,9 +167,9 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
 static bool is_label(const char *name)
 {
-    static const char *const labels[] = {"case", "id",    "key",    "line", "load", "name",
-                                         "no",   "nr",    "number", "row",  "step", "time",
-                                         "t",    "cycle", "point",  "label"};
+    static const char *const labels[] = {"case", "id",    "key",    "line",  "load", "name",
+                                         "no",   "nr",    "number", "row",   "step", "time",
+                                         "t",    "cycle", "point",  "label", "node"};
     char plain[COLUMN_NAME_SIZE];
     column_name_make_plain(name, plain);
     const size_t stem = column_name_stem(plain);
@@ -213,8 +213,7 @@ static bool looks_like_number(const char *text)
     return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
 }
 
-void header_note_unused(const header *names, const char *const cell[],
-                        bool unused[HEADER_COLUMNS])
+void header_note_unused(const header *names, const char *const cell[], bool unused[HEADER_COLUMNS])
 {
     for (size_t i = 0; i < names->count; i++)
         if (!names->is_used[i] && !unused[i])

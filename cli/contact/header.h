@@ -35,8 +35,7 @@ bool header_fits(const header *names, size_t cells, char separator, char complai
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
-void header_note_unused(const header *names, const char *const cell[],
-                        bool unused[HEADER_COLUMNS]);
+void header_note_unused(const header *names, const char *const cell[], bool unused[HEADER_COLUMNS]);
 
 /* Adds "columns with numbers that are not used: 'T'" to a list, where there are any. */
 void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,

@@ -194,8 +194,7 @@ static int read_file(const load_source *from, char decimal_sign, load_table *loa
 int load_table_read(const load_source *from, char decimal_sign, load_table *loads)
 {
     *loads = (load_table){0};
-    return from->file != NULL ? read_file(from, decimal_sign, loads)
-                              : read_list(from->list, loads);
+    return from->file != NULL ? read_file(from, decimal_sign, loads) : read_list(from->list, loads);
 }
 
 /* ---- Columns that nothing uses ---- */

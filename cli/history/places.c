@@ -140,11 +140,11 @@ static int read_row(csv_input *in, columns *of, char decimal_sign, places *found
 {
     double value[2];
     char complaint[COMPLAINT_SIZE];
-    const char *const *cell = csv_input_cells(in);
+    const char *const *cells = csv_input_cells(in);
     if (!header_fits(&of->names, csv_input_count(in), csv_input_separator(in), complaint))
         return refuse_row(in, complaint);
     for (int i = 0; i < 2; i++) {
-        const char *text = cell[of->column[i]];
+        const char *text = cells[of->column[i]];
         snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
                  names[i], text, decimal_sign == ',' ? "comma" : "point");
         if (!number_read_cell(text, decimal_sign, &value[i]))
@@ -154,7 +154,7 @@ static int read_row(csv_input *in, columns *of, char decimal_sign, places *found
         return refuse_row(in, complaint_about(value[0], value[1]));
     if (found->count == PLACES_MAX)
         return failure("%s: more than %d points", csv_input_name(in), PLACES_MAX);
-    header_note_unused(&of->names, cell, of->unused);
+    header_note_unused(&of->names, cells, of->unused);
     return add(found, value[0], value[1]) ? STATUS_DONE : STATUS_FAILED;
 }
 

@@ -26,7 +26,7 @@ typedef struct {
     csv_row first;
     header names;
     bool unused[HEADER_COLUMNS]; /* columns with numbers in any row that are not used */
-    bool shown[RESULT_COUNT]; /* the results that become columns */
+    bool shown[RESULT_COUNT];    /* the results that become columns */
     records *rows;
     int64_t count, failed;
     int32_t doubts; /* of any row */
@@ -76,7 +76,8 @@ static bool is_rigid(const input_texts *texts)
 static bool has_no_gap(const run *r, const input_texts *texts, char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
-        if (!header_has_input(&r->names, i) || input_is_given(texts, i) || (i == INPUT_NU2 && is_rigid(texts)))
+        if (!header_has_input(&r->names, i) || input_is_given(texts, i) ||
+            (i == INPUT_NU2 && is_rigid(texts)))
             continue;
         char name[INPUT_NAME_SIZE];
         snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
@@ -106,7 +107,8 @@ static int check_complete(const run *r)
 static int choose_results(run *r)
 {
     results_wanted wanted = r->what->wanted;
-    wanted.edges = wanted.edges || header_has_input(&r->names, INPUT_M) || header_has_input(&r->names, INPUT_SIGMA);
+    wanted.edges = wanted.edges || header_has_input(&r->names, INPUT_M) ||
+                   header_has_input(&r->names, INPUT_SIGMA);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const char *name = result_kinds[i].name;
         const bool is_input = (i == RESULT_ROUNDING && header_has_input(&r->names, INPUT_A)) ||

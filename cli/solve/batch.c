@@ -280,28 +280,23 @@ static csv_event hold_rows(run *r)
         if (event == CSV_END || event == CSV_FAILED)
             return event;
         csv_row *row = &r->held[r->held_count];
-        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row)) {
-            release_held(r);
-            return csv_input_stop(r->in, "out of memory");
-        }
+        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row))
+            failure("out of memory");
         bytes += row->bytes;
     }
     return event;
 }
 
-static bool write_held(run *r)
+static void write_held(run *r)
 {
-    if (r->held_count == 0)
-        return true;
     ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
-    for (int64_t i = 0; i < r->held_count && work != NULL && records_go_on(r->rows); i++)
+    for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], ahead_next(work));
     ahead_stop(work);
     release_held(r);
-    return work != NULL;
 }
 
-/* False, with the reason said, where the file or the format cannot go on. */
+/* Ends where the file or the format cannot go on. */
 static bool write_rows(void *of_run, records *rows, bool show_progress)
 {
     run *r = of_run;
@@ -311,8 +306,7 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     write_header(r);
     while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
         event = hold_rows(r);
-        if (!write_held(r))
-            event = csv_input_stop(r->in, "out of memory");
+        write_held(r);
     }
     if (event == CSV_FAILED)
         write_broken_end(r);
@@ -320,7 +314,7 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     progress_erase();
     if (event == CSV_FAILED)
         csv_input_fail(r->in);
-    return event != CSV_FAILED && records_are_sound(r->rows);
+    return records_are_sound(r->rows);
 }
 
 static void say_doubts(const run *r)

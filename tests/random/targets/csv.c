@@ -5,6 +5,8 @@
 #include "file.h"
 #include "input.h"
 #include "rows/delimited.h"
+#include "text/message.h"
+#include "until_exit.h"
 
 #include <ctype.h>
 #include <strings.h>
@@ -36,9 +38,19 @@ static bool has_other_start(const uint8_t *data, size_t size)
            (data[0] >= 0x80 || (size > 4 && strncasecmp((const char *)data, "sep=", 4) == 0));
 }
 
-static void read_anything(const uint8_t *data, size_t size, char separator)
+typedef struct {
+    const uint8_t *data;
+    size_t size;
+    char separator;
+} any_file;
+
+/* What cannot be opened ends in exit(). */
+static void read_anything(void *of_file)
 {
-    csv_input *in = csv_input_open(file_of(data, size), separator, NULL);
+    const any_file *file = of_file;
+    const uint8_t *data = file->data;
+    const size_t size = file->size;
+    csv_input *in = csv_input_open(file_of(data, size), file->separator, NULL);
     CLAIM(in != NULL, "open");
     csv_event event;
     size_t rows = 0, letters = 0;
@@ -131,9 +143,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     input in = {data, size};
     const uint8_t kind = take_byte(&in);
     const char separator = kind % 2 == 0 ? ',' : ';';
-    if (kind < 128)
-        read_anything(in.data, in.left, separator);
-    else
+    if (kind < 128) {
+        any_file file = {in.data, in.left, separator};
+        const int ended = until_exit(read_anything, &file);
+        CLAIM(ended == NO_EXIT || ended == STATUS_FAILED, "%d", ended);
+    } else
         write_and_read(&in, separator);
     return 0;
 }

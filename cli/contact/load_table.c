@@ -2,7 +2,7 @@
 #include "load_table.h"
 
 #include "input/text_input.h"
-#include "load_row.h"
+#include "model/load_row.h"
 #include "table_header.h"
 #include "text/message.h"
 #include "text/number.h"

@@ -4,9 +4,10 @@
 #ifndef CLI_LOAD_TABLE_H
 #define CLI_LOAD_TABLE_H
 
-#include "header.h"
+#include "model/header.h"
 #include "input/csv_row.h"
-#include "loads.h"
+#include "input_options.h"
+#include "model/loads.h"
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding. */
 enum {

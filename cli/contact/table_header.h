@@ -3,7 +3,7 @@
 #ifndef CLI_TABLE_HEADER_H
 #define CLI_TABLE_HEADER_H
 
-#include "header.h"
+#include "model/header.h"
 #include "input/csv_row.h"
 
 /* Reads the first row, which is kept. False, with the reason said; free it in either case. */

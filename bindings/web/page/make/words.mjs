@@ -66,7 +66,7 @@ export function words(top) {
         inputs: inputs(read("cli/contact/inputs.c")),
         results: results(read("cli/solve/results.c")),
         measures: measures(read("cli/fretting/last_cycle.c")),
-        synonyms: synonyms(read("cli/contact/header.c")),
+        synonyms: synonyms(read("cli/model/header.c")),
     };
     const counts = [Object.keys(all.inputs).length, all.results.length, all.measures.length];
     if (counts.join() !== "15,30,9" || all.synonyms.length < 30)

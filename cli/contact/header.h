@@ -4,7 +4,7 @@
 #define CLI_HEADER_H
 
 #include "input/csv_input.h"
-#include "inputs.h"
+#include "model/inputs.h"
 
 typedef struct {
     char **name; /* as they stand in the file */

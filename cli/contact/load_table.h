@@ -5,7 +5,8 @@
 #define CLI_LOAD_TABLE_H
 
 #include "header.h"
-#include "loads.h"
+#include "input_options.h"
+#include "model/loads.h"
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding. */
 enum {

@@ -4,7 +4,8 @@
 #include "surface.h"
 #include "worst.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
+#include "model/doubts.h"
 #include "options/threads.h"
 #include "rows/output_options.h"
 #include "system/ahead.h"

@@ -5,7 +5,7 @@
 #include "point_rows.h"
 #include "series.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "system/progress.h"
 #include "text/message.h"
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "batch.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "contact/header.h"
 #include "input/csv_row.h"
 #include "system/ahead.h"
 #include "text/message.h"
 #include "text/number.h"
 #include "system/progress.h"
-#include "results.h"
+#include "model/results.h"
 
 #include <inttypes.h>
 #include <math.h>

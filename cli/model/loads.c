@@ -5,6 +5,7 @@
 #include "text/number.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static int32_t apply(load to, rwedge_contact *contact)
 {
@@ -111,12 +112,12 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
         return true;
     const load_fault fault = loads_fault(status, to, f, contact);
     char name[INPUT_NAME_SIZE], value[NUMBER_SIZE];
-    const double of[INPUT_COUNT] = {
+    const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
         snprintf(complaint, COMPLAINT_SIZE, "%s", fault.why);
     else {
-        number_write(of[fault.input], NUMBER_DIGITS, '.', value);
+        number_write(part[fault.input], NUMBER_DIGITS, '.', value);
         snprintf(complaint, COMPLAINT_SIZE, "%s %s: %s", input_column(fault.input, name), value,
                  fault.why);
     }

@@ -19,7 +19,6 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
  * the sentence about it. */
 typedef struct {
     int input;
-    int32_t status;                 /* of the library */
     char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
     int32_t status;                 /* of the library */
 } load_fault;

@@ -99,7 +99,8 @@ static int check_complete(const run *r)
     char complaint[COMPLAINT_SIZE];
     if (case_is_complete(&texts, CASE_OF_SOLVE, complaint))
         return STATUS_DONE;
-    return failure("%s: %s%s", csv_input_name(r->in), complaint, header_separator_hint(&r->names));
+    return failure("%s: %s%s", csv_input_name(r->in), complaint,
+                   header_separator_hint(r->names.name, r->names.count));
 }
 
 /* A result that the file has as an input is not repeated; another column of its name would be
@@ -156,7 +157,7 @@ static bool solve_row(const run *r, const csv_row *row, results *found,
                  row->line);
         return false;
     }
-    if (!header_fits(&r->names, row->count, csv_input_separator(r->in), complaint))
+    if (!header_fits(r->names.count, row->count, csv_input_separator(r->in), complaint))
         return false;
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
@@ -194,8 +195,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
     const char *text = column < row->count ? row->cell[column] : "";
     const bool is_input = header_is_input(&r->names, column);
     double number;
-    return number_read_cell(text, r->how->decimal_sign, &number) &&
-                   (is_input || number_is_exact(text))
+    return (is_input ? number_read_cell : number_survives)(text, r->how->decimal_sign, &number)
                ? cell_typed(text, number)
                : cell_text(text);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A user who ends the program, by Ctrl-C, kill or a closed terminal: the unfinished file is removed,
- * a message says so, and the program ends by the signal itself, so that the shell sees it. A closed
- * pipe and a size limit are errors of write() instead. */
+/* A user who ends the program, by Ctrl-C, kill or a closed terminal: the unfinished file is
+ * removed, a message says so, and the program ends by the signal itself, so that the shell sees it.
+ * A closed pipe and a size limit are errors of write() instead. */
 #ifndef CLI_SIGNALS_H
 #define CLI_SIGNALS_H
 

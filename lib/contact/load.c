@@ -50,7 +50,7 @@ static double share_centred(const rwedge_contact *contact, const rw_step *step)
     const rw_memory *memory = &contact->memory;
     if (contact->f == 0 || memory->count == 1)
         return 0;
-    if (!rw_path_is_plain(memory, step->to))
+    if (!rw_memory_is_plain(memory, step->to))
         return rw_path_separates_stuck(step) ? 0 : NAN;
     const rw_geometry *g = &contact->geometry;
     const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
@@ -95,9 +95,9 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
-    step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
+    step->to.stretch = rw_contact_stretch(contact, to.sigma);
     if (is_same_pressing(contact, to) &&
-        (to.M != 0 || !rw_path_is_plain(&contact->memory, step->to))) {
+        (to.M != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;
         step->to.load = end->load;
@@ -203,7 +203,7 @@ static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *s
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
 {
     return contact->f > 0 && step->to.load > 0 &&
-           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to));
+           (contact->was_off_centre || !rw_memory_is_plain(&contact->memory, step->to));
 }
 
 /* One origin serves for all points that slipped, where they had touched before the first slip: no
@@ -330,7 +330,7 @@ double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double
     if (!contact || !rw_is_signed(Q))
         return NAN;
     const double s = rwedge_contact_half_width(contact);
-    if (contact->f == 0)
+    if (contact->f == 0 || contact->strain == 0)
         return HUGE_VAL;
-    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) : 0;
+    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) / contact->strain : 0;
 }

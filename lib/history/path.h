@@ -30,8 +30,4 @@ rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
 
 /* Whether a step that separates the bodies slips nowhere on its way. */
 bool rw_path_separates_stuck(const rw_step *step);
-
-/* Whether all of it has one stretch and no tilt: the history of P and Q alone. */
-bool rw_path_is_plain(const rw_memory *memory, rw_loading to);
-
 #endif

@@ -126,7 +126,7 @@ static bool read_load(const char *text, size_t length, load last, load *to)
     return count == 4 || count == 2;
 }
 
-/* Loads with a decimal comma, as 135,75,0,0, are four numbers too. */
+/* A first load with decimal commas, as 135,75,0,0, is four numbers too. */
 static void say_four_values(const char *line, int length)
 {
     static const char digits[] = "0123456789";
@@ -148,7 +148,8 @@ static int read_list(const char *lines, load_table *loads)
         if (!read_load(lines, length, to, &to))
             return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                                (int)(length < 60 ? length : 60), lines);
-        say_four_values(lines, (int)length);
+        if (loads->count == 0)
+            say_four_values(lines, (int)length);
         if (!add(loads, to, (csv_row){0}))
             return STATUS_FAILED;
         lines += length + 1;

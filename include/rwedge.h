@@ -358,9 +358,9 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * or stick; and where Q and sigma stay and the contact keeps what carries shear, or nothing does. A
  * straight line may consist of such pieces. Other loads have no closed form. Nor have loads that
  * bring the front of slip between two patches of the memory at one edge, and between two others at
- * the other edge, or that leave a part beyond the front that sticks: lib/README.md, "Moment and bulk
- * tension". A line may pass such loads and end where there is a closed form. P and M that differ
- * from the last ones by rounding, 4 epsilon of P and of P |x| at the edges, are the last ones.
+ * the other edge, or that leave a part beyond the front that sticks: lib/README.md, "Moment and
+ * bulk tension". A line may pass such loads and end where there is a closed form. P and M that
+ * differ from the last ones by rounding, 4 epsilon of P and of P |x| at the edges, are the last.
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
  * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;

@@ -38,7 +38,8 @@ static double half_width(rw_patch patch)
 static double tilt_tolerance(const rw_step *s, rw_loading to)
 {
     const rw_corner *end = rw_memory_end(s->memory);
-    const double size = fmin(1, half_width(end->patch) / s->geometry->a); /* 1 where a is 0 */
+    const double width = half_width(end->patch), a = s->geometry->a,
+                 size = width < a ? width / a : 1;
     return 64 * DBL_EPSILON *
            (size + fmax(fabs(to.tilt), fabs(end->tilt)) +
             fmax(fabs(to.stretch), fabs(end->stretch)));

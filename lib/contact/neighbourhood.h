@@ -25,7 +25,7 @@ rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
                                          const rw_neighbourhood *outer, double centre,
                                          double radius);
 
-/* The fields at n <= RW_BATCH points of the disc: those of rw_contact_fields_at() to 1e-9 of theta/A. */
+/* The fields at n <= RW_BATCH points of the disc: to 1e-9 those of rw_contact_fields_at(). */
 void rw_neighbourhood_fields(const rwedge_contact *contact, const rw_neighbourhood *n, int count,
                              const double x[], const double y[], rw_contact_fields *fields);
 

@@ -30,6 +30,9 @@ struct rwedge_contact {
     rw_slip_origins origins;
 };
 
+/* What is in the way of a straight line to the loads that is not divided into pieces. */
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
+
 /* The traction of a history is a sum of patches, one for each corner of its path: the pressure
  * of the contact under the corner's load, times f and the step that D makes there. The last
  * patch is the contact itself. */

@@ -544,8 +544,9 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  *           apex of the sharp wedge
  *   x, y    where the maximum is, length; each may be NULL
  * The search is for the global maximum, around each remembered edge of slip, at every scale. It
- * takes as long as the stresses at about 7000 points for a first load, and at 25 000 where
- * rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
+ * takes as long as the stresses at about 5000 points for a first load, at 20 000 where
+ * rwedge_contact_memory() is 250, and at 30 000 where it is 1000. RWEDGE_EABSENT when separated:
+ * there is no stress.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
  * below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,

@@ -177,6 +177,23 @@ contains
             allocate (s(1, 1, 3))
             call contact%yield_factor(v(1)%x(1), v(2)%x(1), s(1, 1, 1), s(1, 1, 2), s(1, 1, 3), stat)
             r = [s]
+        case ('contact_cycle_fatigue')
+            allocate (s(size(v(5)%x), 1, 5))
+            call contact%cycle_fatigue(v(1)%x, v(2)%x, v(3)%x, v(4)%x, v(5)%x, v(6)%x, v(7)%x(1), v(8)%x(1), v(9)%x(1), s(:, &
+                1, 1), s(:, 1, 2), s(:, 1, 3), s(:, 1, 4), s(:, 1, 5), stat)
+            r = [s]
+        case ('contact_cycle_friction')
+            allocate (s(size(v(5)%x), 1, 4))
+            call contact%cycle_friction(v(1)%x, v(2)%x, v(3)%x, v(4)%x, v(5)%x, s(:, 1, 1), s(:, 1, 2), s(:, 1, 3), s(:, 1, &
+                4), stat)
+            r = [s]
+        case ('contact_cycle_worst')
+            allocate (s(1, 1, 2))
+            call contact%cycle_worst(int(v(1)%x(1), c_int32_t), v(2)%x, v(3)%x, v(4)%x, v(5)%x, v(6)%x, v(7)%x, v(8)%x(1), &
+                v(9)%x(1), v(10)%x(1), v(11)%x(1), s(1, 1, 1), s(1, 1, 2), stat)
+            r = [s]
+        case ('contact_displacement')
+            r = [contact%displacement(v(1)%x(1))]
         case ('von_mises')
             r = [rwedge_von_mises(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1))]
         case ('out_of_plane_stress')

@@ -15,7 +15,7 @@
 
 enum {
     ENTRY_ARGUMENTS = 12, /* the most that a function has */
-    ENTRY_RESULTS = 4,
+    ENTRY_RESULTS = 5,
     ENTRY_SIZES = 2
 };
 
@@ -520,6 +520,75 @@ static const entry_result contact_yield_factor_results[] = {
     {"x", {-1, -1}, 1},
     {"y", {-1, -1}, 1}};
 
+ENTRY(contact_cycle_fatigue, return rwedge_contact_cycle_fatigue((const rwedge_contact *)object,
+      n[0], v[0], v[1], v[2], v[3], n[1], v[4], v[5], v[6][0], v[7][0], v[8][0], r[0], r[1], r[2],
+      r[3], r[4]))
+static const entry_argument contact_cycle_fatigue_arguments[] = {
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex (0, 0) of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}},
+    {"y", "0, or 1e-60 to 1e60, not the apex (0, 0) of a loaded sharp wedge", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}}};
+static const entry_result contact_cycle_fatigue_results[] = {
+    {"stress_range", {1, -1}, 0},
+    {"swt", {1, -1}, 0},
+    {"swt_angle", {1, -1}, 0},
+    {"fatemi_socie", {1, -1}, 0},
+    {"fs_angle", {1, -1}, 0}};
+static const entry_size contact_cycle_fatigue_sizes[] = {
+    {"loads", NULL, ""},
+    {"n", NULL, ""}};
+
+ENTRY(contact_cycle_friction, return rwedge_contact_cycle_friction((const rwedge_contact *)object,
+      n[0], v[0], v[1], v[2], v[3], n[1], v[4], r[0], r[1], r[2], r[3]))
+static const entry_argument contact_cycle_friction_arguments[] = {
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude, not the apex 0 of a loaded sharp wedge", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}}};
+static const entry_result contact_cycle_friction_results[] = {
+    {"slip_range", {1, -1}, 0},
+    {"ruiz_f1", {1, -1}, 0},
+    {"ruiz_f2", {1, -1}, 0},
+    {"energy", {1, -1}, 0}};
+static const entry_size contact_cycle_friction_sizes[] = {
+    {"loads", NULL, ""},
+    {"n", NULL, ""}};
+
+ENTRY(contact_cycle_worst, return rwedge_contact_cycle_worst((const rwedge_contact *)object,
+      (int32_t)v[0][0], n[0], v[1], v[2], v[3], v[4], n[1], v[5], v[6], v[7][0], v[8][0], v[9][0],
+      v[10][0], r[0], r[1]))
+static const entry_argument contact_cycle_worst_arguments[] = {
+    {"measure", "whole, 0 <= measure <= 6", 0.0, 6.0, 0.0, 0, 0, 0, 1, 1, 0, {-1, -1}},
+    {"P", "0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"M", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"Q", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"sigma", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {0, -1}},
+    {"x", "0, or 1e-60 to 1e60 in magnitude", -1e+60, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}},
+    {"value", "0, or 1e-60 to 1e60, at least 0", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {1, -1}},
+    {"y", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"E", "1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"nu", "0 <= nu <= 0.5", 0.0, 0.5, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
+    {"k_over_sy", "0 or 1e-60 to 1e60", 1e-60, 1e+60, 0.0, 0, 0, 1, 1, 0, 0, {-1, -1}}};
+static const entry_result contact_cycle_worst_results[] = {
+    {"worst_x", {-1, -1}, 0},
+    {"worst_value", {-1, -1}, 0}};
+static const entry_size contact_cycle_worst_sizes[] = {
+    {"loads", NULL, ""},
+    {"n", NULL, ""}};
+
+ENTRY(contact_displacement, r[0][0] = rwedge_contact_displacement((const rwedge_contact *)object,
+      v[0][0]); return RWEDGE_OK)
+static const entry_argument contact_displacement_arguments[] = {
+    {"b", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}}};
+static const entry_result contact_displacement_results[] = {
+    {"value", {-1, -1}, 0}};
+
 ENTRY(von_mises, r[0][0] = rwedge_von_mises(v[0][0], v[1][0], v[2][0], v[3][0]); return RWEDGE_OK)
 static const entry_argument von_mises_arguments[] = {
     {"sxx", "of at most 1e60 in magnitude", -1e+60, 1e+60, 0.0, 0, 0, 0, 1, 0, 0, {-1, -1}},
@@ -783,6 +852,14 @@ static const entry entries[] = {
      NULL, 0, 1, 0, NULL, contact_dissipated_energy_results, NULL},
     {"contact_yield_factor", "contact", entry_contact_yield_factor, NULL, 1, 0, 0, 1, 0, 0, 0, 0x10e,
      NULL, 2, 3, 0, contact_yield_factor_arguments, contact_yield_factor_results, NULL},
+    {"contact_cycle_fatigue", "contact", entry_contact_cycle_fatigue, NULL, 1, 0, 0, 1, 0, 1, 0, 0x26e,
+     NULL, 9, 5, 2, contact_cycle_fatigue_arguments, contact_cycle_fatigue_results, contact_cycle_fatigue_sizes},
+    {"contact_cycle_friction", "contact", entry_contact_cycle_friction, NULL, 1, 0, 0, 1, 0, 1, 0, 0x26e,
+     NULL, 5, 4, 2, contact_cycle_friction_arguments, contact_cycle_friction_results, contact_cycle_friction_sizes},
+    {"contact_cycle_worst", "contact", entry_contact_cycle_worst, NULL, 1, 0, 0, 1, 0, 1, 0, 0xa,
+     NULL, 11, 2, 2, contact_cycle_worst_arguments, contact_cycle_worst_results, contact_cycle_worst_sizes},
+    {"contact_displacement", "contact", entry_contact_displacement, NULL, 1, 0, 0, 0, 0, 1, 0, 0x0,
+     NULL, 1, 1, 0, contact_displacement_arguments, contact_displacement_results, NULL},
     {"von_mises", "", entry_von_mises, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,
      NULL, 4, 1, 0, von_mises_arguments, von_mises_results, NULL},
     {"out_of_plane_stress", "", entry_out_of_plane_stress, NULL, 0, 0, 0, 0, 0, 0, 0, 0x0,

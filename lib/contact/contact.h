@@ -37,6 +37,9 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
+/* At a place of a loaded contact, not the apex of the sharp wedge. */
+double rw_contact_pressure(const rwedge_contact *contact, double x);
+
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
  * apex of the sharp wedge. */
 typedef struct {

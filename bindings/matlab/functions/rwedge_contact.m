@@ -29,6 +29,10 @@ classdef rwedge_contact < handle
 %   slip = c.slip(x)
 %   value = c.dissipated_energy()
 %   [factor, x, y] = c.yield_factor(nu, k)
+%   [stress_range, swt, swt_angle, fatemi_socie, fs_angle] = c.cycle_fatigue(P, M, Q, sigma, x, y, E, nu, k_over_sy)
+%   [slip_range, ruiz_f1, ruiz_f2, energy] = c.cycle_friction(P, M, Q, sigma, x)
+%   [worst_x, worst_value] = c.cycle_worst(measure, P, M, Q, sigma, x, value, y, E, nu, k_over_sy)
+%   value = c.displacement(b)
 %   [sxx, syy, txy] = c.cycle(loads, x, y)  stresses at points through a table of loads
 %   d = c.copy()                            an independent copy, to try a load and go back; d = c is the same contact
 %
@@ -371,6 +375,89 @@ classdef rwedge_contact < handle
             end
             [factor, x, y] = rwedge_mex('contact_yield_factor', contact.number, nu, k);
             contact.warn('safety', factor);
+        end
+
+        function [stress_range, swt, swt_angle, fatemi_socie, fs_angle] = cycle_fatigue(contact, P, M, Q, sigma, x, y, E, nu, k_over_sy)
+        %CYCLE_FATIGUE  [stress_range, swt, swt_angle, fatemi_socie, fs_angle] = contact.cycle_fatigue(P, M, Q, sigma, x, y, E, nu, k_over_sy)
+        %   Fatigue parameters at n points of the half-plane, from the stresses after each load.   new
+        %     x, y            length, finite, y >= 0: n numbers each; not the apex (0, 0) of a loaded sharp
+        %                     wedge
+        %     stress_range    receives n numbers: largest less smallest sxx
+        %     swt, swt_angle  each receives n numbers: rwedge_smith_watson_topper()
+        %     fatemi_socie, fs_angle  each receives n numbers: rwedge_fatemi_socie()
+        %   rwedge:domain, rwedge:path, rwedge:sliding, rwedge:range, rwedge:handle, rwedge:memory. Errors
+        %   as those of the functions that are named.
+        %     P            0, or at least 1e-8 of the last P
+        %     M, Q, sigma  finite: loads numbers each, as P
+        %     E            Young's modulus, stress, 1e-60 to 1e60
+        %     nu           Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+        %     k_over_sy    as in rwedge_fatemi_socie(), 1/stress, 0 or 1e-60 to 1e60
+            if nargin < 10
+                error('rwedge:arguments', 'too few arguments: [stress_range, swt, swt_angle, fatemi_socie, fs_angle] = contact.cycle_fatigue(P, M, Q, sigma, x, y, E, nu, k_over_sy)');
+            end
+            [stress_range, swt, swt_angle, fatemi_socie, fs_angle] = rwedge_mex('contact_cycle_fatigue', contact.number, P, M, Q, sigma, x, y, E, nu, k_over_sy);
+        end
+
+        function [slip_range, ruiz_f1, ruiz_f2, energy] = cycle_friction(contact, P, M, Q, sigma, x)
+        %CYCLE_FRICTION  [slip_range, ruiz_f1, ruiz_f2, energy] = contact.cycle_friction(P, M, Q, sigma, x)
+        %   What friction does at n places of the surface in the cycle. All is 0 where there is no contact.
+        %   Slip counts from when a place came into contact. Where the contact leaves it and comes back, slip
+        %   goes on from where it ended.   Ruiz, Boddington, Chen (1984), see lib/README.md; new
+        %     x           length, finite: n numbers; not the apex 0 of a loaded sharp wedge
+        %     slip_range  receives n numbers: largest less smallest slip, length
+        %     ruiz_f1     receives n numbers: largest |q| times slip range
+        %     ruiz_f2     receives n numbers: ruiz_f1 times the largest sxx after a load, 0 where that is not
+        %                 tensile
+        %     energy      receives n numbers: dissipated per area, the integral of q d(slip)
+        %   rwedge:path where the slip has no closed form after one of the loads, or on the way to
+        %   separation; rwedge:domain, rwedge:sliding, rwedge:range, rwedge:handle, rwedge:memory. Under
+        %   constant P and M slip and energy are those of rwedge_contact.slip() and the tractions. Where they
+        %   change, a step is cut into 32 parts: the energy of the contact then errs by 0.1 % in usual
+        %   cycles, and by 1 % where little slips.
+        %     P            0, or at least 1e-8 of the last P
+        %     M, Q, sigma  finite: loads numbers each, as P
+            if nargin < 6
+                error('rwedge:arguments', 'too few arguments: [slip_range, ruiz_f1, ruiz_f2, energy] = contact.cycle_friction(P, M, Q, sigma, x)');
+            end
+            [slip_range, ruiz_f1, ruiz_f2, energy] = rwedge_mex('contact_cycle_friction', contact.number, P, M, Q, sigma, x);
+        end
+
+        function [worst_x, worst_value] = cycle_worst(contact, measure, P, M, Q, sigma, x, value, y, E, nu, k_over_sy)
+        %CYCLE_WORST  [worst_x, worst_value] = contact.cycle_worst(measure, P, M, Q, sigma, x, value, y, E, nu, k_over_sy)
+        %   Where a measure of the cycle is largest on a line along x: at the places at which it is known, or
+        %   between them, around its tops.   new
+        %     measure                 0 <= measure <= 6: RWEDGE_MEASURE_STRESS_RANGE to RWEDGE_MEASURE_ENERGY_PER_AREA
+        %     x                       length, finite; ascending: n numbers
+        %     value                   at least 0, finite: the measure there, n numbers, 0 where there is none
+        %     y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
+        %     worst_x, worst_value    each receives one number
+        %   rwedge:domain where x does not ascend too; rwedge:range for n = 0; the others as in
+        %   rwedge_contact.cycle_friction(). The place is found to 1e-10 of the distance of its neighbours
+        %   where the top is not flat.
+        %     P            0, or at least 1e-8 of the last P
+        %     M, Q, sigma  finite: loads numbers each, as P
+        %     E            Young's modulus, stress, 1e-60 to 1e60
+        %     nu           Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+        %     k_over_sy    as in rwedge_fatemi_socie(), 1/stress, 0 or 1e-60 to 1e60
+            if nargin < 12
+                error('rwedge:arguments', 'too few arguments: [worst_x, worst_value] = contact.cycle_worst(measure, P, M, Q, sigma, x, value, y, E, nu, k_over_sy)');
+            end
+            [worst_x, worst_value] = rwedge_mex('contact_cycle_worst', contact.number, measure, P, M, Q, sigma, x, value, y, E, nu, k_over_sy);
+        end
+
+        function value = displacement(contact, b)
+        %DISPLACEMENT  value = contact.displacement(b)
+        %   How far remote points of the half-plane have moved along the surface against the wedge's, further
+        %   than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
+        %   of a cycle under constant P. See lib/cycle/displacement.c.   new
+        %     b  length, > 0, finite
+        %   NaN for NULL and when separated; NaN off the centre where the slip has no closed form, as in
+        %   rwedge_contact.slip(). Relative error below 1e-12; off the centre 1e-6 of f theta times the
+        %   half-width.
+            if nargin < 2
+                error('rwedge:arguments', 'too few arguments: value = contact.displacement(b)');
+            end
+            value = rwedge_mex('contact_displacement', contact.number, b);
         end
     end
     methods (Access = private)

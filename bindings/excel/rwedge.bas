@@ -864,14 +864,15 @@ End Function
 ' ---- A contact with a load history -------------------------------------------------------------
 
 ' The largest |d sigma| with which the present Q may change to another under constant P and M,
-' stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+' stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. HUGE_VAL without friction, and where a
+' tension stretches nothing.                                                                    new
 '   Q  finite
 ' NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_LARGEST_TENSION_STEP( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
         ByVal P_history As Variant, ByVal Q_history As Variant, ByVal Q As Double) As Variant
-Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s). HUGE_VAL without friction."
+Attribute RWEDGE_CONTACT_LARGEST_TENSION_STEP.VB_Description = "The largest |d sigma| with which the present Q may change to another under constant P and M, stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. HUGE_VAL without friction, and where a tension stretches nothing."
     Dim contact As LongPtr, status As Long
     status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
     If status = RWEDGE_OK Then
@@ -970,7 +971,7 @@ End Function
 ' this is how a pad is matched to a specimen.                                                   new
 '   normal_left, normal_right  K_N, stress over the root of a length
 '   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
-'                              sigma less what it was when the bodies touched
+'                              the strain by sigma less what it was when the bodies touched
 ' RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
 ' rwedge_contact_edges() gives.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
@@ -998,6 +999,7 @@ End Function
 '   Q1, Q2          |Q| <= f P
 '   sigma1, sigma2  finite
 '   left, right     its edges, length
+' The compliances are equal: a tension stretches the surface by A/4 of it.
 ' RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
 ' directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
 ' RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
@@ -1147,11 +1149,12 @@ End Function
 ' time integral of the traction times the rate of slip over the contact, without the rigid
 ' displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
 ' loop of Q over the rigid displacement.                                                        new
-' NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
-' has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
-' the change of Q/f where that slip reaches an older layer. Off the centre it is below 1e-12 and
-' 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the
-' edges over the width where that is above 1.
+' NaN for NULL. A load off the centre that slips while P or M change, or slides, has no single
+' integral: the energy is then NaN until the first load after the bodies have separated, from
+' which it counts again. What was dissipated between is missing in the sum. Relative error of each
+' load's share below 1e-12, and epsilon times P over the change of Q/f where that slip reaches an
+' older layer. Off the centre it is below 1e-12 and 1e-14 times P over the change of Q/f. Both grow
+' with 1/(1 - |tilt|/theta), and with |x| at the edges over the width where that is above 1.
 ' In a cell: the contact is made of theta, a, compliance, f, P_history, Q_history.
 Public Function RWEDGE_CONTACT_DISSIPATED_ENERGY( _
         ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _

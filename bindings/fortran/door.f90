@@ -102,6 +102,9 @@ contains
         case ('contact_create')
             call contact%create(v(1)%x(1), v(2)%x(1), v(3)%x(1), v(4)%x(1), stat)
             r = [real(c_double) ::]
+        case ('contact_set_strain')
+            call contact%set_strain(v(1)%x(1), stat)
+            r = [real(c_double) ::]
         case ('contact_copy')
             call other%copy(contact, stat)
             contact = other

@@ -343,6 +343,10 @@ static const entry_argument contact_create_arguments[] = {
     {"A", "1e-60 to 1e60", 0.0, 1e+60, 1e-60, 1, 0, 0, 1, 0, 0, {-1, -1}},
     {"f", "0 <= f <= 1e6, 0 or at least 1e-60", 0.0, 1000000.0, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
 
+ENTRY(contact_set_strain, return rwedge_contact_set_strain((rwedge_contact *)object, v[0][0]))
+static const entry_argument contact_set_strain_arguments[] = {
+    {"strain_per_tension", "0, or 1e-60 to 1e60", 0.0, 1e+60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}};
+
 ENTRY(contact_copy, return rwedge_contact_copy((const rwedge_contact *)object, (rwedge_contact
       **)made))
 
@@ -806,6 +810,8 @@ static const entry entries[] = {
      NULL, 6, 1, 0, yield_load_arguments, yield_load_results, NULL},
     {"contact_create", "contact", entry_contact_create, NULL, 0, 0, 1, 1, 0, 1, 0, 0x26,
      NULL, 4, 0, 0, contact_create_arguments, NULL, NULL},
+    {"contact_set_strain", "contact", entry_contact_set_strain, NULL, 1, 1, 0, 1, 0, 1, 0, 0x6,
+     NULL, 1, 0, 0, contact_set_strain_arguments, NULL, NULL},
     {"contact_copy", "contact", entry_contact_copy, NULL, 1, 0, 1, 1, 0, 0, 0, 0x24,
      NULL, 0, 0, 0, NULL, NULL, NULL},
     {"contact_load", "contact", entry_contact_load, NULL, 1, 1, 0, 1, 0, 1, 0, 0x26e,

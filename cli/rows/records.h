@@ -52,7 +52,6 @@ typedef struct {
     void (*value)(records *rows, const char *name, cell value);
     void (*end_row)(records *rows);
     void (*end)(records *rows);
-    void (*discard)(records *rows); /* instead of the end, where something went wrong */
 } record_format;
 
 struct records {

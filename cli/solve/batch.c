@@ -232,7 +232,7 @@ static void write_row(run *r, const csv_row *row, const answer *one)
 /* ---- The file ---- */
 
 /* Behind rows that have gone to standard output: who reads them may not see the exit status. */
-static void write_broken_end(run *r)
+static void write_broken_row(run *r)
 {
     for (size_t i = 0; i < r->names.count; i++)
         r->rows->format->value(r->rows, r->names.name[i], cell_empty());
@@ -268,29 +268,52 @@ static csv_event hold_rows(run *r)
     csv_event event = CSV_ROW;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
         event = next_row(r);
-        if (event == CSV_END || event == CSV_FAILED)
+        if (event == CSV_END)
             return event;
         csv_row *row = &r->held[r->held_count];
-        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row)) {
-            release_held(r);
+        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row))
             failure("out of memory");
-            return CSV_FAILED;
-        }
         bytes += row->bytes;
     }
     return event;
 }
 
-static bool write_held(run *r)
+static void write_held(run *r)
 {
-    if (r->held_count == 0)
-        return true;
     ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
-    for (int64_t i = 0; i < r->held_count && work != NULL && records_go_on(r->rows); i++)
+    for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], ahead_next(work));
     ahead_stop(work);
     release_held(r);
-    return work != NULL;
+}
+
+/* Whose rows are being read; NULL for none. */
+static run *reading;
+
+/* At exit: the rows before what could not be read, and the end of the format. Threads would take
+ * memory. */
+static void write_broken_end(void)
+{
+    run *r = reading;
+    if (r == NULL)
+        return;
+    reading = NULL;
+    for (int64_t i = 0; i < r->held_count; i++) {
+        answer one;
+        compute_answer(r, i, &one);
+        write_row(r, &r->held[i], &one);
+    }
+    write_broken_row(r);
+    r->rows->format->end(r->rows);
+    progress_erase();
+}
+
+static csv_event read_rows(run *r)
+{
+    reading = r;
+    const csv_event event = hold_rows(r);
+    reading = NULL;
+    return event;
 }
 
 /* False, with the reason said, where the file or the format cannot go on. */
@@ -299,18 +322,17 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     run *r = of_run;
     csv_event event = CSV_ROW;
     r->rows = rows;
+    if (atexit(write_broken_end) != 0)
+        failure("out of memory");
     progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
-        event = hold_rows(r);
-        if (!write_held(r))
-            event = CSV_FAILED;
+    while (records_go_on(r->rows) && event != CSV_END) {
+        event = read_rows(r);
+        write_held(r);
     }
-    if (event == CSV_FAILED)
-        write_broken_end(r);
     r->rows->format->end(r->rows);
     progress_erase();
-    return event != CSV_FAILED && records_are_sound(r->rows);
+    return records_are_sound(r->rows);
 }
 
 static void say_doubts(const run *r)

@@ -9,7 +9,8 @@
 
 #include <stdlib.h>
 
-static const double VERSION = 1;
+/* Since 2 it has the strain per bulk tension. */
+static const double VERSION = 2;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
 
@@ -18,6 +19,7 @@ typedef struct {
     double *out;      /* NULL when reading or counting */
     const double *in; /* NULL when writing or counting */
     size_t at, size;
+    double version;
     bool is_sound, is_short; /* of memory */
 } tape;
 
@@ -92,6 +94,8 @@ static void pass_path(tape *t, rw_memory *memory)
         memory->count = t->is_sound && !t->is_short ? count : 0;
     }
     pass_corners(t, memory->corners, memory->count, NULL);
+    if (t->in && memory->count > 0)
+        rw_memory_relevel(memory);
 }
 
 /* An origin but for its corners: how many they are, and how many it shares with the last. */
@@ -152,11 +156,17 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
-        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,  &c->f,          &c->loads.P,
-        &c->loads.M,        &c->loads.Q,      &c->loads.sigma, &c->touched_at, &c->settled.left,
-        &c->settled.right,  &c->energy_carry, &c->slid_from};
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,      &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
-    pass(t, &c->energy); /* NaN where it is not known */
+    pass(t, &c->energy_carry); /* NaN where the energy is not known */
+    pass(t, &c->slid_from);
+    if (t->version > 1)
+        pass(t, &c->strain);
+    else
+        c->strain = 1;
+    pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
@@ -175,7 +185,7 @@ static double sum_of_bits(const double *state, size_t n)
 static size_t size_of(const rwedge_contact *contact)
 {
     rwedge_contact same = *contact; /* is only counted */
-    tape t = {.at = HEAD, .is_sound = true};
+    tape t = {.at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     return t.at;
 }
@@ -192,7 +202,7 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
     if (n != size_of(contact))
         return RWEDGE_ERANGE;
     rwedge_contact same = *contact; /* is only read */
-    tape t = {.out = state, .at = HEAD, .is_sound = true};
+    tape t = {.out = state, .at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     state[0] = VERSION;
     state[1] = sum_of_bits(state + HEAD, n - HEAD);
@@ -202,22 +212,23 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
 static bool is_contact_sound(const rwedge_contact *c)
 {
     return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
-           rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
-           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) &&
-           c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
+           rw_is_friction(c->f) && rw_is_magnitude(c->strain) && rw_is_magnitude(c->loads.P) &&
+           rw_is_signed(c->loads.M) && rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && rw_is_magnitude(c->slid_from) &&
+           !isinf(c->energy_carry) && c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
 }
 
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)
 {
     if (!state || !contact)
         return RWEDGE_ENULL;
-    if (n <= HEAD || state[0] != VERSION || state[1] != sum_of_bits(state + HEAD, n - HEAD))
+    if (n <= HEAD || (state[0] != 1 && state[0] != VERSION) ||
+        state[1] != sum_of_bits(state + HEAD, n - HEAD))
         return RWEDGE_EDOMAIN;
     rwedge_contact *restored = calloc(1, sizeof *restored);
     if (!restored)
         return RWEDGE_ENOMEM;
-    tape t = {.in = state, .at = HEAD, .size = n, .is_sound = true};
+    tape t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
     pass_contact(&t, restored);
     if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);

@@ -57,7 +57,7 @@ static double off_centre(const rwedge_contact *contact, double b)
 {
     const rw_memory *path = &contact->memory;
     const double x = rw_patch_middle(rw_memory_end(path)->patch);
-    const double stretch = (contact->loads.sigma - contact->touched_at) * x / 4;
+    const double tension = contact->loads.sigma - contact->touched_at;
     double slip, left = x, right = x, sum = 0;
     if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
         return NAN;
@@ -70,7 +70,7 @@ static double off_centre(const rwedge_contact *contact, double b)
         left = fmin(left, patch.left);
         right = fmax(right, patch.right);
     }
-    return contact->geometry.A * (sum / RW_PI + stretch) - slip;
+    return contact->geometry.A * (sum / RW_PI + contact->strain * tension * x / 4) - slip;
 }
 
 double rwedge_contact_displacement(const rwedge_contact *contact, double b)

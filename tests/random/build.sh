@@ -46,6 +46,9 @@ done
 compile "source/tests/random/messages.c" "source/tests/random/file.c"
 tool=$objects
 objects=
+compile "source/tests/random/until_exit.c"
+until_exit=$objects
+objects=
 compile source/tests/host/calls/*.c
 calls=$objects
 # seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
@@ -65,7 +68,13 @@ done
 xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands
 rm -f tool.a
 ar rc tool.a $tool
+wraps=
+for call in malloc calloc realloc free strdup csv_init iconv_open iconv_close file_to_read file_to_write atexit exit; do
+    wraps="$wraps -Wl,--wrap=$call"
+done
 for target in $targets; do
-    "$clang" -fsanitize=fuzzer,address,undefined "fuzz_$target.o" $calls tool.a $library $libraries -o "fuzz_$target"
+    ends=
+    case $target in csv | batch) ends="$until_exit $wraps" ;; esac
+    "$clang" -fsanitize=fuzzer,address,undefined "fuzz_$target.o" $calls $ends tool.a $library $libraries -o "fuzz_$target"
 done
 echo "$clang: $targets"

@@ -9,6 +9,7 @@ classdef rwedge_contact < handle
 %
 %   c = rwedge_contact(theta, a, A, f)      a contact without load
 %   c = rwedge_contact(theta, a, A, f, beta)  with rwedge_dundurs_beta(...): it warns where dissimilar bodies have friction
+%   c.set_strain(strain_per_tension)
 %   c.load(P, Q)
 %   c.apply(P, M, Q, sigma)
 %   value = c.obstacle(P, M, Q, sigma)
@@ -102,6 +103,20 @@ classdef rwedge_contact < handle
             [sxx, syy, txy] = contact.stress_history(loads(:, 1), loads(:, 2), loads(:, 3), loads(:, 4), x, y);
         end
 
+        function set_strain(contact, strain_per_tension)
+        %SET_STRAIN  contact.set_strain(strain_per_tension)
+        %   How much a bulk tension stretches the surface of the half-plane against that of the wedge: A/4 of
+        %   the tension unless it is set. That is right for bodies of equal compliance. For others it is
+        %   (1 - nu1^2)/E1 of the tension, E1 and nu1 being those of the half-plane.   new
+        %     strain_per_tension  strain over tension, 1/stress, finite, >= 0, also over A
+        %   rwedge:domain where the bodies touch: it is set before the first load, or when they are
+        %   separated; rwedge:handle.
+            if nargin < 2
+                error('rwedge:arguments', 'too few arguments: contact.set_strain(strain_per_tension)');
+            end
+            rwedge_mex('contact_set_strain', contact.number, strain_per_tension);
+        end
+
         function load(contact, P, Q)
         %LOAD  contact.load(P, Q)
         %   The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
@@ -132,16 +147,16 @@ classdef rwedge_contact < handle
         %            where P is 0
         %     Q      |Q| <= f P, as for rwedge_contact.load()
         %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
-        %            surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0
-        %            to have it without slip
+        %            surface against the wedge's, by A sigma/4 or as rwedge_contact.set_strain() says, and
+        %            so makes it slip. Apply it while P is 0 to have it without slip
         %   rwedge_contact.load() keeps M and sigma as they are, and drops M where P is 0. The result is
         %   exact without friction, and where |Q| = f P. It is exact without moment and under one sigma,
         %   whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
-        %   |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact. It is exact where both edges
-        %   of the contact move outwards, or both inwards, and both slip the same way or stick. Other loads
-        %   have no closed form. Nor have loads that bring the front of slip between two patches of the
-        %   memory at one edge, and between two others at the other edge, or that leave a part beyond the
-        %   front that sticks: lib/README.md, "Moment and bulk tension".
+        %   |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact, for a strain of A/4. It is
+        %   exact where both edges of the contact move outwards, or both inwards, and both slip the same way
+        %   or stick. Other loads have no closed form. Nor have loads that bring the front of slip between
+        %   two patches of the memory at one edge, and between two others at the other edge, or that leave a
+        %   part beyond the front that sticks: lib/README.md, "Moment and bulk tension".
         %   rwedge:path where no closed form is shown: rwedge_contact.obstacle() says why. rwedge:domain
         %   where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
         %   surface. The others as rwedge_contact.load(): rwedge:sliding; rwedge:range; rwedge:handle;
@@ -162,7 +177,7 @@ classdef rwedge_contact < handle
         %     P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
         %     M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0 where P is 0
         %     Q      |Q| <= f P, as for rwedge_contact_load()
-        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0 to have it without slip
+        %     sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the surface against the wedge's, by A sigma/4 or as rwedge_contact_set_strain() says, and so makes it slip. Apply it while P is 0 to have it without slip
             if nargin < 5
                 error('rwedge:arguments', 'too few arguments: value = contact.obstacle(P, M, Q, sigma)');
             end
@@ -172,7 +187,8 @@ classdef rwedge_contact < handle
         function value = largest_tension_step(contact, Q)
         %LARGEST_TENSION_STEP  value = contact.largest_tension_step(Q)
         %   The largest |d sigma| with which the present Q may change to another under constant P and M,
-        %   stress: 4 |dQ|/(pi s). Inf without friction.   new
+        %   stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. Inf without friction, and where a
+        %   tension stretches nothing.   new
         %     Q  finite
         %   NaN outside the domain; 0 when separated. Relative error as that of the edges.
             if nargin < 2
@@ -225,7 +241,7 @@ classdef rwedge_contact < handle
         %   this is how a pad is matched to a specimen.   new
         %     normal_left, normal_right  K_N, stress over the root of a length
         %     shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
-        %                                sigma less what it was when the bodies touched
+        %                                the strain by sigma less what it was when the bodies touched
         %   rwedge:absent when separated; rwedge:handle. K_N to 1e-14 of the larger one, of the edges that
         %   rwedge_contact.edges() gives.
             [normal_left, normal_right, shear_left, shear_right] = rwedge_mex('contact_edge_asymptotes', contact.number);
@@ -347,11 +363,12 @@ classdef rwedge_contact < handle
         %   time integral of the traction times the rate of slip over the contact, without the rigid
         %   displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
         %   loop of Q over the rigid displacement.   new
-        %   NaN too after a load off the centre that slips while P or M change, or slides: it
-        %   has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
-        %   the change of Q/f where that slip reaches an older layer. Off the centre it is below 1e-12 and
-        %   1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the
-        %   edges over the width where that is above 1.
+        %   A load off the centre that slips while P or M change, or slides, has no single
+        %   integral: the energy is then NaN until the first load after the bodies have separated, from
+        %   which it counts again. What was dissipated between is missing in the sum. Relative error of each
+        %   load's share below 1e-12, and epsilon times P over the change of Q/f where that slip reaches an
+        %   older layer. Off the centre it is below 1e-12 and 1e-14 times P over the change of Q/f. Both grow
+        %   with 1/(1 - |tilt|/theta), and with |x| at the edges over the width where that is above 1.
             value = rwedge_mex('contact_dissipated_energy', contact.number);
         end
 

@@ -7,6 +7,7 @@ function [left, right] = rwedge_permanent_stick(theta, a, A, f, P1, M1, Q1, sigm
 %     Q1, Q2          |Q| <= f P
 %     sigma1, sigma2  finite
 %     left, right     its edges, length
+%   The compliances are equal: a tension stretches the surface by A/4 of it.
 %   rwedge:absent where all slides at times; rwedge:path where the edges slip in opposite
 %   directions, or what sticks would reach beyond one of the contacts; rwedge:sliding,
 %   rwedge:domain, rwedge:range, rwedge:memory. Error as that of

@@ -165,6 +165,39 @@ static void damage_that_is_signed_does_no_harm(void **state)
     rwedge_contact_destroy(none);
 }
 
+/* A state of the first version, which did not hold the strain, is that of equal compliances. */
+static void older_states_are_read(void **state)
+{
+    (void)state;
+    enum { STRAIN = 2 + 13 }; /* its place */
+    static double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    load(contact, 0.5, 0.1);
+    const size_t n = state_of(contact, numbers);
+    memmove(numbers + STRAIN, numbers + STRAIN + 1, (n - STRAIN - 1) * sizeof *numbers);
+    numbers[0] = 1;
+    sign(n - 1, numbers);
+    rwedge_contact *restored = restore(n - 1, numbers);
+    assert_same(restored, contact);
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(contact);
+}
+
+static void the_strain_is_in_it(void **state)
+{
+    (void)state;
+    static double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(rwedge_contact_set_strain(contact, A), RWEDGE_OK);
+    rwedge_contact *restored = restore(state_of(contact, numbers), numbers);
+    load(contact, 1, 0);
+    load(restored, 1, 0);
+    assert_true(rwedge_contact_largest_tension_step(restored, 0.1) ==
+                rwedge_contact_largest_tension_step(contact, 0.1));
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -172,6 +205,8 @@ int main(void)
         cmocka_unit_test(moment_and_tension_are_in_it),
         cmocka_unit_test(damage_is_noticed),
         cmocka_unit_test(damage_that_is_signed_does_no_harm),
+        cmocka_unit_test(older_states_are_read),
+        cmocka_unit_test(the_strain_is_in_it),
     };
     return RUN_CLAIMS("contact_state", tests);
 }

@@ -12,6 +12,6 @@ skip() { echo "SKIPPED: $*"; exit 77; }
 for command in node npm; do
     command -v $command >/dev/null || skip "$command is not here"
 done
-sh "$here/../bindings/web/build.sh" "$folder"
+sh "$here/../build.sh" "$folder"
 sh "$here/packages.sh" "$here" "$folder/page" || skip "the packages of the page cannot be fetched"
 node "$here/make/page.mjs" "$folder/web/package" "$folder/page/node_modules" "$output" "$(clang --version | head -n 1)"

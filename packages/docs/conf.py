@@ -7,7 +7,7 @@ here = Path(__file__).resolve().parent
 
 project = "rwedge"
 author = ""
-version = release = re.search(r"project\(rwedge VERSION ([\d.]+)", (here.parent / "CMakeLists.txt").read_text())[1]
+version = release = re.search(r"project\(rwedge VERSION ([\d.]+)", (here.parents[1] / "CMakeLists.txt").read_text())[1]
 
 extensions = ["myst_parser"]
 source_suffix = {".md": "markdown"}

@@ -13,7 +13,7 @@ import write_python
 import write_web
 from header import Function, Parameter
 
-TOP = Path(__file__).resolve().parents[1]
+TOP = Path(__file__).resolve().parents[2]
 # Where a language has no such call, what serves there.
 FREED = "It is freed when the last variable that holds it goes."
 INSTEAD = {

@@ -24,7 +24,7 @@ TAKEN = re.compile(r"@([\w./-]+\.md)(?:#(\S+))?(?: as (.*))?")
 HEADING = re.compile(r"(#+) (.*)")
 FENCE = re.compile(r"```(\S+).*")
 FRONT = "README.md"
-PAGES = PurePosixPath("docs/pages")
+PAGES = PurePosixPath("packages/docs/pages")
 WITHOUT_COLOURS = {"csv": "text"}
 
 

@@ -11,7 +11,7 @@ import { words } from "./words.mjs";
 const [binding, modules, output] = process.argv.slice(2, 5).map((name) => resolve(name));
 const compiler = process.argv[5];
 const page = resolve(dirname(fileURLToPath(import.meta.url)), ".."),
-    top = resolve(page, "..");
+    top = resolve(page, "../../..");
 const require = createRequire(`${modules}/`);
 const esbuild = require("esbuild");
 

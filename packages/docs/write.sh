@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes the pages into BUILD/docs, and checks them. The generator is fetched once, into BUILD/docs-tools.
-#     make.sh BUILD
+#     write.sh BUILD
 # It ends with 77 where something is missing.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
 tools=$build/docs-tools
-. "$here/../tests/support/install.sh"
+. "$here/../../tests/support/install.sh"
 wish command:gnuplot=gnuplot-nox command:python3=python3 python:ensurepip=python3-venv
 
 skip()

@@ -53,5 +53,5 @@ class Library:
         function.restype = KINDS[f.returns]
         value = function(*passed)
         if f.result == "status" and value != 0:
-            raise ValueError(f"the example of rwedge_{f.name}() is refused with the status {value}: change docs/examples.py")
+            raise ValueError(f"the example of rwedge_{f.name}() is refused with the status {value}: change packages/docs/examples.py")
         return {"value": value} if f.result in ("value", "text") else {n: list(v) for n, v in results.items()}

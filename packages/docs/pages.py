@@ -9,7 +9,7 @@ import re
 import sys
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[1]
+TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "bindings" / "interface"))
 
 import examples  # noqa: E402
@@ -45,7 +45,7 @@ def check(interface) -> int:
                     faults += 1
     unknown = {name for _, _, names in figures.FIGURES.values() for name in names.split()} | set(examples.COMMANDS)
     for name in unknown - {f.name for f in interface.functions}:
-        print(f"FAILED: docs/ shows {name}, which is no function")
+        print(f"FAILED: packages/docs/ shows {name}, which is no function")
         faults += 1
     print(f"{len(interface.functions)} functions")
     return faults != 0

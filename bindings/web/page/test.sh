@@ -6,7 +6,7 @@ set -eu
 long=no
 [ "$1" != --long ] || { long=yes; shift; }
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/.." && pwd)
+top=$(cd "$here/../../.." && pwd)
 build=$(cd "$1" && pwd)
 page=$top/tables/rounded-wedge.html
 fail() { echo "FAILED: $*"; exit 1; }

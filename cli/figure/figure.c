@@ -232,11 +232,11 @@ static int read_course(const arguments *given, const figure *which, char decimal
     int status = places_read(&as, decimal_sign, at);
     if (status == STATUS_DONE && at->count > 1)
         status = usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    if (status == STATUS_DONE)
-        status = course_read(&as, decimal_sign,
-                             (course_usage){.cycles = which->cycles, .loads_before = true}, whole);
     if (status != STATUS_DONE)
         return status;
+    course_read(&as, decimal_sign,
+                (course_usage){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2},
+                whole);
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
     return STATUS_DONE;
 }
@@ -349,7 +349,6 @@ static int write_command(const arguments *given)
     work what = {.no_title = given->value[OPTION_NO_TITLE] != NULL};
     const int status = write_work(given, &what);
     dataset_free(&what.rows);
-    course_free(&what.whole);
     places_free(&what.at);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         range_free(&what.of.value[i]);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 
+from examples import UNLOADED
 from header import Function, Interface
 
 KINDS = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "size_t": ctypes.c_size_t, "const char *": ctypes.c_char_p, "void": None}
@@ -26,7 +27,8 @@ class Library:
 
     def example(self, f: Function, given: dict) -> dict[str, object]:
         """The results by name, after the calls that make the object."""
-        for name, values in self.made.get(f.family, []):
+        calls = self.made.get(f.family, [])
+        for name, values in calls[:1] if f.name in UNLOADED else calls:
             maker = self.interface[name]
             self.call(maker, dict(zip([p.name for p in maker.inputs], values)))
         return self.call(f, given)

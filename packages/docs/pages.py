@@ -14,6 +14,9 @@ sys.path.insert(0, str(TOP / "bindings" / "interface"))
 
 import examples  # noqa: E402
 import figures  # noqa: E402
+import write_excel  # noqa: E402
+import write_fortran  # noqa: E402
+import write_matlab  # noqa: E402
 from functions import Pages  # noqa: E402
 from header import read  # noqa: E402
 from languages import calls  # noqa: E402
@@ -22,16 +25,15 @@ from readmes import Site  # noqa: E402
 
 # Where a language has its names, and how they look in a call and there.
 DEFINED = {
-    "MATLAB, Octave": ("bindings/matlab/functions/*.m", r"\b(?:rwedge_|contact\.|series\.)(\w+)", r"(?:\b|rwedge_){}\b"),
-    "Fortran": ("bindings/fortran/rwedge.f90", r"(?:rwedge_|contact%|series%)(\w+)", r"(?:\b|rwedge_){}\b"),
-    "Excel": ("bindings/excel/rwedge.bas", r"=(RWEDGE_\w+)", r"Public Function {}\b"),
+    "MATLAB, Octave": (write_matlab, r"\b(?:rwedge_|contact\.|series\.)(\w+)", r"(?:\b|rwedge_){}\b"),
+    "Fortran": (write_fortran, r"(?:rwedge_|contact%|series%)(\w+)", r"(?:\b|rwedge_){}\b"),
+    "Excel": (write_excel, r"=(RWEDGE_\w+)", r"Public Function {}\b"),
 }
 
 
 def check(interface) -> int:
     faults = 0
-    texts = {language: "\n".join(p.name + p.read_text(encoding="utf-8") for p in sorted(TOP.glob(pattern)))
-             for language, (pattern, _, _) in DEFINED.items()}
+    texts = {language: "\n".join(name + text for name, text in writer.texts(interface).items()) for language, (writer, _, _) in DEFINED.items()}
     pages = Pages(interface, None)
     for f in interface.functions:
         page = pages.page(f)

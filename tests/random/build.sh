@@ -17,9 +17,10 @@ done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
 # The project under a short name: lists of flags and commands then need no quotes, even where its path has a space.
 ln -sfn "$source" source
+python3 -B source/bindings/interface/generate.py made c
 flags="-std=c99 -gline-tables-only -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"
-flags="$flags -Isource/tests/host/calls -Isource/tests/random -Isource/bindings/interface"
+flags="$flags -Isource/tests/host/calls -Isource/tests/random -Imade/c"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 

@@ -11,6 +11,10 @@
  * not known. */
 int32_t doubts_of(const contact_case *what, double b, double safety);
 
+/* Of the state of a contact, where the factor is rwedge_contact_yield_factor(), NAN where it is not
+ * known. It may yield by P, or by a tension or moment at a P that would not. */
+int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact, double factor);
+
 /* Adds their texts to one that has some or none, "; " between them. */
 void doubts_write(int32_t doubts, char *text, size_t size);
 

@@ -217,10 +217,10 @@ static int32_t compute_fretting(const figure_case *of, dataset *rows)
     const int32_t status = surface_measure(&last, &all);
     for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++) {
         const double *v = all.place[i].at.value;
-        dataset_add(rows, (data_row){.number = {all.place[i].x, v[MEASURE_SWT],
-                                                v[MEASURE_SWT_ANGLE], v[MEASURE_SLIP_RANGE],
-                                                v[MEASURE_RUIZ_F1], v[MEASURE_RUIZ_F2],
-                                                v[MEASURE_ENERGY_PER_AREA]}});
+        dataset_add(rows,
+                    (data_row){.number = {all.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
+                                          v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
+                                          v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
     }
     return status;
 }

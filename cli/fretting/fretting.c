@@ -102,8 +102,7 @@ static size_t best_place(const measured *all, int measure)
     size_t best = 0;
     for (size_t i = 0; i < all->count; i++) {
         const double value = all->place[i].at.value[measure];
-        if (isnan(all->place[best].at.value[measure]) ||
-            value > all->place[best].at.value[measure])
+        if (isnan(all->place[best].at.value[measure]) || value > all->place[best].at.value[measure])
             best = i;
     }
     return best;

@@ -51,7 +51,7 @@ static void note_doubts(const rwedge_contact *contact, last_cycle *cycle)
     double factor = NAN;
     if (!isnan(setup->k))
         rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
-    cycle->doubts |= doubts_of(setup, rwedge_contact_half_width(contact), factor);
+    cycle->doubts |= doubts_of_state(setup, contact, factor);
 }
 
 static void note_load(const rwedge_contact *contact, size_t i, last_cycle *cycle)
@@ -83,8 +83,7 @@ static void look_before(const course *whole, last_cycle *cycle)
 
 void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle)
 {
-    const size_t loads =
-        whole->steps < whole->loads.count ? whole->steps : whole->loads.count;
+    const size_t loads = whole->steps < whole->loads.count ? whole->steps : whole->loads.count;
     *cycle = (last_cycle){.setup = &whole->what,
                           .k_over_sy = k_over_sy,
                           .loads = loads,
@@ -105,9 +104,9 @@ void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle)
             note_load(contact, step - first, cycle);
     }
     rwedge_contact_destroy(contact);
-    cycle->slip_known = rwedge_contact_cycle_friction(cycle->before, loads, cycle->P, cycle->M,
-                                                      cycle->Q, cycle->sigma, 0, NULL, NULL, NULL,
-                                                      NULL, NULL) == RWEDGE_OK;
+    cycle->slip_known =
+        rwedge_contact_cycle_friction(cycle->before, loads, cycle->P, cycle->M, cycle->Q,
+                                      cycle->sigma, 0, NULL, NULL, NULL, NULL, NULL) == RWEDGE_OK;
 }
 
 /* ---- Measures ---- */

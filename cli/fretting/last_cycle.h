@@ -31,15 +31,15 @@ typedef struct {
 
 typedef struct {
     const contact_case *setup;
-    double k_over_sy;               /* Fatemi and Socie's k over the yield stress; NAN: not known */
-    rwedge_contact *before;         /* the contact before the cycle */
-    size_t loads;                   /* of the cycle */
-    double *P, *M, *Q, *sigma;      /* so many each */
-    double *edges;                  /* of contact and stick zone, in no order */
+    double k_over_sy;          /* Fatemi and Socie's k over the yield stress; NAN: not known */
+    rwedge_contact *before;    /* the contact before the cycle */
+    size_t loads;              /* of the cycle */
+    double *P, *M, *Q, *sigma; /* so many each */
+    double *edges;             /* of contact and stick zone, in no order */
     size_t edge_count;
-    double left, right;             /* the outermost; NAN where there is no contact */
-    bool slip_known;                /* it has a closed form after every load */
-    int32_t doubts;                 /* of all states after loads, those before the cycle included */
+    double left, right; /* the outermost; NAN where there is no contact */
+    bool slip_known;    /* it has a closed form after every load */
+    int32_t doubts;     /* of all states after loads, those before the cycle included */
 } last_cycle;
 
 /* Goes through the course. */

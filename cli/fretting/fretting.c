@@ -3,7 +3,7 @@
 
 #include "surface.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "options/threads.h"
 #include "rows/output_options.h"
 #include "system/ahead.h"
@@ -260,7 +260,7 @@ static void say_what_is_doubtful(const plan *job)
     if (!job->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    header_name_unused(&job->whole.loads.names, job->whole.loads.name);
+    load_table_say_unused(&job->whole.loads);
 }
 
 static int fretting(const arguments *given)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "contact/doubts.h"
-#include "contact/tensor.h"
+#include "model/doubts.h"
+#include "model/tensor.h"
 #include "text/message.h"
 
 #include <math.h>

@@ -122,9 +122,9 @@ void course_read(const arguments *given, char decimal_sign, course_usage usage, 
     read_cycles(given, usage.cycles);
     if (!case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))
         usage_error("%s", complaint);
-    load_table_read(&from, decimal_sign, true, &whole->loads);
+    load_table_read(&from, decimal_sign, &whole->loads);
     if (before.list != NULL)
-        load_table_read(&before, decimal_sign, false, &whole->before);
+        load_table_read(&before, decimal_sign, &whole->before);
     const bool to_and_fro = usage.of_two > 0 && whole->loads.count == 2;
     whole->cycles = read_cycles(given, to_and_fro ? usage.of_two : usage.cycles);
     try_loads(whole, given->value[OPTION_UNTIL] != NULL);

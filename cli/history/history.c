@@ -5,7 +5,7 @@
 #include "point_rows.h"
 #include "series.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "system/progress.h"
 #include "text/message.h"
 
@@ -58,6 +58,8 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
 {
     after_load row;
     after_load_compute(&job->whole.what, contact, step + 1, &row);
+    load_table_write_unused(&job->whole.loads, course_row(&job->whole, step), row.warnings,
+                            sizeof row.warnings);
     job->doubts |= row.doubts;
     passed_cells(&job->whole.loads, course_row(&job->whole, step), rows);
     for (int i = 0; i < AFTER_COUNT; i++)
@@ -144,7 +146,7 @@ static void say_what_is_doubtful(const plan *job)
     snprintf(where, sizeof where, "%.250s, in some rows: ",
              job->whole.loads.name != NULL ? job->whole.loads.name : "--load");
     doubts_say(job->doubts, where);
-    header_name_unused(&job->whole.loads.names, job->whole.loads.name);
+    load_table_say_unused(&job->whole.loads);
     if (job->whole.cycles > 1 && job->at.count == 0)
         notice("dissipated in the last cycle: %.6g", job->energy[1] - job->energy[0]);
 }

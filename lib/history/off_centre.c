@@ -191,7 +191,7 @@ static double displacement(const rw_memory *path, size_t first, double a, double
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
         sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
     }
-    if (first > 1)
+    if (first > 1 && first < path->count)
         sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
     return sum;
 }

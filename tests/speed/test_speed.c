@@ -238,7 +238,8 @@ static rwedge_contact *reversals(long loads, bool falling, double P[], double Q[
     assert_int_equal(rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact), RWEDGE_OK);
     for (long i = 0; i < loads; i++) {
         P[i] = 20000;
-        Q[i] = (i % 2 ? 0.9 : -0.9) * (falling ? 12000 * (1 - i / (loads + 1.0)) : 6000);
+        Q[i] =
+            (i % 2 ? 0.9 : -0.9) * (falling ? 12000 * (1 - (double)i / ((double)loads + 1)) : 6000);
     }
     return contact;
 }

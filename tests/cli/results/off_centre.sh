@@ -50,6 +50,18 @@ refuses "rwedge solve: --encoding latin1: needs --input or --history" solve $spe
 refuses "rwedge solve: missing: --f; friction has no default here" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0
 refuses "rwedge solve: --output loads.csv: it is the input; allowed: another file" solve $specimen --history loads.csv -o loads.csv
 
+# A tension stretches body 1 by (1 - nu1^2)/E1: A/2 on a rigid cylinder, not A/4. Then e = b sigma/(2 f p0), with b^2 = 2 A P R/pi,
+# p0 = 2 P/(pi b), A = 0.15.
+unlike="--E1 10 --nu1 .5 --E2 inf --theta .1 --radius 100 --f .5"
+run solve $unlike --P 1 --Q .2 --sigma .04
+close_to "middle of the stick zone under a rigid body" 0.6 "$(echo "$(value stick_left) $(value stick_right)" | awk '{ print ($1 + $2) / 2 }')" 1e-6
+cp out rigid
+run solve $unlike --load 1,0,0,0 --load 1,0,.2,.04
+same "the same after a history" "$(grep stick_ rigid)" "$(grep stick_ out)"
+run profile $unlike --P 1 --Q .2 --sigma .04
+close_to "and of the profile, whose slip is 0 there" 0.6 \
+    "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 1 && $at["slip"] == 0 { if (!n++) a = $1; b = $1 } END { print (a + b) / 2 }' out)" 0.05
+
 # What is there only with moment or tension comes after c_over_b. Zero is as good as none.
 plain="--E1 210000 --nu1 0.3 --theta 0.05 --a 0.1 --f 0.3 --P 300 --Q 40 --k 300 --yield-factor --layout row"
 run solve $plain

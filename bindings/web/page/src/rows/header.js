@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of columns: which are inputs, and which are probably meant for one. As cli/contact/header.c.
+// The names of columns: which are inputs, and which are probably meant for one. As cli/model/header.c.
 import { words } from "words";
 import { alternatives, inputNames } from "../case/inputs.js";
 

@@ -25,21 +25,24 @@ typedef enum {
 } case_needs;
 
 /* False, with the complaint, where inputs exclude each other, or one that is needed is missing. */
-bool case_is_complete(const input_texts *given, case_needs needs, char complaint[COMPLAINT_SIZE]);
+bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
 /* Reads it; the loads and f are 0 where they are not given. False, with the complaint. */
-bool case_read(const input_texts *given, case_needs needs, contact_case *what,
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE]);
 
 /* Makes it, without loads yet; returns the library's status. Destroy it in either case. */
-int32_t case_contact(const contact_case *what, rwedge_contact **contact);
+int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
 
 /* The same under its loads. */
-int32_t case_loaded(const contact_case *what, rwedge_contact **contact);
+int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
 
-load case_load(const contact_case *what);
+/* What is wrong with its loads; with none of them where they can be applied. */
+load_fault case_fault(const contact_case *setup);
+
+load case_load(const contact_case *setup);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
-double case_shear_ratio(const contact_case *what);
+double case_shear_ratio(const contact_case *setup);
 
 #endif

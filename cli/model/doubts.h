@@ -1,24 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes results doubtful: the library's bits of a contact, and how they are said. */
+/* What makes results doubtful: the library's bits of a contact, and their texts. */
 #ifndef CLI_DOUBTS_H
 #define CLI_DOUBTS_H
 
 #include "contact_case.h"
 
+#include <stddef.h>
 #include <stdint.h>
+
+#include <rwedge.h>
 
 /* Of a contact of the half-width b, 0 where it is separated; safety is P_yield/P, NAN where it is
  * not known. */
-int32_t doubts_of(const contact_case *what, double b, double safety);
+int32_t doubts_of(const contact_case *setup, double b, double safety);
 
 /* Of the state of a contact, where the factor is rwedge_contact_yield_factor(), NAN where it is not
  * known. It may yield by P, or by a tension or moment at a P that would not. */
 int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact, double factor);
 
+/* The text of one bit; "" for any other number. */
+const char *doubt_text(int32_t bit);
+
 /* Adds their texts to one that has some or none, "; " between them. */
 void doubts_write(int32_t doubts, char *text, size_t size);
-
-/* A line on stderr for each, after a word on where, or "". */
-void doubts_say(int32_t doubts, const char *where);
 
 #endif

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
+#include "doubts.h"
 #include "present_state.h"
-
-#include "contact/doubts.h"
-#include "contact/loads.h"
 #include "text/list.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include <rwedge.h>
 
@@ -58,19 +57,19 @@ bool results_include(results_wanted wanted, int result)
 
 static const double SQRT_3 = 1.7320508075688772;
 
-static bool not_computed(const char *what, const char *why, char complaint[COMPLAINT_SIZE])
+static bool not_computed(const char *name, const char *why, char complaint[COMPLAINT_SIZE])
 {
-    snprintf(complaint, COMPLAINT_SIZE, "%s: %s", what, why);
+    snprintf(complaint, COMPLAINT_SIZE, "%s: %s", name, why);
     return false;
 }
 
-static void geometry(const contact_case *what, double b, cell row[])
+static void geometry(const contact_case *setup, double b, cell row[])
 {
-    const double alpha = what->a / b, unit = what->theta / what->A;
-    row[RESULT_A] = cell_number(what->A);
-    row[RESULT_BETA] = cell_number(what->beta);
-    row[RESULT_ROUNDING] = cell_number(what->a);
-    row[RESULT_RADIUS] = cell_number(rwedge_radius(what->theta, what->a));
+    const double alpha = setup->a / b, unit = setup->theta / setup->A;
+    row[RESULT_A] = cell_number(setup->A);
+    row[RESULT_BETA] = cell_number(setup->beta);
+    row[RESULT_ROUNDING] = cell_number(setup->a);
+    row[RESULT_RADIUS] = cell_number(rwedge_radius(setup->theta, setup->a));
     row[RESULT_B] = cell_number(b);
     row[RESULT_A_OVER_B] = cell_number(alpha);
     row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
@@ -82,38 +81,39 @@ static void geometry(const contact_case *what, double b, cell row[])
 }
 
 /* Without friction there is neither stick nor slip to speak of. */
-static bool friction(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
+static bool friction(const contact_case *setup, double b, cell row[],
+                     char complaint[COMPLAINT_SIZE])
 {
-    const double alpha = what->a / b, ratio = case_shear_ratio(what);
+    const double alpha = setup->a / b, ratio = case_shear_ratio(setup);
     const double c = rwedge_stick_width(alpha, fabs(ratio));
     double sxx = 0, syy, txy;
     if (ratio != 0) {
-        const int32_t status = rwedge_stress(alpha, what->f, c, -1, 0, &sxx, &syy, &txy);
+        const int32_t status = rwedge_stress(alpha, setup->f, c, -1, 0, &sxx, &syy, &txy);
         if (status != RWEDGE_OK)
             return not_computed("max_tension", rwedge_strerror(status), complaint);
     }
-    const bool rough = what->f > 0;
+    const bool rough = setup->f > 0;
     row[RESULT_Q_OVER_FP] = rough ? cell_number(ratio) : cell_empty();
     row[RESULT_C] = rough ? cell_number(c * b) : cell_empty();
     row[RESULT_C_OVER_B] = rough ? cell_number(c) : cell_empty();
     row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
     row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
-    row[RESULT_TENSION] = cell_number(what->theta / what->A * sxx);
+    row[RESULT_TENSION] = cell_number(setup->theta / setup->A * sxx);
     return true;
 }
 
 /* Where it yields once P has grown to P_yield: the contact grows on the way. Q < 0 is the mirror
  * image. */
-static bool yield_place(const contact_case *what, double P_yield, cell row[],
+static bool yield_place(const contact_case *setup, double P_yield, cell row[],
                         char complaint[COMPLAINT_SIZE])
 {
-    const double b = rwedge_half_width(what->theta, what->a, what->A, P_yield);
-    const double alpha = b > 0 ? what->a / b : 0;
+    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, P_yield);
+    const double alpha = b > 0 ? setup->a / b : 0;
     double limit, x, y;
-    const int32_t status = rwedge_yield_point(alpha, what->f, what->nu1, &limit, &x, &y);
+    const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
     if (status != RWEDGE_OK)
         return not_computed("yield_x", rwedge_strerror(status), complaint);
-    row[RESULT_YIELD_X] = cell_number(what->Q < 0 ? -x * b : x * b);
+    row[RESULT_YIELD_X] = cell_number(setup->Q < 0 ? -x * b : x * b);
     row[RESULT_YIELD_Y] = cell_number(y * b);
     row[RESULT_YIELD_BRANCH] = cell_text(y > 0 ? "subsurface" : "surface");
     return true;
@@ -124,44 +124,45 @@ static const double WIDTH_MOST = 1e14;
 
 /* Where no load yields as far as the library looks: the load there, as a power of ten, is a
  * bound. */
-static void bound_safety(const contact_case *what, results *found)
+static void bound_safety(const contact_case *setup, results *answer)
 {
-    const double most = rwedge_normal_load(what->theta, what->a, what->A, WIDTH_MOST * what->a);
+    const double most = rwedge_normal_load(setup->theta, setup->a, setup->A, WIDTH_MOST * setup->a);
     if (isfinite(most)) {
-        snprintf(found->bound, sizeof found->bound, "> 1e%.0f", floor(log10(most / what->P)));
-        found->value[RESULT_SAFETY] = cell_text(found->bound);
+        snprintf(answer->bound, sizeof answer->bound, "> 1e%.0f", floor(log10(most / setup->P)));
+        answer->value[RESULT_SAFETY] = cell_text(answer->bound);
     }
-    results_warn(found, "nothing yields before the contact is 1e14 a wide: safety is a bound");
+    results_warn(answer, "nothing yields before the contact is 1e14 a wide: safety is a bound");
 }
 
-static bool strength(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
+static bool strength(const contact_case *setup, double b, cell row[],
+                     char complaint[COMPLAINT_SIZE])
 {
-    const double alpha = what->a / b;
-    const double limit = rwedge_elastic_limit(alpha, what->f, what->nu1);
-    row[RESULT_TENSION_SLIDING] = cell_number(what->f * what->P / b * rwedge_max_tension(alpha));
-    row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * what->P / b / limit);
+    const double alpha = setup->a / b;
+    const double limit = rwedge_elastic_limit(alpha, setup->f, setup->nu1);
+    row[RESULT_TENSION_SLIDING] = cell_number(setup->f * setup->P / b * rwedge_max_tension(alpha));
+    row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * setup->P / b / limit);
     row[RESULT_F_CRITICAL] =
-        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, what->nu1)) : cell_empty();
+        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_empty();
     row[RESULT_P_OVER_BK] = cell_number(limit);
-    if (isnan(what->k))
+    if (isnan(setup->k))
         return true;
     const double P_yield =
-        rwedge_yield_load(what->theta, what->a, what->A, what->f, what->nu1, what->k);
+        rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k);
     if (isnan(P_yield))
         return not_computed("P_yield", rwedge_strerror(RWEDGE_ERANGE), complaint);
-    row[RESULT_LOAD_OVER_BK] = cell_number(what->P / b / what->k);
+    row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
     row[RESULT_P_YIELD] = cell_number(P_yield);
-    row[RESULT_SAFETY] = cell_number(P_yield / what->P);
-    return isinf(P_yield) ? true : yield_place(what, P_yield, row, complaint);
+    row[RESULT_SAFETY] = cell_number(P_yield / setup->P);
+    return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
 }
 
-static bool yield_factor(const contact_case *what, cell row[], char complaint[COMPLAINT_SIZE])
+static bool yield_factor(const contact_case *setup, cell row[], char complaint[COMPLAINT_SIZE])
 {
     rwedge_contact *contact = NULL;
     double factor;
-    int32_t status = case_loaded(what, &contact);
+    int32_t status = case_loaded(setup, &contact);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_yield_factor(contact, what->nu1, what->k, &factor, NULL, NULL);
+        status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
     rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
         return not_computed("yield_factor", rwedge_strerror(status), complaint);
@@ -169,40 +170,40 @@ static bool yield_factor(const contact_case *what, cell row[], char complaint[CO
     return true;
 }
 
-static bool compute(const contact_case *what, double b, cell row[], char complaint[COMPLAINT_SIZE])
+static bool compute(const contact_case *setup, double b, cell row[], char complaint[COMPLAINT_SIZE])
 {
-    const bool centred = what->M == 0 && what->sigma == 0;
-    geometry(what, b, row);
-    if (centred && what->after == NULL)
-        return friction(what, b, row, complaint) && strength(what, b, row, complaint);
-    const int32_t status = results_of_state(what, row);
+    const bool centred = setup->M == 0 && setup->sigma == 0;
+    geometry(setup, b, row);
+    if (centred && setup->after == NULL)
+        return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
+    const int32_t status = results_of_state(setup, row);
     if (status != RWEDGE_OK)
         return not_computed("left", rwedge_strerror(status), complaint);
-    return !centred || strength(what, b, row, complaint);
+    return !centred || strength(setup, b, row, complaint);
 }
 
-bool results_compute(const contact_case *what, results_wanted wanted, results *found,
+bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
                      char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < RESULT_COUNT; i++)
-        found->value[i] = cell_empty();
-    const double b = rwedge_half_width(what->theta, what->a, what->A, what->P);
-    if (!isnormal(b) || !isfinite(what->a / b))
+        answer->value[i] = cell_empty();
+    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, setup->P);
+    if (!isnormal(b) || !isfinite(setup->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
-    if (!compute(what, b, found->value, complaint) ||
-        (wanted.yield_factor && !isnan(what->k) && !yield_factor(what, found->value, complaint)))
+    if (!compute(setup, b, answer->value, complaint) ||
+        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer->value, complaint)))
         return false;
-    const double safety = found->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    found->doubts = doubts_of(what, found->value[RESULT_B].number, safety);
-    found->warnings[0] = '\0';
-    doubts_write(found->doubts, found->warnings, sizeof found->warnings);
+    const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
+    answer->doubts = doubts_of(setup, answer->value[RESULT_B].number, safety);
+    answer->warnings[0] = '\0';
+    doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))
-        bound_safety(what, found);
-    found->value[RESULT_WARNINGS] = cell_text(found->warnings);
+        bound_safety(setup, answer);
+    answer->value[RESULT_WARNINGS] = cell_text(answer->warnings);
     return true;
 }
 
-void results_warn(results *found, const char *warning)
+void results_warn(results *answer, const char *warning)
 {
-    list_add(found->warnings, sizeof found->warnings, "; ", "%s", warning);
+    list_add(answer->warnings, sizeof answer->warnings, "; ", "%s", warning);
 }

@@ -3,8 +3,8 @@
 #ifndef CLI_RESULTS_H
 #define CLI_RESULTS_H
 
-#include "contact/contact_case.h"
-#include "rows/records.h"
+#include "contact_case.h"
+#include "text/cell.h"
 
 enum {
     RESULT_A,
@@ -58,10 +58,10 @@ typedef struct {
 } results;
 
 /* False, with the complaint, where one cannot be computed. */
-bool results_compute(const contact_case *what, results_wanted wanted, results *found,
+bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
                      char complaint[COMPLAINT_SIZE]);
 
 /* Adds to the warnings. */
-void results_warn(results *found, const char *warning);
+void results_warn(results *answer, const char *warning);
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef CLI_INPUTS_H
 #define CLI_INPUTS_H
 
-#include "options/arguments.h"
+#include <stdbool.h>
 
 enum {
     INPUT_E1,
@@ -25,17 +25,24 @@ enum {
     INPUT_COUNT
 };
 
-/* The numbers of their options; those of a command that has them start after the last. */
-enum { OPTION_INPUT = OPTION_OWN, OPTION_AFTER_INPUTS = OPTION_INPUT + INPUT_COUNT };
+typedef struct {
+    const char *option, *meaning, *argument; /* as the help of an option has them */
+    const char *unit;                        /* the dimension, as that of a result */
+    const char *subject;                     /* of a sentence */
+    double lo, hi;
+    bool open; /* the ends are not in the domain */
+    const char *domain;
+} input_kind;
+extern const input_kind input_kinds[INPUT_COUNT];
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength. */
-extern struct poptOption input_option_table[], strength_option_table[];
-
-/* Texts from the command line and from the cells of a row, whose decimal sign may be a comma. */
+/* Texts from options, or from the cells of a row, whose decimal sign may be a comma. */
 typedef struct {
     const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
     bool is_cell[INPUT_COUNT];
     char cell_decimal_sign;
+    /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
+     * where else inputs are given, "columns or options", or NULL */
+    const char *how_comma, *where_else;
 } input_texts;
 
 /* What is wrong with the inputs: the line of a message, or the error of a row. */
@@ -48,16 +55,13 @@ const char *input_column(int input, char name[INPUT_NAME_SIZE]);
 int input_alternative(int input);
 
 /* Its name as where its text came from spells it: "theta_deg" or "--theta-deg". */
-const char *input_name(const input_texts *given, int input, char name[INPUT_NAME_SIZE]);
-
-/* Those on a command line. */
-void input_texts_from_options(const arguments *given, input_texts *texts);
+const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE]);
 
 /* Whether a text is there; an empty cell is none. */
-bool input_is_given(const input_texts *given, int input);
+bool input_is_given(const input_texts *texts, int input);
 
 /* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be
  * HUGE_VAL, "inf". */
-bool input_read(const input_texts *given, int input, double *value, char complaint[COMPLAINT_SIZE]);
+bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
 
 #endif

@@ -8,6 +8,6 @@
 
 /* Goes over the results of the geometry without moment; those that hold no longer become empty.
  * Returns the library's status. */
-int32_t results_of_state(const contact_case *what, cell row[]);
+int32_t results_of_state(const contact_case *setup, cell row[]);
 
 #endif

@@ -5,6 +5,7 @@
 #include "text/number.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static int32_t apply(load to, rwedge_contact *contact)
 {
@@ -53,9 +54,10 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     load level = to;
     level.M = 0;
     if (to.P < 0)
-        fault = (load_fault){INPUT_P, "must not be below 0, and Q must be 0 where P is"};
+        fault = (load_fault){.input = INPUT_P,
+                             .why = "must not be below 0, and Q must be 0 where P is"};
     else if (to.P == 0 && to.M != 0)
-        fault = (load_fault){INPUT_M, "must be 0 where P is"};
+        fault = (load_fault){.input = INPUT_M, .why = "must be 0 where P is"};
     else if (is_in_domain(level, contact)) {
         fault.input = INPUT_M;
         const double most = largest_moment(to, contact);
@@ -85,7 +87,7 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
     return fault;
 }
 
-load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+static load_fault fault_of(int32_t status, load to, double f, const rwedge_contact *contact)
 {
     load_fault fault = {.input = INPUT_Q};
     char limit[NUMBER_SIZE];
@@ -104,6 +106,13 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
     return fault;
 }
 
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+{
+    load_fault fault = fault_of(status, to, f, contact);
+    fault.status = status;
+    return fault;
+}
+
 bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
 {
     const int32_t status = apply(to, contact);
@@ -111,12 +120,12 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
         return true;
     const load_fault fault = loads_fault(status, to, f, contact);
     char name[INPUT_NAME_SIZE], value[NUMBER_SIZE];
-    const double of[INPUT_COUNT] = {
+    const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
         snprintf(complaint, COMPLAINT_SIZE, "%s", fault.why);
     else {
-        number_write(of[fault.input], NUMBER_DIGITS, '.', value);
+        number_write(part[fault.input], NUMBER_DIGITS, '.', value);
         snprintf(complaint, COMPLAINT_SIZE, "%s %s: %s", input_column(fault.input, name), value,
                  fault.why);
     }

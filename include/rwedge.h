@@ -33,7 +33,8 @@
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
  * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _copy, _load, _apply, _stress_history, _restore, _cycle_... and rwedge_permanent_stick() allocate.
+ * _copy, _load, _apply, _stress_history, _restore, _cycle_... and rwedge_permanent_stick()
+ * allocate.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -609,7 +610,7 @@ RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, 
 
 /* Where a measure of the cycle is largest on a line along x: at the places at which it is known, or
  * between them, around its tops.                                                                new
- *   measure                 0 <= measure <= 6: RWEDGE_MEASURE_STRESS_RANGE to RWEDGE_MEASURE_ENERGY_PER_AREA
+ *   measure                 0 <= measure <= 6: RWEDGE_MEASURE_STRESS_RANGE and so on
  *   x                       length, finite; ascending: n numbers
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
@@ -626,7 +627,7 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
 
 /* How far remote points of the half-plane have moved along the surface against the wedge's, further
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
- * of a cycle under constant P. See lib/cycle/displacement.c.                                     new
+ * of a cycle under constant P.                                                                  new
  *   b  length, > 0, finite
  * NaN for NULL and when separated; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Relative error below 1e-12; off the centre 1e-6 of f theta times the
@@ -667,9 +668,9 @@ RWEDGE_API int32_t rwedge_principal_stresses(double sxx, double syy, double txy,
 /* Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
  * value of
  *     sn_max den/2
- * over the planes that contain z. In the cycle, sn_max is the plane's largest normal stress (0 for
- * a plane that is never in tension), den the range of its normal strain. Strains are elastic and
- * plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
+ * over the planes that contain z alone. In the cycle, sn_max is the plane's largest normal stress
+ * (0 for a plane that is never in tension), den the range of its normal strain. Strains are elastic
+ * and plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
  * nu/(1+nu) for nu.
  *                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
  *   n              number of loads of the cycle, >= 1; their order does not matter
@@ -698,8 +699,9 @@ RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, cons
 
 /* Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
  *     (dgamma/2) (1 + k sn_max/sy)
- * over the planes that contain z. In the cycle, dgamma is the range of the plane's shear strain,
- * 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
+ * over the planes that contain z. Other planes are not looked at: where szz is an extreme principal
+ * stress, they may have a larger value. In the cycle, dgamma is the range of the plane's shear
+ * strain, 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
  * compressive it counts as it is, but no plane counts less than 0.
  *                                                 Fatemi and Socie (1988), see lib/README.md; new
  *   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1

@@ -43,7 +43,10 @@ static void describe(FILE *stream)
         fprintf(stream, "  %-15s %s\n", measure_kinds[i].column, measure_kinds[i].meaning);
     fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
           "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
-          "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n",
+          "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n"
+          "\nSWT and Fatemi-Socie are searched over the planes that contain z alone: where\n"
+          "szz is an extreme principal stress, Fatemi-Socie may be too low. For plane stress\n"
+          "give E (1+2nu)/(1+nu)^2 as --E1 and nu/(1+nu) as --nu1; --nu1 0 is wrong here.\n",
           stream);
 }
 

@@ -29,7 +29,8 @@ typedef struct {
 /* What is looked at: stresses need the states after the loads alone; slip those on the way too. */
 typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO } rw_interest;
 
-/* For slip, RWEDGE_EPATH too where that of a state has no closed form. Destroy it in either case. */
+/* For slip, RWEDGE_EPATH too where that of a state has no closed form. To be destroyed in either
+ * case. */
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
                         rw_interest interest, rw_cycle *cycle);
 void rw_cycle_destroy(rw_cycle *cycle);

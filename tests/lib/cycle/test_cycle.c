@@ -152,7 +152,7 @@ static void the_energy_of_a_removal_counts(void **state)
 static void what_a_removal_under_tension_costs_is_not_known(void **state)
 {
     (void)state;
-    const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0.02), 0, 0, 0, 0);
+    const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0.15), 0, 0, 0, 0);
     rwedge_contact *contact = create(0.4, F);
     const double x = 0.1;
     friction at;

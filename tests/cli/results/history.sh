@@ -206,6 +206,14 @@ mv out wanted
 printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
 run history loads.csv $specimen --points latin.csv --encoding windows-1252
 same "points in another encoding" "" "$(diff wanted out)"
+run history loads.csv $specimen --at '1,5;0,1;0,2'
+message_is "rwedge history: --at 1,5;0,1;0,2: two values, 0 and 1; a decimal is written 0.1"
+run history loads.csv $specimen --at '0,0;0,.1;0.5,0'
+message_is ""
+run history $specimen --load 135,02,0,0
+message_is "rwedge history: --load 135,02,0,0: P 135 and M 02; a decimal is written 135.02"
+run history $specimen --load 135,2,0,0 --load 135,0
+message_is ""
 run history loads.csv $specimen --x 0,5 --depth 0,5
 message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
 rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"

@@ -611,13 +611,13 @@ RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, 
 /* Where a measure of the cycle is largest on a line along x: at the places at which it is known, or
  * between them, around its tops.                                                                new
  *   measure                 0 <= measure <= 6: RWEDGE_MEASURE_STRESS_RANGE and so on
- *   x                       length, finite; ascending: n numbers
+ *   x                       length, finite; one after the other: n numbers
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
  *   worst_x, worst_value    each receives one number
- * RWEDGE_EDOMAIN where x does not ascend too; RWEDGE_ERANGE for n = 0; the others as in
- * rwedge_contact_cycle_friction(). The place is found to 1e-10 of the distance of its neighbours
- * where the top is not flat. */
+ * RWEDGE_EDOMAIN where rwedge_contact_apply() has it, and for slip where y is not 0; RWEDGE_ERANGE
+ * for n = 0; RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENULL, RWEDGE_ENOMEM. The place is found to
+ * 1e-10 of the distance of its neighbours where the top is not flat. */
 RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure,
                                               size_t loads, const double P[], const double M[],
                                               const double Q[], const double sigma[], size_t n,
@@ -670,8 +670,8 @@ RWEDGE_API int32_t rwedge_principal_stresses(double sxx, double syy, double txy,
  *     sn_max den/2
  * over the planes that contain z alone. In the cycle, sn_max is the plane's largest normal stress
  * (0 for a plane that is never in tension), den the range of its normal strain. Strains are elastic
- * and plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E and
- * nu/(1+nu) for nu.
+ * and plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E
+ * and nu/(1+nu) for nu.
  *                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
  *   n              number of loads of the cycle, >= 1; their order does not matter
  *   sxx, syy, txy  n stresses each

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hysteresis loop of a cycle of Q under constant P: Q over the displacement by slip. Its area is the
- * energy dissipated, because the part of the displacement in proportion to Q encloses no area. */
+/* The hysteresis loop of a cycle of Q under constant P: Q over the displacement by slip. Its area
+ * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
 #include "figure_loop.h"
 
 #include "text/pi.h"

@@ -110,11 +110,10 @@ static peak search(const line *l, size_t n, const double x[], const double value
     return best;
 }
 
-static bool is_ascending(size_t n, const double x[], const double value[])
+static bool are_measured(size_t n, const double x[], const double value[])
 {
     for (size_t i = 0; i < n; i++)
-        if (!rw_is_signed(x[i]) || (i > 0 && !(x[i] > x[i - 1])) || !isfinite(value[i]) ||
-            value[i] < 0)
+        if (!rw_is_signed(x[i]) || !isfinite(value[i]) || value[i] < 0)
             return false;
     return true;
 }
@@ -131,7 +130,7 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
         !worst_value)
         return RWEDGE_ENULL;
     if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_ENERGY_PER_AREA ||
-        !rw_is_material(&l.material) || !rw_is_magnitude(y) || !is_ascending(n, x, value))
+        !rw_is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
         return RWEDGE_EDOMAIN;
     if (n == 0)
         return RWEDGE_ERANGE;

@@ -729,7 +729,7 @@ RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const doubl
                                              double nu, double k_over_sy, double value[],
                                              double angle[]);
 
-/* ---- Criteria over all planes ----------------------------------------------------------------- */
+/* ---- Criteria over all planes ---------------------------------------------------------------- */
 
 /* Of a cycle of stresses in plane strain, szz = nu (sxx+syy); for plane stress give nu = 0, or
  * plane_stress = 1 where E is an argument. No sampling: no plane exceeds the one that is named by
@@ -816,8 +816,8 @@ RWEDGE_API int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx
  *   kappa          stress, 0 or 1e-60 to 1e60: the fully reversed limits t_A in torsion and s_A in
  *                  tension give kappa = t_A - s_A/2, lambda = t_A
  *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error of tau_a below 1e-8 s;
- * of rho below 1e-6 s/tau_a, because the plane is as uncertain as the root of a rounding. */
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error of tau_a below 1e-8
+ * s; of rho below 1e-6 s/tau_a, because the plane is as uncertain as the root of a rounding. */
 RWEDGE_API int32_t rwedge_modified_wohler(size_t n, const double sxx[], const double syy[],
                                           const double txy[], double nu, double kappa,
                                           double *value, double *angle, double *out_of_plane);
@@ -859,8 +859,8 @@ RWEDGE_API int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double s
  *                                                                          Crossland (1956)
  *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
  *   value  receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 + alpha)
- * s, s being the largest stress of the cycle. */
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
+ * alpha) s, s being the largest stress of the cycle. */
 RWEDGE_API int32_t rwedge_crossland(size_t n, const double sxx[], const double syy[],
                                     const double txy[], double nu, double alpha, double *value);
 
@@ -873,14 +873,14 @@ RWEDGE_API int32_t rwedge_crossland_field(size_t loads, size_t n, const double s
                                           const double syy[], const double txy[], double nu,
                                           double alpha, double value[]);
 
-/* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the largest
- * shear stress of the deviator less the centre of the smallest sphere around its path, to which the
- * residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in compression,
+/* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the
+ * largest shear stress of the deviator less the centre of the smallest sphere around its path, to
+ * which the residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in compression,
  * which does no harm.                                                        Dang Van (1973)
  *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
  *   value  receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 + alpha)
- * s, s being the largest stress of the cycle. */
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
+ * alpha) s, s being the largest stress of the cycle. */
 RWEDGE_API int32_t rwedge_dang_van(size_t n, const double sxx[], const double syy[],
                                    const double txy[], double nu, double alpha, double *value);
 

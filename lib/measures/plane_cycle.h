@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loads of a cycle as the search for the worst plane needs them, and directions. On a plane with
- * the normal (cos(beta) sin(psi/2), cos(beta) cos(psi/2), sin(beta)) a load has the normal stress
+/* The loads of a cycle as the search for the worst plane needs them, and directions. On a plane
+ * with the normal (cos(beta) sin(psi/2), cos(beta) cos(psi/2), sin(beta)) a load has the normal stress
  *     n = szz - cos^2(beta) lift,   lift = szz - s - (d cos(psi) + t sin(psi)),
  * and the shear stresses (cos(beta) (t cos(psi) - d sin(psi)), sin(beta) cos(beta) lift). */
 #ifndef RW_PLANE_CYCLE_H
@@ -26,8 +26,8 @@ typedef struct {
     double rest, peak_rest;
 } rw_local;
 
-/* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, which
- * no amplitude depends on. On a plane the strain's amplitude is that of level - cos^2(beta) lift. */
+/* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, on
+ * which no amplitude depends. The strain's amplitude is that of level - cos^2(beta) lift. */
 typedef struct {
     double d, t, z, lift, size;
     double swing_d, swing_t, swing_lift, level, swing_size;

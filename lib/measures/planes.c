@@ -22,7 +22,7 @@ struct criterion {
     double factor, share, limit;
 };
 
-/* The normal strain of a plane with the normal stress n is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)). */
+/* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
 static double strain_shift(const criterion *c, double nu, double s, double z)
 {
     return c->is_plane_stress ? -2 * nu * s / (1 + nu) : -z;

@@ -175,8 +175,8 @@ static inline void raise(corners *c, const corners *other, double more)
         c->at[k] = rw_larger(c->at[k], other->at[k] + more);
 }
 
-/* Above the severity everywhere in the cell, and at its corners. Both factors of a product are below
- * mixtures of their values at the corners, with the same weights. The product of two mixtures
+/* Above the severity everywhere in the cell, and at its corners. Both factors of a product are
+ * below mixtures of their values at the corners, with the same weights. The product of two mixtures
  * exceeds that of the products by their covariance at most. */
 static double bound_of(const rw_severity *v, const corners *amplitude, const corners *peak,
                        corners *severity)
@@ -305,8 +305,8 @@ static void explore(search *w, const cell *a, size_t n)
 
 /* ---- The quarter of the sphere ---- */
 
-/* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta the
- * cosine and sine of their centres, pi/16 and so on; the tangent of half of half their height. */
+/* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta
+ * the cosine and sine of their centres, pi/16 and so on; the tangent of half of half their height. */
 enum { ROWS = 4 };
 static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827},
                                        {0.83146961230254524, 0.55557023301960222},

@@ -210,8 +210,7 @@ static void principal(const cycle *c, double s[3])
             }
 }
 
-/* Nearly always to rounding; where a whole curve of planes is nearly as bad, to what the header says.
- */
+/* To rounding; where a whole curve of planes is nearly as bad, to what the header says. */
 static void assert_found(double actual, double expected, int *rough)
 {
     assert_close(actual, expected, 1e-7);
@@ -393,6 +392,63 @@ static void a_field_has_the_bits_of_its_points_at_every_scale(void **state)
     }
 }
 
+/* A field of two points, the second of which stands alone too. */
+typedef struct {
+    double sxx[4], syy[4], txy[4];
+    double alone_xx[2], alone_yy[2], alone_xy[2];
+} two_points;
+
+static two_points draw_points(uint64_t *seed)
+{
+    two_points p;
+    for (int i = 0; i < 4; i++)
+        p.sxx[i] = some_stress(seed), p.syy[i] = some_stress(seed), p.txy[i] = some_stress(seed);
+    for (int i = 0; i < 2; i++) {
+        p.alone_xx[i] = p.sxx[2 * i + 1], p.alone_yy[i] = p.syy[2 * i + 1];
+        p.alone_xy[i] = p.txy[2 * i + 1];
+    }
+    return p;
+}
+
+#define ASSERT_FIELD(name, ...)                                                                    \
+    do {                                                                                           \
+        const two_points p = draw_points(&seed);                                                   \
+        double v[2], a[2], o[2], value, angle, out;                                                \
+        assert_int_equal(rwedge_##name##_field(2, 2, p.sxx, p.syy, p.txy, __VA_ARGS__, v, a, o),   \
+                         RWEDGE_OK);                                                               \
+        assert_int_equal(rwedge_##name(2, p.alone_xx, p.alone_yy, p.alone_xy, __VA_ARGS__, &value, \
+                                       &angle, &out),                                              \
+                         RWEDGE_OK);                                                               \
+        assert_true(v[1] == value && a[1] == angle && o[1] == out);                                \
+    } while (0)
+
+#define ASSERT_SPHERE(name)                                                                        \
+    do {                                                                                           \
+        const two_points p = draw_points(&seed);                                                   \
+        double v[2], value;                                                                        \
+        assert_int_equal(rwedge_##name##_field(2, 2, p.sxx, p.syy, p.txy, 0.3, 0.2, v),            \
+                         RWEDGE_OK);                                                               \
+        assert_int_equal(rwedge_##name(2, p.alone_xx, p.alone_yy, p.alone_xy, 0.3, 0.2, &value),   \
+                         RWEDGE_OK);                                                               \
+        assert_true(v[1] == value);                                                                \
+    } while (0)
+
+/* As rwedge_findley_field() above: rwedge_smith_watson_topper_planes_field(),
+ * rwedge_fatemi_socie_planes_field(), rwedge_modified_wohler_field(), rwedge_mcdiarmid_field(),
+ * rwedge_crossland_field(), rwedge_dang_van_field(). */
+static void every_field_has_the_bits_of_its_points(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (int i = 0; i < 20; i++) {
+        ASSERT_FIELD(smith_watson_topper_planes, 2, 0.3, i % 2);
+        ASSERT_FIELD(fatemi_socie_planes, 2, 0.3, i % 2, 0.5);
+        ASSERT_FIELD(modified_wohler, 0.3, 0.5);
+        ASSERT_FIELD(mcdiarmid, 0.3, 0.5, 2);
+        ASSERT_SPHERE(crossland);
+        ASSERT_SPHERE(dang_van);
+    }
+}
 static void refusals_leave_the_results_alone(void **state)
 {
     (void)state;
@@ -446,6 +502,7 @@ int main(void)
         cmocka_unit_test(spheres_around_textbook_paths_are_exact),
         cmocka_unit_test(dang_van_counts_from_shakedown),
         cmocka_unit_test(a_field_has_the_bits_of_its_points_at_every_scale),
+        cmocka_unit_test(every_field_has_the_bits_of_its_points),
         cmocka_unit_test(refusals_leave_the_results_alone),
         cmocka_unit_test(uniaxial_smith_watson_topper_is_the_textbook_value),
     };

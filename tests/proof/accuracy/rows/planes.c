@@ -37,7 +37,7 @@ static bool draw_cycle(probe *call, cycle *c, double *nu)
     return are_apart(s, *nu);
 }
 
-/* The largest and the smallest principal stress, and the one between, of the load that was drawn. */
+/* The largest principal stress of the load that was drawn, the one between, the smallest. */
 static void principal(arb_ptr s, const probe *call, slong prec)
 {
     arb_ptr t = _arb_vec_init(4);

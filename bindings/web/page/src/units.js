@@ -12,8 +12,11 @@ const made = (length, force, stress) => ({
     deg: "\u00b0",
     none: "",
     text: "",
-    "stress^2": `${stress}\u00b2`,
+    "force*stress/length": `${force}/${length}\u00b7${stress}`,
 });
+
+/** Those of a name, or the usual ones. */
+export const unitsOf = (name) => (Object.hasOwn(unitSystems, name) ? unitSystems[name] : unitSystems.mm).unit;
 
 export const unitSystems = {
     mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa") },
@@ -25,7 +28,6 @@ export const unitSystems = {
             ...made("length", "force", "stress"),
             force: "force",
             "1/stress": "1/stress",
-            "stress^2": "stress\u00b2",
         },
     },
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last cycle of a course of loads: the contact after each load, and on the way where P or M change. As cli/fretting/last_cycle.c.
-import { Contact, status, statuses } from "../library.js";
-import { applyNext } from "../case/loads.js";
+import { status, statuses } from "../library.js";
 
 const PARTS = 32;
 
@@ -39,31 +38,15 @@ export function statesOnTheWay(contact, to, parts) {
     return states;
 }
 
-function goThrough(contact, what, loads, cycles, states) {
-    for (let cycle = 1; cycle <= cycles; cycle++)
-        for (const [row, load] of loads.entries()) {
-            const isLast = cycle === cycles,
-                before = contact.loads();
-            if (isLast && row === 0) states.push(stateOf(contact, false, before.Q));
-            if (isLast && (before.P !== load.P || before.M !== load.M))
-                states.push(...statesOnTheWay(contact, load, PARTS));
-            const fault = applyNext(contact, load, what.f);
-            if (fault) return `row ${row + 1}${cycle > 1 ? `, cycle ${cycle}` : ""}: ${fault.text}`;
-            if (isLast) states.push(stateOf(contact, true, load.Q));
-        }
-    return null;
-}
-
-/** { what, states, loads, slipKnown, free() } or { complaint }. */
-export function lastCycle(what, loads, cycles) {
-    const states = [],
-        contact = new Contact(what.theta, what.a, what.A, what.f);
-    const complaint = goThrough(contact, what, loads, cycles, states);
-    contact.free();
-    const free = () => states.forEach((state) => state.contact.free());
-    if (complaint) {
-        free();
-        return { complaint };
+/** { setup, states, loads, slipKnown, free() }: of a contact before the cycle, which is changed; the loads have been tried. */
+export function lastCycle(setup, loads, contact) {
+    const states = [stateOf(contact, false, contact.loads().Q)];
+    for (const load of loads) {
+        const before = contact.loads();
+        if (before.P !== load.P || before.M !== load.M) states.push(...statesOnTheWay(contact, load, PARTS));
+        contact.apply(load.P, load.M, load.Q, load.sigma);
+        states.push(stateOf(contact, true, load.Q));
     }
-    return { what, states, loads, slipKnown: states.every((state) => state.slipKnown), free };
+    const free = () => states.forEach((state) => state.contact.free());
+    return { setup, states, loads, slipKnown: states.every((state) => state.slipKnown), free };
 }

@@ -34,17 +34,17 @@ function eachState({ states, loads }, see) {
     });
 }
 
-function isCentred({ states, loads, what }) {
+function isCentred({ states, loads, setup }) {
     const [{ P }] = loads,
         first = states[0].contact.loads();
-    return what.f > 0 && first.P === P && loads.every((load) => load.P === P && load.M === 0 && load.sigma === 0);
+    return setup.f > 0 && first.P === P && loads.every((load) => load.P === P && load.M === 0 && load.sigma === 0);
 }
 
 /** Q over the displacement by slip: the loop encloses the energy of the cycle. */
 function ofContact(of) {
     const x = [],
         y = [];
-    eachState(of, ({ contact, Q }) => (x.push(displacement(contact, of.what.A)), y.push(Q)));
+    eachState(of, ({ contact, Q }) => (x.push(displacement(contact, of.setup.A)), y.push(Q)));
     return { x, y, xName: "displacement by slip", yName: "Q", whole: true };
 }
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the last cycle does to places of the surface: critical planes, slip, energy. As cli/fretting/last_cycle.c.
 import { rwedge } from "../library.js";
-import { SQRT_3 } from "../case/contact_case.js";
-import { words } from "words";
-
-export const measureKinds = words.measures;
-export const isAngle = (name) => name.endsWith("_angle");
 
 const nowhere = (n) => new Float64Array(n).fill(NaN);
 const nothingSlips = (n) =>
@@ -37,13 +32,13 @@ function most(values, loads, n, sign) {
 
 const degrees = (angles) => angles.map((v) => (v * 180) / Math.PI);
 
-function criticalPlanes({ what }, s, n) {
-    const swt = rwedge.smith_watson_topper_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1);
+function criticalPlanes({ setup }, s, n) {
+    const swt = rwedge.smith_watson_topper_field(s.loads, s.sxx, s.syy, s.txy, setup.E1, setup.nu1);
     const largest = most(s.sxx, s.loads, n, 1),
         smallest = most(s.sxx, s.loads, n, -1);
-    const socie = Number.isNaN(what.k)
+    const socie = Number.isNaN(setup.k)
         ? { value: nowhere(n), angle: nowhere(n) }
-        : rwedge.fatemi_socie_field(s.loads, s.sxx, s.syy, s.txy, what.E1, what.nu1, 1 / (SQRT_3 * what.k));
+        : rwedge.fatemi_socie_field(s.loads, s.sxx, s.syy, s.txy, setup.E1, setup.nu1, 1 / (Math.sqrt(3) * setup.k));
     return {
         stress_range: largest.map((v, i) => v - smallest[i]),
         swt: swt.value,
@@ -111,7 +106,7 @@ function leave(states, at, x, to) {
     at.touches = false;
 }
 
-function rubThrough({ what, states }, x, i, found) {
+function rubThrough({ setup, states }, x, i, found) {
     let at = { touches: false, slip: 0, limit: 0, most: -Infinity, least: Infinity, shear: 0, energy: 0 };
     found.forEach(({ p, q, slip }, s) => {
         if (Number.isNaN(slip[i])) {
@@ -119,7 +114,7 @@ function rubThrough({ what, states }, x, i, found) {
             return;
         }
         if (!at.touches) Object.assign(at, { touches: true, slip: 0, limit: 0 });
-        slipTo(at, slip[i], what.f * Math.abs(p[i]));
+        slipTo(at, slip[i], setup.f * Math.abs(p[i]));
         at.shear = Math.max(at.shear, Math.abs(q[i]));
         if (s === 0) Object.assign(at, { most: slip[i], least: slip[i], energy: 0 }); // the cycle begins here
     });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places along the surface, dense at the edges, and where each measure is worst, also between them. As cli/fretting/surface.c and worst.c.
 import { status } from "../library.js";
-import { isAngle, measure, measureKinds } from "./measures.js";
+import { isAngle, measureKinds } from "../words.js";
+import { measure } from "./measures.js";
 
 const INSIDE = 200,
     OUTSIDE = 40;
 
 /** Ascending, each once but for rounding; the edges of contact and stick zone are among them. Nothing where there is no contact. */
-export function usualPlaces({ states, what }) {
+export function usualPlaces({ states, setup }) {
     const lefts = states.map((s) => s.left).filter(Number.isFinite),
         rights = states.map((s) => s.right).filter(Number.isFinite);
     if (lefts.length === 0) return null;
@@ -24,7 +25,7 @@ export function usualPlaces({ states, what }) {
     }
     all.sort((a, b) => a - b);
     const once = all.filter((x, i) => i === 0 || x - all[i - 1] > 1e-12 * half);
-    return Float64Array.from(what.a === 0 ? once.filter((x) => x !== 0) : once);
+    return Float64Array.from(setup.a === 0 ? once.filter((x) => x !== 0) : once);
 }
 
 /** Another top is worth a search if its place comes so near to the best one. */
@@ -70,7 +71,7 @@ function worstOf(of, x, values, name) {
 export function worstPlaces(of, x, measured) {
     return Object.fromEntries(
         measureKinds
-            .filter(({ name }) => !isAngle(name))
+            .filter((kind) => !isAngle(kind))
             .map(({ name }) => [name, worstOf(of, x, measured[name], name)]),
     );
 }

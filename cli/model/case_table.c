@@ -33,7 +33,8 @@ static bool is_complete(const case_table *table, char complaint[COMPLAINT_SIZE])
     if (case_is_complete(&texts, CASE_OF_SOLVE, complaint))
         return true;
     const size_t used = strlen(complaint);
-    snprintf(complaint + used, COMPLAINT_SIZE - used, "%s", header_separator_hint(&table->names));
+    snprintf(complaint + used, COMPLAINT_SIZE - used, "%s",
+             header_separator_hint(table->names.name, table->names.count));
     return false;
 }
 
@@ -105,7 +106,7 @@ static void warn_of_unused(const case_table *table, const char *const row[], res
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
                       results *answer, char complaint[COMPLAINT_SIZE])
 {
-    if (!header_fits(&table->names, count, table->separator, complaint))
+    if (!header_fits(table->names.count, count, table->separator, complaint))
         return false;
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)

@@ -94,8 +94,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
     const char *text = column < row->count ? row->cell[column] : "";
     const bool is_input = header_is_input(&r->table.names, column);
     double number;
-    return number_read_cell(text, r->how->decimal_sign, &number) &&
-                   (is_input || number_is_exact(text))
+    return (is_input ? number_read_cell : number_survives)(text, r->how->decimal_sign, &number)
                ? cell_typed(text, number)
                : cell_text(text);
 }

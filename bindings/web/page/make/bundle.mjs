@@ -19,7 +19,9 @@ const made = (folder, modules) => ({
         }));
         build.onLoad({ filter: /\/web\/package\/wasm\.mjs$/ }, () => {
             const text = readFileSync(`${folder}/page/page.wasm`).toString("base64");
-            return { contents: `export const wasm = Uint8Array.from(atob("${text}"), (letter) => letter.charCodeAt(0));` };
+            return {
+                contents: `export const wasm = Uint8Array.from(atob("${text}"), (letter) => letter.charCodeAt(0));`,
+            };
         });
     },
 });

@@ -48,10 +48,7 @@ function take(given) {
 
 function wholeAddress() {
     const changed = Object.keys(settings).filter((name) => String(state[name]) !== settings[name]);
-    return writeAddress({
-        ...state.texts,
-        ...Object.fromEntries(changed.map((name) => [name, String(state[name])])),
-    });
+    return writeAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, String(state[name])])) });
 }
 
 /** What is pasted may be too long for it. */
@@ -153,8 +150,10 @@ const chosen = [
 function build() {
     document.getElementById("settings").append(
         ...chosen.map((one) => element("span", {}, ...one.parts)),
-        copyButton("Copy a link to this case", () => location.href.replace(/#.*/, "") + address(), () =>
-            tooLong.hidden ? "Copied" : "Copied without the pasted rows",
+        copyButton(
+            "Copy a link to this case",
+            () => location.href.replace(/#.*/, "") + address(),
+            () => (tooLong.hidden ? "Copied" : "Copied without the pasted rows"),
         ),
         element("label", { for: "open-case" }, "Open a saved case"),
         element("input", { type: "file", id: "open-case", accept: ".txt,text/plain", onchange: openCase }),

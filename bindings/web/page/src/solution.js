@@ -34,7 +34,16 @@ export const linesOf = (texts, sign) =>
  * has the numbers of the case, where it is one.
  */
 export function taken(records) {
-    const answer = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, loads: [], unused: "" };
+    const answer = {
+        inputs: {},
+        faults: [],
+        setup: null,
+        hardest: null,
+        results: null,
+        verdict: null,
+        loads: [],
+        unused: "",
+    };
     for (const [kind, ...fields] of records) takers[kind](answer, ...fields);
     return answer;
 }

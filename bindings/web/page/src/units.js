@@ -24,11 +24,7 @@ export const unitSystems = {
     in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
     any: {
         name: "any consistent units",
-        unit: {
-            ...made("length", "force", "stress"),
-            force: "force",
-            "1/stress": "1/stress",
-        },
+        unit: { ...made("length", "force", "stress"), force: "force", "1/stress": "1/stress" },
     },
 };
 

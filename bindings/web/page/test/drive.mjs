@@ -59,7 +59,8 @@ export const enter = (page, texts) =>
     }, texts);
 
 /** Waits for what is computed aside. */
-export const settled = (page) => page.waitForFunction(() => !document.querySelector('[aria-busy="true"]'), { timeout: 60000 });
+export const settled = (page) =>
+    page.waitForFunction(() => !document.querySelector('[aria-busy="true"]'), { timeout: 60000 });
 
 /** The numbers of the tab that is seen, by their names. */
 export async function shownNumbers(page) {

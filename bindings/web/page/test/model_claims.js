@@ -19,7 +19,9 @@ function run(args, input) {
 
 /** What the tool says of a row of these texts. */
 function toolError(texts) {
-    const table = Object.values({ names: Object.keys(texts), row: Object.values(texts) }).map((cells) => cells.join("\t"));
+    const table = Object.values({ names: Object.keys(texts), row: Object.values(texts) }).map((cells) =>
+        cells.join("\t"),
+    );
     const [names, row] = run(["solve", "--input", "-", "--format", "tsv"], `${table.join("\n")}\n`).stdout.split("\n");
     return row?.split("\t")[names.split("\t").indexOf("error")];
 }
@@ -45,7 +47,12 @@ test("a thousands comma in a field is refused, a decimal comma is read", () => {
 
 test("the decimal comma is read in pasted rows where it is chosen", () => {
     const { rows } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
-    const told = run(["solve", ...optionsOf({ ...bodies, yield_stress: "900", P: "300.5", Q: "40.25" }), "--layout", "row"]).stdout;
+    const told = run([
+        "solve",
+        ...optionsOf({ ...bodies, yield_stress: "900", P: "300.5", Q: "40.25" }),
+        "--layout",
+        "row",
+    ]).stdout;
     const [names, values] = told.split("\n").map((line) => line.split(","));
     const { results } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
     const safety = Number(rows[0].values[results.indexOf("safety")]);
@@ -109,13 +116,20 @@ const wrong = [
 test("refusals are the tool's", () => {
     for (const [name, text] of wrong) {
         const { faults } = solveHolding({ ...usual, [name]: text }, ".");
-        assert.deepEqual([faults.length, faults[0].text], [1, toolError({ ...usual, [name]: text })], `${name} = ${text}`);
+        assert.deepEqual(
+            [faults.length, faults[0].text],
+            [1, toolError({ ...usual, [name]: text })],
+            `${name} = ${text}`,
+        );
     }
 });
 
 test("all wrong fields are named at a time", () => {
     const { faults, verdict } = solveHolding({ ...usual, P: "x", f: "y" }, ".");
-    assert.deepEqual(faults.map((fault) => fault.input), ["P", "f"]);
+    assert.deepEqual(
+        faults.map((fault) => fault.input),
+        ["P", "f"],
+    );
     assert.ok(verdict.text.startsWith("CHECK THE INPUTS: P x: ") && verdict.text.includes("; f y: "));
 });
 
@@ -131,7 +145,17 @@ test("what yields under the loads and what would in full sliding are told apart"
 });
 
 test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {
-    const texts = { E1: "10", nu1: ".5", E2: "inf", theta: ".1", radius: "100", P: "1", Q: ".2", f: ".5", sigma: ".04" };
+    const texts = {
+        E1: "10",
+        nu1: ".5",
+        E2: "inf",
+        theta: ".1",
+        radius: "100",
+        P: "1",
+        Q: ".2",
+        f: ".5",
+        sigma: ".04",
+    };
     const { results } = solveHolding(texts, ".");
     assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
 });
@@ -142,10 +166,15 @@ test("a cycle without a table is that of the tool after P and M", () => {
         const { M = "0", sigma = "0", ...bodiesAlone } = rest;
         const table = `P,M,Q,sigma\n${P},${M},${Q},${sigma}\n${P},${M},-${Q},-${sigma}\n`;
         const told = run(["fretting", "-", "--load", `${P},${M},0,0`, ...optionsOf(bodiesAlone)], table);
-        const worst = Object.fromEntries([...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]));
+        const worst = Object.fromEntries(
+            [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]),
+        );
         const answer = answerOf({ ...usual, ...texts }, "", ".", "3");
         assert.equal(answer.complaint, undefined);
-        assert.ok(Math.abs(answer.worst.swt.value / Number(worst.swt[2]) - 1) < 5e-6, `${answer.worst.swt.value} ${told.stderr}`);
+        assert.ok(
+            Math.abs(answer.worst.swt.value / Number(worst.swt[2]) - 1) < 5e-6,
+            `${answer.worst.swt.value} ${told.stderr}`,
+        );
     }
     assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3").complaint, /both are 0$/);
 });

@@ -70,8 +70,6 @@ function worstOf(of, x, values, name) {
 /** By name: { x, value }, or null where the measure is 0 or absent everywhere. */
 export function worstPlaces(of, x, measured) {
     return Object.fromEntries(
-        measureKinds
-            .filter((kind) => !isAngle(kind))
-            .map(({ name }) => [name, worstOf(of, x, measured[name], name)]),
+        measureKinds.filter((kind) => !isAngle(kind)).map(({ name }) => [name, worstOf(of, x, measured[name], name)]),
     );
 }

@@ -65,10 +65,7 @@ class Field {
         this.unit = element("span", { class: "unit" });
         this.note = element("p", { id: `${id}-note`, class: "note", "aria-live": "polite" });
         this.input.addEventListener("input", () => this.type(this.input.value));
-        this.slider = slider(
-            name,
-            (text) => this.type(text),
-        );
+        this.slider = slider(name, (text) => this.type(text));
         const row = element(
             "div",
             { class: "row" },

@@ -17,7 +17,13 @@ function branches({ setup, results }) {
         f = frictions(setup.f);
     const each = (branch) => f.map((v) => status.orNull(() => branch(alpha, v, setup.nu1))?.limit ?? NaN);
     return [
-        { name: "elastic limit", column: "P_over_bk", style: "one", x: f, y: rwedge.elastic_limit(alpha, f, setup.nu1) },
+        {
+            name: "elastic limit",
+            column: "P_over_bk",
+            style: "one",
+            x: f,
+            y: rwedge.elastic_limit(alpha, f, setup.nu1),
+        },
         { name: "below surface", column: "P_over_bk_subsurface", style: "two", x: f, y: each(rwedge.subsurface_yield) },
         { name: "at surface", column: "P_over_bk_surface", style: "three", x: f, y: each(rwedge.surface_yield) },
     ];

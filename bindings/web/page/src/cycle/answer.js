@@ -3,20 +3,24 @@
 import { goThrough } from "../tables.js";
 import { lastCycle } from "./last_cycle.js";
 import { loopOf } from "./loop.js";
-import { measure } from "./measures.js";
-import { usualPlaces, worstPlaces } from "./surface.js";
+import { measure, worstPlaces } from "./measures.js";
+import { usualPlaces } from "./surface.js";
+
+function measuredAlong(cycle) {
+    const x = usualPlaces(cycle);
+    if (!x) return { complaint: "there is no contact in the cycle" };
+    const measured = measure(cycle, x),
+        worst = worstPlaces(cycle, x, measured);
+    return { x, measured, worst, loop: loopOf(cycle, worst.energy_per_area?.x), slipKnown: cycle.slipKnown };
+}
 
 /** { x, measured, worst, loop, slipKnown, loads, unused } or { complaint }. */
 export function answerOf(texts, text, sign, times) {
     const { complaint, setup, loads, unused, contact } = goThrough(texts, text, sign, times);
     if (complaint) return { complaint };
-    const of = lastCycle(setup, loads, contact);
-    contact.free();
-    const x = usualPlaces(of);
-    if (!x) return { complaint: "there is no contact in the cycle" };
-    const measured = measure(of, x),
-        worst = worstPlaces(of, x, measured);
-    const loop = loopOf(of, worst.energy_per_area?.x);
-    of.free();
-    return { x, measured, worst, loop, slipKnown: of.slipKnown, loads, unused };
+    try {
+        return { ...measuredAlong(lastCycle(setup, loads, contact)), loads, unused };
+    } finally {
+        contact.free();
+    }
 }

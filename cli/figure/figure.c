@@ -153,10 +153,9 @@ static int read_variable(const figure *which, int i, const char *text, range *va
     const int most = which->use[i].most;
     if (text == NULL && which->use[i].usual[0] == '\0')
         return STATUS_DONE;
-    const int status =
-        variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
-    if (status != STATUS_DONE || values->count <= most)
-        return status;
+    variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    if (values->count <= most)
+        return STATUS_DONE;
     if (most == 1)
         return usage_error("--%s %s: must be one number", variable_of(i)->option, text);
     return usage_error("--%s %s: must not have more than %d values, a curve each",
@@ -249,19 +248,16 @@ static const picture_format *format_named(const char *name)
     return NULL;
 }
 
-static int read_picture_format(const arguments *given, const picture_format **format,
-                               output_options *how)
+static const picture_format *read_picture_format(const arguments *given, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
     if (given->value[OPTION_DIGITS] != NULL)
-        return usage_error("--digits %s: not for a picture; allowed with: --data",
-                           given->value[OPTION_DIGITS]);
+        usage_error("--digits %s: not for a picture; allowed with: --data",
+                    given->value[OPTION_DIGITS]);
     if (given->value[OPTION_DECIMAL_COMMA] != NULL)
-        return usage_error("--decimal-comma: not for a picture; allowed with: --data");
-    const int status =
-        output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
-    *format = status == STATUS_DONE ? format_named(how->format_name) : NULL;
-    return status;
+        usage_error("--decimal-comma: not for a picture; allowed with: --data");
+    output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
+    return format_named(how->format_name);
 }
 
 /* ---- What is written ---- */
@@ -325,10 +321,10 @@ static int write_work(const arguments *given, work *what)
     int status = choose_figure(given, &what->which);
     if (status == STATUS_DONE && what->which == &figure_loop && has_loads(given))
         what->which = &figure_any_loop;
-    if (status == STATUS_DONE)
-        status = given->value[OPTION_DATA] != NULL
-                     ? output_options_read(given, &how)
-                     : read_picture_format(given, &what->format, &how);
+    if (given->value[OPTION_DATA] != NULL)
+        output_options_read(given, &how);
+    else
+        what->format = read_picture_format(given, &how);
     if (status == STATUS_DONE && what->which->of_course)
         status =
             read_course(given, what->which, how.decimal_sign, &what->whole, &what->at, &what->of);
@@ -337,10 +333,8 @@ static int write_work(const arguments *given, work *what)
         if (status == STATUS_DONE)
             status = read_case(given, what->which, &what->of);
     }
-    if (status == STATUS_DONE)
-        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, write_figure, what);
+    output_options_spare(&how, given->value[OPTION_HISTORY]);
+    output_options_write(&how, write_figure, what);
     return status;
 }
 

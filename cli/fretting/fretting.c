@@ -196,11 +196,9 @@ static int read_k_over_sy(const arguments *given, const contact_case *what, doub
 static int read_plan(const arguments *given, plan *what, output_options *how)
 {
     double k_over_sy = NAN;
-    int status = output_options_read(given, how);
-    if (status == STATUS_DONE)
-        status = places_spare_files(given, how);
-    if (status == STATUS_DONE)
-        status = threads_read(given, &what->threads);
+    output_options_read(given, how);
+    int status = places_spare_files(given, how);
+    what->threads = threads_read(given);
     if (status == STATUS_DONE)
         status = course_read(given, how->decimal_sign,
                              (course_usage){.cycles = 3, .loads_before = true}, &what->whole);
@@ -264,10 +262,7 @@ static int run(const arguments *given, plan *what)
                                              : worst_of(&what->last, &what->all, i);
     if (what->all.line > 0 && given->value[OPTION_X] == NULL)
         status = add_rows(what, worst);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, write_rows, what);
-    if (status != STATUS_DONE)
-        return status;
+    output_options_write(&how, write_rows, what);
     say_what_is_doubtful(what);
     write_worst(what, worst, line, sizeof line);
     notice("worst: %s",

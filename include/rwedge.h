@@ -424,16 +424,17 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
                                                   double *shear_left, double *shear_right);
 
 /* The zone that never slips while loads go to and fro between two points in a straight line, once
- * the first cycles are over, whatever was before.                                               new
+ * the first cycles are over, whatever was before. It is all of the smaller contact where the ring
+ * that comes and goes takes up the change of Q and sigma.                                       new
  *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
  *   M1, M2          finite; 0 where P is 0
- *   Q1, Q2          |Q| <= f P
+ *   Q1, Q2          |Q| <= f P, as for rwedge_contact_load()
  *   sigma1, sigma2  finite
  *   left, right     its edges, length
  * The compliances are equal: a tension stretches the surface by A/4 of it.
- * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
- * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
- * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
+ * RWEDGE_EABSENT where all slides at times, or separates; RWEDGE_EPATH where the edges slip in
+ * opposite directions, or the contacts at the two points pass each other at one edge;
+ * RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
  * rwedge_contact_stick_zone(). */
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,

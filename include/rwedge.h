@@ -875,8 +875,8 @@ RWEDGE_API int32_t rwedge_crossland_field(size_t loads, size_t n, const double s
 
 /* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the
  * largest shear stress of the deviator less the centre of the smallest sphere around its path, to
- * which the residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in compression,
- * which does no harm.                                                        Dang Van (1973)
+ * which the residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in
+ * compression, which does no harm.                                            Dang Van (1973)
  *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
  *   value  receives one number
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +

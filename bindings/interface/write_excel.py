@@ -123,6 +123,11 @@ def statements(f, name, handle):
     return [f"    {line}" for line in dims + lines]
 
 
+def is_declared(f: Function) -> bool:
+    """A cell has no array of two sizes, so no field."""
+    return f.name not in NOT_DECLARED and not f.name.endswith("_field")
+
+
 def fits_cells(f: Function) -> bool:
     outputs = f.outputs
     return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
@@ -154,8 +159,7 @@ def worksheet_function(f: Function, before: Function) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    # a cell has no array of two sizes: no fields
-    declared = [f for f in interface.functions if f.name not in NOT_DECLARED and not f.name.endswith("_field")]
+    declared = list(filter(is_declared, interface.functions))
     offered = [f for f in declared if f.name not in NOT_IN_CELLS]
     unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
     if unfit:

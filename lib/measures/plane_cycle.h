@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The loads of a cycle as the search for the worst plane needs them, and directions. On a plane
- * with the normal (cos(beta) sin(psi/2), cos(beta) cos(psi/2), sin(beta)) a load has the normal stress
+ * with the normal (cos(beta) sin(psi/2), cos(beta) cos(psi/2), sin(beta)) a load has the normal
+ * stress
  *     n = szz - cos^2(beta) lift,   lift = szz - s - (d cos(psi) + t sin(psi)),
  * and the shear stresses (cos(beta) (t cos(psi) - d sin(psi)), sin(beta) cos(beta) lift). */
 #ifndef RW_PLANE_CYCLE_H

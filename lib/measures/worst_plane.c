@@ -306,7 +306,8 @@ static void explore(search *w, const cell *a, size_t n)
 /* ---- The quarter of the sphere ---- */
 
 /* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta
- * the cosine and sine of their centres, pi/16 and so on; the tangent of a quarter of their height. */
+ * the cosine and sine of their centres, pi/16 and so on; the tangent of a quarter of their
+ * height. */
 enum { ROWS = 4 };
 static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827},
                                        {0.83146961230254524, 0.55557023301960222},

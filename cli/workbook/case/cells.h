@@ -130,8 +130,8 @@ typedef struct {
 
 extern const case_cell case_cells[CELL_COUNT];
 
-/* What inputs and results show; NAN is an empty text. Working cells show nothing: they have no value
- * before a spreadsheet computes. */
+/* What inputs and results show; NAN is an empty text. Working cells show nothing: they have no
+ * value before a spreadsheet computes. */
 typedef struct {
     double number[RESULTS_END];
     char branch[12]; /* the text of CELL_BRANCH */

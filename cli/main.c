@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: finds the command, and does what all commands need. */
+#include "contact/input_options.h"
 #include "options/arguments.h"
 #include "options/completion.h"
 #include "fretting/fretting.h"
@@ -143,6 +144,7 @@ int main(int argc, char **argv)
         return STATUS_FAILED;
     signals_install();
     invocation_keep(argc, words);
+    input_options_prepare();
     const command *which = argc > 1 ? command_named(words[1]) : NULL;
     if (which != NULL)
         return run_command(which, argc - 1, words + 1);

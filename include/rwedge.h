@@ -51,7 +51,7 @@
 #define RWEDGE_API
 #endif
 
-#define RWEDGE_VERSION "1.1.0"
+#define RWEDGE_VERSION "1.2.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -312,6 +312,14 @@ typedef struct rwedge_contact rwedge_contact;
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 
+/* How much a bulk tension stretches the surface of the half-plane against that of the wedge: A/4 of
+ * the tension unless it is set. That is right for bodies of equal compliance. For others it is
+ * (1 - nu1^2)/E1 of the tension, E1 and nu1 being those of the half-plane.                      new
+ *   strain_per_tension  strain over tension, 1/stress, finite, >= 0, also over A
+ * RWEDGE_EDOMAIN where the bodies touch: it is set before the first load, or when they are
+ * separated; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_tension);
+
 /* An independent copy, history and all: to try a load and go back.
  * RWEDGE_ENULL, RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy);
@@ -340,16 +348,16 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  *          where P is 0
  *   Q      |Q| <= f P, as for rwedge_contact_load()
  *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
- *          surface by A sigma/4 against the wedge's, and so makes it slip. Apply it while P is 0
- *          to have it without slip
+ *          surface against the wedge's, by A sigma/4 or as rwedge_contact_set_strain() says, and
+ *          so makes it slip. Apply it while P is 0 to have it without slip
  * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. The result is
  * exact without friction, and where |Q| = f P. It is exact without moment and under one sigma,
  * whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
- * |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact. It is exact where both edges
- * of the contact move outwards, or both inwards, and both slip the same way or stick. Other loads
- * have no closed form. Nor have loads that bring the front of slip between two patches of the
- * memory at one edge, and between two others at the other edge, or that leave a part beyond the
- * front that sticks: lib/README.md, "Moment and bulk tension".
+ * |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact, for a strain of A/4. It is
+ * exact where both edges of the contact move outwards, or both inwards, and both slip the same way
+ * or stick. Other loads have no closed form. Nor have loads that bring the front of slip between
+ * two patches of the memory at one edge, and between two others at the other edge, or that leave a
+ * part beyond the front that sticks: lib/README.md, "Moment and bulk tension".
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
  * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
@@ -365,7 +373,8 @@ RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, do
                                                double Q, double sigma);
 
 /* The largest |d sigma| with which the present Q may change to another under constant P and M,
- * stress: 4 |dQ|/(pi s). HUGE_VAL without friction.                                             new
+ * stress: 4 |dQ|/(pi s), for a strain of A/4 per tension. HUGE_VAL without friction, and where a
+ * tension stretches nothing.                                                                    new
  *   Q  finite
  * NaN outside the domain; NaN for NULL; 0 when separated. Relative error as that of the edges. */
 RWEDGE_API double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q);
@@ -402,7 +411,7 @@ RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
  * this is how a pad is matched to a specimen.                                                   new
  *   normal_left, normal_right  K_N, stress over the root of a length
  *   shear_left, shear_right    K_T, stress times the root of a length, of the present Q and of
- *                              sigma less what it was when the bodies touched
+ *                              the strain by sigma less what it was when the bodies touched
  * RWEDGE_EABSENT when separated; RWEDGE_ENULL. K_N to 1e-14 of the larger one, of the edges that
  * rwedge_contact_edges() gives. */
 RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
@@ -416,6 +425,7 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
  *   Q1, Q2          |Q| <= f P
  *   sigma1, sigma2  finite
  *   left, right     its edges, length
+ * The compliances are equal: a tension stretches the surface by A/4 of it.
  * RWEDGE_EABSENT where all slides at times; RWEDGE_EPATH where the edges slip in opposite
  * directions, or what sticks would reach beyond one of the contacts; RWEDGE_ESLIDING,
  * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
@@ -513,11 +523,12 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL. NaN too after a load off the centre that slips while P or M change, or slides: it
- * has no single integral. Relative error of each load's share below 1e-12, and epsilon times P over
- * the change of Q/f where that slip reaches an older layer. Off the centre it is below 1e-12 and
- * 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the
- * edges over the width where that is above 1. */
+ * NaN for NULL. A load off the centre that slips while P or M change, or slides, has no single
+ * integral: the energy is then NaN until the first load after the bodies have separated, from
+ * which it counts again. What was dissipated between is missing in the sum. Relative error of each
+ * load's share below 1e-12, and epsilon times P over the change of Q/f where that slip reaches an
+ * older layer. Off the centre it is below 1e-12 and 1e-14 times P over the change of Q/f. Both grow
+ * with 1/(1 - |tilt|/theta), and with |x| at the edges over the width where that is above 1. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

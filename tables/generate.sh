@@ -74,7 +74,7 @@ trap 'rm -rf "$scratch"' EXIT
 write_page()
 {
     new=$scratch/rounded-wedge.html ended=0
-    sh "$top/page/build.sh" "$top/build" "$new" >"$scratch/said" || ended=$?
+    sh "$top/bindings/web/page/build.sh" "$top/build" "$new" >"$scratch/said" || ended=$?
     if [ $ended = 77 ]; then
         echo "rounded-wedge.html: left as it is; $(sed 's/^SKIPPED: //' "$scratch/said")"
     elif [ $ended != 0 ]; then

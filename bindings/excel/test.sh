@@ -19,11 +19,12 @@ sh "$top/packages/sources.sh" "$work/sources" gsl lapack musl >"$work/log" 2>&1 
     skip "the sources of GSL, LAPACK and musl cannot be fetched: $(grep '^E: ' "$work/log" | head -n 1)"
 sh "$top/packages/windows/build.sh" "$work"
 sh "$top/bindings/private.sh" "$folder"
+made=$folder/private/made
 cd "$work"
 dll=windows/bin/rwedge.dll
 
 # The module fits the header and the DLL. (That it is what the generator writes is the test interface.)
-cp "$here/rwedge.bas" rwedge.bas
+cp "$made/excel/rwedge.bas" rwedge.bas
 echo '#include <rwedge.h>' >header.c
 x86_64-w64-mingw32-gcc -Iwindows/include -aux-info prototypes -c header.c -o header.o
 x86_64-w64-mingw32-objdump -p $dll >tables
@@ -76,7 +77,7 @@ x87=$(awk -F '\t' '$2 ~ /^f[a-z]/ { split($2, word, " "); print word[1] }' code 
 [ -n "$wine" ] && [ -n "$server" ] || skip "wine64 is not here; the module and the DLL's code were checked"
 trap end_wine EXIT
 start_wine
-x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$top/bindings/interface" "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
+x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$made/c" "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$here/test/errors.c" -o windows/bin/errors.exe -Lwindows/lib -lrwedge
 x86_64-w64-mingw32-gcc -std=c99 -O2 "$here/test/declared_door.c" -o windows/bin/declared_door.exe -loleaut32
 # of the functions that the module declares
@@ -94,8 +95,8 @@ cat times
 # The library of this machine, with its own libm and with that of the DLL.
 sh "$top/packages/libm.sh" sources linux
 prefix=$folder/private/prefix
-cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
-cc -std=c99 -O2 -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm
+cc -std=c99 -O2 -I"$prefix/include" -I"$made/c" "$top/tests/doors/door.c" -o linux/door "$prefix/lib/librwedge.a" -lm
+cc -std=c99 -O2 -I"$prefix/include" -I"$made/c" "$top/tests/doors/door.c" -o linux/door-same "$prefix/lib/librwedge.a" linux/libm.a -lm
 linux/door <calls >answers-linux
 linux/door-same <calls >answers-same
 cmp answers-same answers-windows || fail "Windows and Linux differ, with the same libm"

@@ -10,6 +10,7 @@ for tool in gfortran python3; do
 done
 sh "$top/bindings/private.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
+made=$(cd "$1/private/made" && pwd)
 mkdir -p "$1/fortran"
 cd "$1/fortran"
 
@@ -30,23 +31,24 @@ module()
     folder=$1
     shift
     # shellcheck disable=SC2086
-    gfortran $strict "$@" -J"$folder" -c "$here/rwedge.f90" -o "$folder/rwedge.o"
+    gfortran $strict "$@" -J"$folder" -c "$prefix/include/rwedge.f90" -o "$folder/rwedge.o"
 }
 
-# fortran PROGRAM FOLDER OPTIONS... - builds it with the module that is in FOLDER.
+# fortran PROGRAM FOLDER OPTIONS... - builds it with the module that is in FOLDER; the door is made.
 fortran()
 {
-    program=$1 folder=$2
+    program=$1 folder=$2 place=$here
     shift 2
+    [ $program != door ] || place=$made/fortran
     # shellcheck disable=SC2086
-    gfortran $strict "$@" -I"$folder" "$here/$program.f90" "$folder/rwedge.o" $objects "$prefix/lib/librwedge.a" -lm -o "$program"
+    gfortran $strict "$@" -I"$folder" "$place/$program.f90" "$folder/rwedge.o" $objects "$prefix/lib/librwedge.a" -lm -o "$program"
 }
 objects=''
 
 module serial -O2
 module openmp -O2 -fopenmp
 fortran door serial -O0
-cc -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+cc -I"$prefix/include" -I"$made/c" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 python3 -B "$top/tests/doors/calls.py" >calls.csv
 ./door_in_c <calls.csv >expected.csv
 ./door <calls.csv >answers.csv

@@ -1,83 +1,43 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes everything that is generated from include/rwedge.h and committed.
+"""Writes what each language takes from include/rwedge.h.    generate.py FOLDER [LANGUAGE...]    -> FOLDER/LANGUAGE/
 
-    generate.py            renews it
-    generate.py --check    says what is not as the header has it, and fails then
-"""
+A file that is as it should be is left alone. The languages are c, excel, fortran, matlab, python, web; without one, all."""
 from __future__ import annotations
 
 import sys
+from importlib import import_module
 from pathlib import Path
 
-import write_c
-import write_excel
-import write_fortran
-import write_matlab
-import write_python
-import write_web
-from header import Interface, Refused, read
+from header import Refused, read
 
-TOP = Path(__file__).resolve().parents[2]
+HEADER = Path(__file__).resolve().parents[2] / "include/rwedge.h"
+LANGUAGES = ("c", "excel", "fortran", "matlab", "python", "web")
 
 
-def template(path: str) -> str:
-    return (TOP / "bindings" / path).read_text(encoding="ascii")
-
-
-def matlab(interface: Interface) -> dict[str, str]:
-    templates = {family: template(f"matlab/rwedge_{family}.m.in") for family in ("contact", "series")}
-    return {f"matlab/functions/{name}": text for name, text in write_matlab.files(interface, templates).items()}
-
-
-def fortran(interface: Interface) -> dict[str, str]:
-    return {"fortran/rwedge.f90": write_fortran.module(interface, template("fortran/template.f90")),
-            "fortran/door.f90": write_fortran.door(interface, template("fortran/door_template.f90"))}
-
-
-WRITERS = (
-    lambda interface: {"interface/entries.h": write_c.entries_h(interface)},
-    matlab,
-    fortran,
-    lambda interface: {"excel/rwedge.bas": write_excel.module(interface, template("excel/template.bas"))},
-    lambda interface: write_python.texts(interface) and {},  # made when the package is built; here, what it lacks
-    lambda interface: write_web.texts(interface) and {},
-)
-
-
-def files(interface: Interface) -> dict[str, str]:
-    """path below bindings/ -> text. Ends with what each binding lacks, if one does."""
-    made, lacking = {}, []
-    for write in WRITERS:
-        try:
-            made.update(write(interface))
-        except SystemExit as lack:
-            lacking.append(str(lack))
-    if lacking:
-        sys.exit("\n".join(lacking))
-    return made
-
-
-def is_current(path: str, text: str) -> bool:
-    file = TOP / "bindings" / path
-    return file.exists() and file.read_bytes() == text.encode("ascii")
+def write(folder: Path, texts: dict[str, str]) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for stale in set(folder.iterdir()) - {folder / name for name in texts}:
+        stale.unlink()
+    for name, text in texts.items():
+        made = text.encode("ascii")
+        if not (folder / name).exists() or (folder / name).read_bytes() != made:
+            (folder / name).write_bytes(made)
 
 
 def main() -> None:
+    folder, *languages = sys.argv[1:]
     try:
-        made = files(read(TOP / "include/rwedge.h"))
+        interface = read(HEADER)
     except Refused as error:
         sys.exit(f"REFUSED: {error}")
-    stale = [path for path, text in made.items() if not is_current(path, text)]
-    if sys.argv[1:] == ["--check"]:
-        for path in stale:
-            print(f"FAILED: bindings/{path} is not what include/rwedge.h makes of it: python3 bindings/interface/generate.py")
-        sys.exit(bool(stale))
-    for path in stale:
-        file = TOP / "bindings" / path
-        file.parent.mkdir(exist_ok=True)
-        file.write_bytes(made[path].encode("ascii"))
-        print(f"bindings/{path}")
+    lacking = []
+    for language in languages or LANGUAGES:
+        try:
+            write(Path(folder) / language, import_module(f"write_{language}").texts(interface))
+        except SystemExit as lack:
+            lacking.append(str(lack))
+    sys.exit("\n".join(lacking) or 0)
 
 
 if __name__ == "__main__":

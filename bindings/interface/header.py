@@ -478,6 +478,11 @@ def read(path: str | Path) -> Interface:
     return Reader(Path(path)).read()
 
 
+def template(path: str) -> str:
+    """What stands by hand around the functions of a language: a file of bindings/."""
+    return (Path(__file__).resolve().parents[1] / path).read_text(encoding="ascii")
+
+
 def main() -> None:
     *options, path = sys.argv[1:] or [""]
     try:

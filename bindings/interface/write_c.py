@@ -199,13 +199,14 @@ def entries(interface: Interface) -> list[Function]:
     return [f for f in interface.functions if f.result in ("value", "status") or f.result == "text" and f.parameters]
 
 
-def entries_h(interface: Interface) -> str:
+def texts(interface: Interface) -> dict[str, str]:
     listed = entries(interface)
     most = {"arguments": max(len(f.inputs) for f in listed), "results": max(len(f.outputs) for f in listed),
             "sizes": max(len(f.of("size")) for f in listed)}
-    return "\n".join([TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
-                      "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-                      "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "",
-                      "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
-                      f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
-                      "", "#endif", ""])
+    lines = [TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
+             "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
+             "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "",
+             "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
+             f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
+             "", "#endif", ""]
+    return {"entries.h": "\n".join(lines)}

@@ -12,12 +12,12 @@ import re
 import sys
 import textwrap
 
-from header import EQUATION, Function, Interface, Parameter
+from header import EQUATION, Function, Interface, Parameter, template
 
 WIDTH = 128
 # Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
 # field has its own cells.
-NOT_DECLARED = {"contact_copy", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
+NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
                 "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms",
                 "smith_watson_topper_field", "fatemi_socie_field"}
 # Declared for the template's own functions.
@@ -154,16 +154,16 @@ def worksheet_function(f: Function, before: Function) -> str:
                       *statements(f, name, family), "End Function"])
 
 
-def module(interface: Interface, template: str) -> str:
+def texts(interface: Interface) -> dict[str, str]:
     declared = [f for f in interface.functions if f.name not in NOT_DECLARED]
     offered = [f for f in declared if f.name not in NOT_IN_CELLS]
     unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
     if unfit:
         sys.exit(f"no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS of bindings/interface/write_excel.py")
     first = interface.functions[0]
-    text = (template.replace("{introduction}", "\n".join(f"' {line}".rstrip() for line in interface.introduction))
+    text = (template("excel/template.bas").replace("{introduction}", "\n".join(f"' {line}".rstrip() for line in interface.introduction))
             .replace("{statuses}", "\n".join(f"    {name} = {value}" for name, value in interface.statuses.items()))
             .replace("{declares}", "\n".join(declaration(f) for f in declared))
             .replace("{functions}", "\n\n".join(map(worksheet_function, offered, [first] + offered))))
     # Basic's editor takes no other ends of lines
-    return "".join(line + "\r\n" for line in text.rstrip("\n").split("\n"))
+    return {"rwedge.bas": "".join(line + "\r\n" for line in text.rstrip("\n").split("\n"))}

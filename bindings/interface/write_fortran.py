@@ -7,7 +7,7 @@ import math
 import sys
 import textwrap
 
-from header import EQUATION, Function, Interface, Parameter
+from header import EQUATION, Function, Interface, Parameter, template
 
 WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
@@ -333,7 +333,7 @@ def grid(f: Function) -> str:
                       *(folded(x.lstrip(), 8 + len(x) - len(x.lstrip())) for x in lines), "    end subroutine\n"])
 
 
-def module(interface: Interface, template: str) -> str:
+def module(interface: Interface) -> str:
     statuses = ", ".join(f"{name.lower()} = {value}" for name, value in {**interface.statuses, **interface.bits}.items())
     public = [f"rwedge_{f.name}" for f in interface.functions if not f.family and f.name not in BY_HAND]
     replaced = {
@@ -342,9 +342,10 @@ def module(interface: Interface, template: str) -> str:
         "{contact procedures}": bound(interface, "contact"), "{series procedures}": bound(interface, "series"),
         "{interfaces}": "\n\n".join(map(interface_of, interface.functions)),
         "{procedures}": procedures(interface)}
+    module_text = template("fortran/template.f90")
     for mark, text in replaced.items():
-        template = template.replace(mark, text)
-    return template
+        module_text = module_text.replace(mark, text)
+    return module_text
 
 
 # ---- The door: a case for each call of tests/doors/ ----
@@ -385,6 +386,10 @@ def door_case(f: Function) -> str:
     return "\n".join([folded(lines[0], 8), *(folded(x, 12) for x in lines[1:])])
 
 
-def door(interface: Interface, template: str) -> str:
+def door(interface: Interface) -> str:
     cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND]
-    return template.replace("{cases}", "\n".join(cases))
+    return template("fortran/door_template.f90").replace("{cases}", "\n".join(cases))
+
+
+def texts(interface: Interface) -> dict[str, str]:
+    return {"rwedge.f90": module(interface), "door.f90": door(interface)}

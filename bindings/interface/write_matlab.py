@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from header import EQUATION, Function, Interface
+from header import EQUATION, Function, Interface, template
 from write_c import reason
 
 ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
@@ -124,7 +124,8 @@ def class_text(interface: Interface, family: str, template: str) -> str:
     return text + LICENCE
 
 
-def files(interface: Interface, templates: dict[str, str]) -> dict[str, str]:
+def texts(interface: Interface) -> dict[str, str]:
     made = {f"rwedge_{f.name}.m": function_text(f) for f in interface.functions if not f.family and not f.array_of}
-    made.update({f"rwedge_{family}.m": class_text(interface, family, text) for family, text in templates.items()})
+    made.update({f"rwedge_{family}.m": class_text(interface, family, template(f"matlab/rwedge_{family}.m.in"))
+                 for family in ("contact", "series")})
     return made

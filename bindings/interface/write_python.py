@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the Python package takes from the header, written when the package is built: write_python.py rwedge.h FOLDER
+"""What the Python package takes from the header, written when the package is built.
 
     _header.py   FUNCTIONS: types, domains, sources, and the docstrings
     _made.py     functions and methods that no module defines by hand
@@ -11,9 +11,8 @@ from __future__ import annotations
 import re
 import sys
 import textwrap
-from pathlib import Path
 
-from header import SENTENCE, Domain, Function, Interface, Parameter, read
+from header import SENTENCE, Domain, Function, Interface, Parameter
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
     (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."),
@@ -339,8 +338,3 @@ def init_pyi(interface: Interface) -> str:
 def texts(interface: Interface) -> dict[str, str]:
     return {"_header.py": header_py(interface), "loops.h": loops_h(interface), "_made.py": made_py(interface),
             "__init__.pyi": init_pyi(interface)}
-
-
-if __name__ == "__main__":
-    for name, text in texts(read(sys.argv[1])).items():
-        (Path(sys.argv[2]) / name).write_text(text, encoding="ascii")

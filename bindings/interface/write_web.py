@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the JavaScript package takes from the header, written when the package is built: write_web.py rwedge.h FOLDER
+"""What the JavaScript package takes from the header, written when the package is built.
 
     description.mjs  the statuses; each function's arguments, results and domains, for runtime.mjs
     rwedge.mjs       the functions and classes: calls of runtime.mjs
@@ -10,11 +10,9 @@ from __future__ import annotations
 import json
 import math
 import re
-import sys
 import textwrap
-from pathlib import Path
 
-from header import Function, Interface, Parameter, read
+from header import Function, Interface, Parameter
 
 TOP = """\
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -194,8 +192,3 @@ def types(interface: Interface) -> str:
 
 def texts(interface: Interface) -> dict[str, str]:
     return {"description.mjs": description(interface), "rwedge.mjs": module(interface), "rwedge.d.mts": types(interface)}
-
-
-if __name__ == "__main__":
-    for name, text in texts(read(sys.argv[1])).items():
-        (Path(sys.argv[2]) / name).write_text(text, encoding="ascii")

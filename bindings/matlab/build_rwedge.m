@@ -15,7 +15,7 @@ end
 if nargin < 2
     folder = fullfile(pwd, 'rwedge');
 end
-include = {fullfile(prefix, 'include'), here, fullfile(here, '..', 'interface')}; % entries.h: installed, or in a clone
+include = {fullfile(prefix, 'include'), here}; % rwedge.h, entries.h
 library = find_library(prefix);
 for needed = {fullfile(prefix, 'include', 'rwedge.h'), library}
     if ~exist(needed{1}, 'file')

@@ -11,6 +11,7 @@ for tool in octave-cli mkoctfile python3; do
 done
 sh "$top/bindings/private.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
+made=$(cd "$1/private/made" && pwd)
 rm -rf "$1/matlab"
 mkdir -p "$1/matlab"
 cd "$1/matlab"
@@ -23,7 +24,7 @@ fail()
 
 octave()
 {
-    octave-cli --no-init-file --no-history --path "$here" --path "$PWD/rwedge" "$@"
+    octave-cli --no-init-file --no-history --path "$prefix/share/rwedge/matlab" --path "$PWD/rwedge" "$@"
 }
 
 mkdir "a place"
@@ -70,7 +71,7 @@ for inner in lib64 lib/x86_64-linux-gnu; do
     rm -r elsewhere "a place/found"
 done
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
-    -I"$top/bindings/interface" \
+    -I"$made/c" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
 cat >known.txt <<'END'
@@ -99,7 +100,7 @@ END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
 python3 -B "$top/tests/doors/calls.py" >calls.csv
-cc -I"$prefix/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
+cc -I"$prefix/include" -I"$made/c" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 ./door_in_c <calls.csv >expected.csv
 octave "$here/door.m" <calls.csv >answers.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
@@ -112,4 +113,4 @@ grep -q "^Smith-Watson-Topper: at most $swt MPa, at x = -1.0000 b, plane 90.0 de
     fail "the example's Smith-Watson-Topper is not the $swt of tests/data/example_fretting.txt"
 
 cc -O2 -I"$prefix/include" "$here/loop.c" "$prefix/lib/librwedge.a" -lm -o loop
-LOOP_NS=$(./loop) octave "$here/test_rwedge.m"
+RWEDGE_ENTRIES=$made/c/entries.h LOOP_NS=$(./loop) octave "$here/test_rwedge.m"

@@ -44,10 +44,9 @@ if ! {
     exit 1
 fi
 
-made=$PWD/made
-rm -rf "$made"
-mkdir "$made"
-python3 -B "$top/bindings/interface/write_web.py" "$top/include/rwedge.h" "$made"
+rm -rf made
+python3 -B "$top/bindings/interface/generate.py" made web
+made=$PWD/made/web
 {
     echo '// SPDX-License-Identifier: GPL-3.0-or-later'
     echo '// Made by build.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'

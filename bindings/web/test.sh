@@ -67,7 +67,7 @@ with_libm()
 {
     program=$1
     shift
-    cc -O1 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" "$build/private/prefix/lib/librwedge.a" "$@" -o "$program"
+    cc -O1 -I"$top/include" -I"$build/private/made/c" "$top/tests/doors/door.c" "$build/private/prefix/lib/librwedge.a" "$@" -o "$program"
 }
 python3 -B "$top/tests/doors/calls.py" >calls.csv
 node installed/door.mjs $installed <calls.csv >answers.csv

@@ -2,6 +2,8 @@
 #include "load_table.h"
 
 #include "input/text_input.h"
+#include "model/load_row.h"
+#include "table_header.h"
 #include "text/message.h"
 #include "text/number.h"
 
@@ -62,58 +64,34 @@ static bool grow(load_table *loads)
     const size_t room = 2 * loads->room + 64;
     load *longer = realloc(loads->load, room * sizeof *longer);
     loads->load = longer != NULL ? longer : loads->load;
-    int64_t *line = realloc(loads->line, room * sizeof *line);
-    loads->line = line != NULL ? line : loads->line;
-    if (longer == NULL || line == NULL)
+    csv_row *row = realloc(loads->row, room * sizeof *row);
+    loads->row = row != NULL ? row : loads->row;
+    if (longer == NULL || row == NULL)
         return false;
     loads->room = room;
     return true;
 }
 
-static bool add(load_table *loads, load next, int64_t line)
+static bool add(load_table *loads, load next, csv_row row)
 {
     if (loads->count == loads->room && !grow(loads)) {
+        csv_row_free(&row);
         failure("out of memory");
         return false;
     }
     loads->load[loads->count] = next;
-    loads->line[loads->count++] = line;
+    loads->row[loads->count++] = row;
     return true;
-}
-
-/* Of the row that was added last. */
-static bool keep_cells_of(load_table *loads, const csv_input *row)
-{
-    const size_t columns = loads->names.count, first = (loads->count - 1) * columns;
-    char **cells = realloc(loads->cells, (first + columns) * sizeof *cells);
-    bool kept = cells != NULL;
-    if (kept)
-        loads->cells = cells;
-    else
-        loads->count--; /* a row without cells */
-    for (size_t i = 0; cells != NULL && i < columns; i++) {
-        cells[first + i] = strdup(csv_input_cell(row, i));
-        kept = kept && cells[first + i] != NULL;
-    }
-    if (!kept)
-        failure("out of memory");
-    return kept;
-}
-
-const char *load_table_cell(const load_table *loads, size_t row, size_t column)
-{
-    return loads->cells[row * loads->names.count + column];
 }
 
 void load_table_free(load_table *loads)
 {
-    for (size_t i = 0; loads->cells != NULL && i < loads->count * loads->names.count; i++)
-        free(loads->cells[i]);
-    free(loads->cells);
+    for (size_t i = 0; i < loads->count; i++)
+        csv_row_free(&loads->row[i]);
+    csv_row_free(&loads->first);
+    free(loads->row);
     free(loads->load);
-    free(loads->line);
     free(loads->name);
-    header_free(&loads->names);
     *loads = (load_table){0};
 }
 
@@ -158,7 +136,7 @@ static int read_list(const char *lines, load_table *loads)
         if (!read_load(lines, length, to, &to))
             return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                                (int)(length < 60 ? length : 60), lines);
-        if (!add(loads, to, 0))
+        if (!add(loads, to, (csv_row){0}))
             return STATUS_FAILED;
         lines += length + 1;
     }
@@ -167,86 +145,44 @@ static int read_list(const char *lines, load_table *loads)
 
 /* ---- A file ---- */
 
-static void note_numbers(header *names, const csv_input *row, char decimal_sign)
-{
-    double number;
-    for (size_t i = 0; i < names->count; i++)
-        if (number_read_cell(csv_input_cell(row, i), decimal_sign, &number))
-            names->has_numbers[i] = true;
-}
-
-/* The four columns of a load; moment and tension are 0 where they have none. */
-static bool read_row(header *names, const csv_input *row, char decimal_sign, load *to,
-                     char complaint[COMPLAINT_SIZE])
-{
-    double value[INPUT_COUNT] = {0};
-    if (!header_fits(names, csv_input_count(row), complaint))
-        return false;
-    note_numbers(names, row, decimal_sign);
-    for (int i = INPUT_P; i <= INPUT_SIGMA; i++) {
-        char name[INPUT_NAME_SIZE];
-        const char *text =
-            names->column[i] < names->count ? csv_input_cell(row, names->column[i]) : NULL;
-        if (text == NULL || number_read_cell(text, decimal_sign, &value[i]))
-            continue;
-        if (text[strspn(text, " \t")] == '\0')
-            snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
-        else
-            snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                     input_column(i, name), text, decimal_sign == ',' ? "comma" : "point");
-        return false;
-    }
-    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
-    return true;
-}
-
 /* A row that is no load ends it: what comes after would belong to another history. */
-static bool take_row(csv_input *in, bool malformed, char decimal_sign, bool keep_cells,
-                     load_table *loads)
+static int take_row(csv_input *in, char decimal_sign, load_table *loads)
 {
     load to;
+    csv_row row;
     char complaint[COMPLAINT_SIZE];
-    if (malformed)
-        snprintf(complaint, COMPLAINT_SIZE, "%s", csv_input_fault(in));
-    if (malformed || !read_row(&loads->names, in, decimal_sign, &to, complaint)) {
-        failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
-        return false;
-    }
-    return add(loads, to, csv_input_line(in)) && (!keep_cells || keep_cells_of(loads, in));
+    if (!load_row_read(&loads->names, csv_input_cells(in), csv_input_count(in),
+                       csv_input_separator(in), decimal_sign, &to, complaint))
+        return failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
+                       complaint);
+    header_note_unused(&loads->names, csv_input_cells(in), loads->unused);
+    if (!csv_row_keep(in, false, &row))
+        return failure("out of memory");
+    return add(loads, to, row) ? STATUS_DONE : STATUS_FAILED;
 }
 
-static int find_columns(csv_input *in, header *names)
-{
-    const bool wanted[INPUT_COUNT] = {
-        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
-    if (!header_read(in, wanted, NULL, names))
-        return STATUS_FAILED;
-    for (int i = INPUT_P; i <= INPUT_Q; i += INPUT_Q - INPUT_P)
-        if (names->column[i] == names->count)
-            return failure("%s: column %s: missing; a history needs P and Q%s", csv_input_name(in),
-                           i == INPUT_P ? "P" : "Q", header_separator_hint(names));
-    return STATUS_DONE;
-}
-
-static int read_rows(csv_input *in, char decimal_sign, bool keep_cells, load_table *loads)
+static int read_rows(csv_input *in, char decimal_sign, load_table *loads)
 {
     csv_event event;
-    int status = find_columns(in, &loads->names);
+    char complaint[COMPLAINT_SIZE];
+    if (!table_header_read(in, &loads->first))
+        return STATUS_FAILED;
+    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
+        return failure("%s: %s", csv_input_name(in), complaint);
+    int status = STATUS_DONE;
     while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END)
-        if (event == CSV_FAILED ||
-            !take_row(in, event == CSV_MALFORMED, decimal_sign, keep_cells, loads))
-            status = STATUS_FAILED;
+        status = event == CSV_ROW ? take_row(in, decimal_sign, loads) : csv_input_fail(in);
     if (status == STATUS_DONE && loads->count == 0)
         status = failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
     return status;
 }
 
-static int read_file(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads)
+static int read_file(const load_source *from, char decimal_sign, load_table *loads)
 {
     csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
     if (in == NULL)
         return STATUS_FAILED;
-    int status = read_rows(in, decimal_sign, keep_cells, loads);
+    int status = read_rows(in, decimal_sign, loads);
     loads->name = strdup(csv_input_name(in));
     loads->has_mark = csv_input_has_mark(in);
     if (status == STATUS_DONE && loads->name == NULL)
@@ -255,11 +191,27 @@ static int read_file(const load_source *from, char decimal_sign, bool keep_cells
     return status;
 }
 
-int load_table_read(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads)
+int load_table_read(const load_source *from, char decimal_sign, load_table *loads)
 {
     *loads = (load_table){0};
-    return from->file != NULL ? read_file(from, decimal_sign, keep_cells, loads)
-                              : read_list(from->list, loads);
+    return from->file != NULL ? read_file(from, decimal_sign, loads) : read_list(from->list, loads);
+}
+
+/* ---- Columns that nothing uses ---- */
+
+void load_table_write_unused(const load_table *loads, size_t row, char *text, size_t size)
+{
+    bool unused[HEADER_COLUMNS] = {false};
+    if (loads->name == NULL)
+        return;
+    header_note_unused(&loads->names, loads->row[row].cell, unused);
+    header_write_unused(&loads->names, unused, text, size);
+}
+
+void load_table_say_unused(const load_table *loads)
+{
+    if (loads->name != NULL)
+        table_header_say_unused(&loads->names, loads->unused, loads->name);
 }
 
 /* ---- Applied ---- */
@@ -273,7 +225,8 @@ bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_cont
 const char *load_table_place(const load_table *loads, size_t row, char place[LOAD_PLACE_SIZE])
 {
     if (loads->name != NULL) {
-        snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name, loads->line[row]);
+        snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name,
+                 loads->row[row].line);
         return place;
     }
     const char *line = loads->lines;
@@ -303,11 +256,11 @@ int load_table_apply_all(const load_table *loads, double f, rwedge_contact *cont
 int load_source_apply(const load_source *from, char decimal_sign, double f, rwedge_contact *contact)
 {
     load_table loads;
-    int status = load_table_read(from, decimal_sign, false, &loads);
+    int status = load_table_read(from, decimal_sign, &loads);
     if (status == STATUS_DONE)
         status = load_table_apply_all(&loads, f, contact);
     if (status == STATUS_DONE)
-        header_name_unused(&loads.names, loads.name);
+        load_table_say_unused(&loads);
     load_table_free(&loads);
     return status;
 }

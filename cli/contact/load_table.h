@@ -4,8 +4,10 @@
 #ifndef CLI_LOAD_TABLE_H
 #define CLI_LOAD_TABLE_H
 
-#include "header.h"
-#include "loads.h"
+#include "model/header.h"
+#include "input/csv_row.h"
+#include "input_options.h"
+#include "model/loads.h"
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding. */
 enum {
@@ -18,11 +20,12 @@ extern struct poptOption load_option_table[];
 typedef struct {
     char *name;        /* of the file, as messages call it; NULL where --load gave the loads */
     const char *lines; /* what --load gave, one to a line */
-    header names;      /* of the file's columns */
-    bool has_mark;     /* whether the file begins with the mark of Unicode */
+    csv_row first;     /* of the file, and what its columns are */
+    header names;
+    bool unused[HEADER_COLUMNS]; /* columns with numbers that are not used */
+    bool has_mark;               /* whether the file begins with the mark of Unicode */
     load *load;
-    int64_t *line; /* of the file, where each stands */
-    char **cells;  /* row by row, those of all columns; NULL where they are not kept */
+    csv_row *row; /* of the file, where each stands */
     size_t count, room;
 } load_table;
 
@@ -41,11 +44,12 @@ int load_source_check_encoding(const load_source *from);
 int load_source_check(const load_source *from, const input_texts *texts);
 
 /* Reads the file or the list. Returns the exit status; free it in either case. */
-int load_table_read(const load_source *from, char decimal_sign, bool keep_cells, load_table *loads);
+int load_table_read(const load_source *from, char decimal_sign, load_table *loads);
 void load_table_free(load_table *loads);
 
-/* The cell of a row, of those that are kept. */
-const char *load_table_cell(const load_table *loads, size_t row, size_t column);
+/* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
+void load_table_write_unused(const load_table *loads, size_t row, char *text, size_t size);
+void load_table_say_unused(const load_table *loads);
 
 /* Applies one load. False, with the complaint, where the contact refuses it; it is as before. */
 bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "state.h"
 
-#include "contact_case.h"
-#include "doubts.h"
+#include "notices.h"
+#include "model/contact_case.h"
+#include "model/doubts.h"
 #include "text/message.h"
 #include "options/variable.h"
 

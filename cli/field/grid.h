@@ -6,7 +6,7 @@
 #include "text/range.h"
 #include "rows/records.h"
 #include "contact/state.h"
-#include "contact/tensor.h"
+#include "model/tensor.h"
 
 typedef struct {
     contact_state state;

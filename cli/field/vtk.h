@@ -3,7 +3,7 @@
 #ifndef CLI_VTK_H
 #define CLI_VTK_H
 
-#include "contact/tensor.h"
+#include "model/tensor.h"
 #include "rows/records.h"
 
 /* Points, row by row: those of a grid, or of a single row, wherever each is. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact/loads.h"
+#include "model/loads.h"
 #include "figure_eccentric.h"
 #include "text/pi.h"
 

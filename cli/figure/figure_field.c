@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of von Mises' stress below the contact. */
-#include "contact/loads.h"
+#include "model/loads.h"
 #include "picture/contour.h"
 #include "picture/names.h"
 #include "figure_field.h"

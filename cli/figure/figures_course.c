@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "figures_course.h"
 
-#include "contact/tensor.h"
+#include "model/tensor.h"
 #include "fretting/worst.h"
 #include "fretting/surface.h"
 #include "text/pi.h"

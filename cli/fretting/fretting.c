@@ -4,7 +4,8 @@
 #include "surface.h"
 #include "worst.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
+#include "model/doubts.h"
 #include "options/threads.h"
 #include "rows/output_options.h"
 #include "system/ahead.h"
@@ -245,7 +246,7 @@ static void say_what_is_doubtful(const plan *what)
     if (!what->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    header_name_unused(&what->whole.loads.names, what->whole.loads.name);
+    load_table_say_unused(&what->whole.loads);
 }
 
 static int run(const arguments *given, plan *what)

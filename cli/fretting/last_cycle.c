@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "contact/tensor.h"
+#include "model/tensor.h"
 #include "text/message.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 
 #include "peak.h"
 
-#include "contact/doubts.h"
+#include "model/doubts.h"
 #include "text/message.h"
 #include "text/pi.h"
 

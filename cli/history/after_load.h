@@ -3,7 +3,7 @@
 #ifndef CLI_AFTER_LOAD_H
 #define CLI_AFTER_LOAD_H
 
-#include "contact/contact_case.h"
+#include "model/contact_case.h"
 #include "rows/records.h"
 
 enum {

@@ -139,9 +139,9 @@ int course_read(const arguments *given, char decimal_sign, course_usage usage, c
     if (status == STATUS_DONE && !case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))
         status = usage_error("%s", complaint);
     if (status == STATUS_DONE)
-        status = load_table_read(&from, decimal_sign, true, &whole->loads);
+        status = load_table_read(&from, decimal_sign, &whole->loads);
     if (status == STATUS_DONE && before.list != NULL)
-        status = load_table_read(&before, decimal_sign, false, &whole->before);
+        status = load_table_read(&before, decimal_sign, &whole->before);
     if (status == STATUS_DONE)
         status = try_loads(whole, given->value[OPTION_UNTIL] != NULL);
     return status;

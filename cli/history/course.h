@@ -3,8 +3,8 @@
 #ifndef CLI_COURSE_H
 #define CLI_COURSE_H
 
-#include "contact/contact_case.h"
 #include "contact/load_table.h"
+#include "model/contact_case.h"
 
 enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_COURSE };
 

@@ -5,7 +5,7 @@
 #include "point_rows.h"
 #include "series.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "system/progress.h"
 #include "text/message.h"
 
@@ -57,6 +57,8 @@ static bool write_load(plan *what, size_t step, const rwedge_contact *contact, r
     after_load found;
     if (!after_load_compute(&what->whole.what, contact, step + 1, &found))
         return false;
+    load_table_write_unused(&what->whole.loads, course_row(&what->whole, step), found.warnings,
+                            sizeof found.warnings);
     what->doubts |= found.doubts;
     passed_cells(&what->whole.loads, course_row(&what->whole, step), rows);
     for (int i = 0; i < AFTER_COUNT; i++)
@@ -147,7 +149,7 @@ static void say_what_is_doubtful(const plan *what)
     snprintf(where, sizeof where, "%.250s, in some rows: ",
              what->whole.loads.name != NULL ? what->whole.loads.name : "--load");
     doubts_say(what->doubts, where);
-    header_name_unused(&what->whole.loads.names, what->whole.loads.name);
+    load_table_say_unused(&what->whole.loads);
     if (what->whole.cycles > 1 && what->at.count == 0)
         notice("dissipated in the last cycle: %.6g", what->energy[1] - what->energy[0]);
 }

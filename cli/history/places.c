@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "places.h"
 
-#include "input/csv_input.h"
+#include "contact/table_header.h"
 #include "text/message.h"
 #include "text/number.h"
 
@@ -95,59 +95,80 @@ static int read_at(const char *text, places *found)
 static const char *const names[] = {"x", "y"};
 
 typedef struct {
-    size_t column[2], count; /* of x and y; of all cells */
+    csv_row first;
+    header names;
+    bool unused[HEADER_COLUMNS];
+    size_t column[2]; /* of x and y */
 } columns;
 
-static int find_column(const csv_input *in, const char *name, size_t *column)
+static int find_column(const char *file, int n, columns *of)
 {
-    *column = csv_input_count(in);
-    for (size_t c = 0; c < csv_input_count(in); c++) {
-        if (strcmp(csv_input_cell(in, c), name) != 0)
+    header *all = &of->names;
+    of->column[n] = all->count;
+    for (size_t c = 0; c < all->count; c++) {
+        if (strcmp(all->name[c], names[n]) != 0)
             continue;
-        if (*column < c)
-            return failure("%s: column %s: there twice; allowed: once", csv_input_name(in), name);
-        *column = c;
+        if (of->column[n] < c)
+            return failure("%s: column %s: there twice; allowed: once", file, names[n]);
+        of->column[n] = c;
+        all->is_used[c] = true;
     }
-    if (*column == csv_input_count(in))
-        return failure("%s: column %s: missing; needed: x and y, the depth", csv_input_name(in),
-                       name);
+    if (of->column[n] == all->count)
+        return failure("%s: column %s: missing; needed: x and y, the depth", file, names[n]);
     return STATUS_DONE;
 }
 
 static int find_columns(csv_input *in, columns *of)
 {
-    const csv_event event = csv_input_next(in);
-    if (event != CSV_ROW)
-        return event == CSV_FAILED
-                   ? STATUS_FAILED
-                   : failure("%s: no header; needed: the columns x and y", csv_input_name(in));
-    of->count = csv_input_count(in);
+    static const bool no_input[INPUT_COUNT] = {false};
+    char complaint[COMPLAINT_SIZE];
+    if (!table_header_read(in, &of->first))
+        return STATUS_FAILED;
+    header_find(of->first.cell, of->first.count, no_input, NULL, &of->names, complaint);
     int status = STATUS_DONE;
     for (int i = 0; i < 2 && status == STATUS_DONE; i++)
-        status = find_column(in, names[i], &of->column[i]);
+        status = find_column(csv_input_name(in), i, of);
     return status;
 }
 
-static int read_row(csv_input *in, const columns *of, char decimal_sign, places *found)
+static int refuse_row(const csv_input *in, const char *complaint)
+{
+    return failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
+}
+
+static int read_row(csv_input *in, columns *of, char decimal_sign, places *found)
 {
     double value[2];
-    if (csv_input_count(in) != of->count)
-        return failure("%s: line %" PRId64 ": %zu cells in this row, %zu in the header%s",
-                       csv_input_name(in), csv_input_line(in), csv_input_count(in), of->count,
-                       csv_surplus_hint(csv_input_count(in), of->count, csv_input_separator(in)));
+    char complaint[COMPLAINT_SIZE];
+    const char *const *cells = csv_input_cells(in);
+    if (!header_fits(&of->names, csv_input_count(in), csv_input_separator(in), complaint))
+        return refuse_row(in, complaint);
     for (int i = 0; i < 2; i++) {
-        const char *text = csv_input_cell(in, of->column[i]);
+        const char *text = cells[of->column[i]];
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
+                 names[i], text, decimal_sign == ',' ? "comma" : "point");
         if (!number_read_cell(text, decimal_sign, &value[i]))
-            return failure("%s: line %" PRId64 ": %s %.60s: must be a number, with a decimal %s",
-                           csv_input_name(in), csv_input_line(in), names[i], text,
-                           decimal_sign == ',' ? "comma" : "point");
+            return refuse_row(in, complaint);
     }
     if (complaint_about(value[0], value[1]) != NULL)
-        return failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
-                       complaint_about(value[0], value[1]));
+        return refuse_row(in, complaint_about(value[0], value[1]));
     if (found->count == PLACES_MAX)
         return failure("%s: more than %d points", csv_input_name(in), PLACES_MAX);
+    header_note_unused(&of->names, cells, of->unused);
     return add(found, value[0], value[1]) ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int read_rows(csv_input *in, char decimal_sign, columns *of, places *found)
+{
+    int status = find_columns(in, of);
+    csv_event event;
+    while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END)
+        status = event == CSV_ROW ? read_row(in, of, decimal_sign, found) : csv_input_fail(in);
+    if (status == STATUS_DONE && found->count == 0)
+        status = failure("%s: no points; needed: rows of x and y", csv_input_name(in));
+    if (status == STATUS_DONE)
+        table_header_say_unused(&of->names, of->unused, csv_input_name(in));
+    return status;
 }
 
 static int read_file(const char *path, const char *encoding, char decimal_sign, places *found)
@@ -155,17 +176,9 @@ static int read_file(const char *path, const char *encoding, char decimal_sign, 
     csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding);
     if (in == NULL)
         return STATUS_FAILED;
-    columns of = {{0}, 0};
-    int status = find_columns(in, &of);
-    csv_event event = CSV_ROW;
-    while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END) {
-        if (event == CSV_MALFORMED)
-            failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
-                    csv_input_fault(in));
-        status = event == CSV_ROW ? read_row(in, &of, decimal_sign, found) : STATUS_FAILED;
-    }
-    if (status == STATUS_DONE && found->count == 0)
-        status = failure("%s: no points; needed: rows of x and y", csv_input_name(in));
+    columns of = {.column = {0}};
+    const int status = read_rows(in, decimal_sign, &of, found);
+    csv_row_free(&of.first);
     csv_input_close(in);
     return status;
 }

@@ -46,7 +46,7 @@ void passed_cells(const load_table *loads, size_t row, records *rows)
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
             rows->format->value(rows, loads->names.name[i],
-                                passed_cell(load_table_cell(loads, row, i), rows->decimal_sign));
+                                passed_cell(loads->row[row].cell[i], rows->decimal_sign));
 }
 
 /* ---- Rows ---- */

@@ -6,7 +6,7 @@
 #include "course.h"
 #include "places.h"
 
-#include "contact/tensor.h"
+#include "model/tensor.h"
 #include "rows/records.h"
 
 /* The columns of the result, but for those of the file that pass through in front. */

@@ -14,7 +14,7 @@
 
 #include <csv.h>
 
-enum { BLOCK = 1 << 16 };
+enum { BLOCK = 1 << 16, PROBLEM = 600 };
 
 struct csv_input {
     text_input *source;
@@ -23,15 +23,14 @@ struct csv_input {
     size_t begin, end; /* what of the block has not been parsed */
     bool at_start, at_end, skipping, row_ended, too_many, after_return;
     int64_t line, first_line; /* of the byte that comes next; of the row */
-    const char *fault;        /* of a malformed row */
     char *row;                /* as it stands in the file */
     size_t pushed, row_room;
-    size_t line_bytes, line_cells; /* of the row's first line, where it goes on; else 0 */
-    size_t again, kept;            /* what of `row`, behind the row, is read once more */
-    char *text;                    /* the cells of the row, each with its 0 */
+    char *text; /* the cells of the row, each with its 0 */
     size_t used, room;
-    size_t cell[CSV_ROW_CELLS]; /* where each starts */
+    size_t begins[CSV_ROW_CELLS]; /* where each starts */
+    const char *cell[CSV_ROW_CELLS];
     size_t count;
+    char problem[PROBLEM]; /* why it cannot be read on */
 };
 
 /* ---- What libcsv calls ---- */
@@ -62,7 +61,7 @@ static void take_cell(void *bytes, size_t length, void *data)
         in->too_many = true;
         return;
     }
-    in->cell[in->count++] = in->used;
+    in->begins[in->count++] = in->used;
     if (length > 0)
         memcpy(in->text + in->used, bytes, length);
     in->text[in->used + length] = '\0';
@@ -96,24 +95,28 @@ static bool is_tsv(const char *path)
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     csv_input *in = calloc(1, sizeof *in);
-    if (in == NULL || !start_parser(in, is_tsv(path) ? '\t' : separator)) {
+    text_input *source = in != NULL ? text_input_open(path, encoding) : NULL;
+    if (source == NULL || !start_parser(in, is_tsv(path) ? '\t' : separator)) {
+        text_input_close(source);
         free(in);
         failure("out of memory");
         return NULL;
     }
+    in->source = source;
     in->at_start = true;
     in->line = 1;
-    in->source = text_input_open(path, encoding);
-    if (in->source == NULL) {
-        csv_input_close(in);
-        return NULL;
-    }
-    return in;
+    if (text_input_problem(source)[0] == '\0')
+        return in;
+    failure("%s", text_input_problem(source));
+    csv_input_close(in);
+    return NULL;
 }
 
-static void stop(const csv_input *in, const char *why)
+static csv_event stop(csv_input *in, int64_t line, const char *why)
 {
-    failure("%s: line %" PRId64 ": %s", csv_input_name(in), in->line, why);
+    const char *name = csv_input_name(in);
+    snprintf(in->problem, PROBLEM, "%.400s: line %" PRId64 ": %s", name, line, why);
+    return CSV_FAILED;
 }
 
 static bool ends_line(char c)
@@ -161,8 +164,10 @@ static void find_separator(csv_input *in)
 static bool fill(csv_input *in)
 {
     in->begin = 0;
-    if (!text_input_read(in->source, in->block, BLOCK, &in->end))
+    if (!text_input_read(in->source, in->block, BLOCK, &in->end)) {
+        snprintf(in->problem, PROBLEM, "%s", text_input_problem(in->source));
         return false;
+    }
     in->at_end = in->end == 0;
     if (in->at_start)
         find_separator(in);
@@ -180,162 +185,104 @@ static void count_line(csv_input *in, const char *bytes, size_t length)
     in->after_return = last == '\r';
 }
 
-/* What comes next, whether it is new or read once more. */
-static const char *unread(const csv_input *in, size_t *count)
-{
-    const bool is_new = in->again == in->kept;
-    *count = is_new ? in->end - in->begin : in->kept - in->again;
-    return is_new ? in->block + in->begin : in->row + in->again;
-}
-
-/* Keeps what comes next as a part of the row. What is read once more stands further behind. */
-static bool keep(csv_input *in, const char *bytes, size_t length)
-{
-    if (!make_room(&in->row, &in->row_room, in->pushed, length + 1)) {
-        stop(in, "out of memory");
-        return false;
-    }
-    memmove(in->row + in->pushed, bytes, length);
-    in->pushed += length;
-    if (in->again == in->kept)
-        in->begin += length;
-    else
-        in->again += length;
-    return true;
-}
-
-/* After misplaced quotes, what the parser still holds is thrown away. */
+/* What the parser still holds of a row with misplaced quotes is thrown away. */
 static void restart(csv_input *in)
 {
     const char separator = (char)csv_get_delim(&in->parser);
     csv_free(&in->parser);
     start_parser(in, separator);
+    in->skipping = false;
 }
 
-static csv_event malformed(csv_input *in, const char *fault)
+/* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
+static csv_event not_closed(csv_input *in)
 {
-    in->fault = fault;
-    restart(in);
-    return CSV_MALFORMED;
+    return stop(in, in->first_line, "a quote that is not closed");
 }
 
-/* Of a row over several lines with a fault, the first one is it. The others are read once more: an
- * open quote would cost all rows behind it. No line is read a third time: one that goes on with a
- * quote does not open one. */
-static csv_event take_first_line(csv_input *in, const char *fault)
+static bool goes_on(const csv_input *in)
 {
-    const size_t more = in->pushed - in->line_bytes;
-    if (in->again == in->kept)
-        in->again = in->kept = in->pushed;
-    in->again -= more;
-    memmove(in->row + in->again, in->row + in->line_bytes, more);
-    in->pushed = in->line_bytes;
-    in->count = in->line_cells;
-    in->line = in->first_line + 1;
-    in->after_return = in->row[in->pushed - 1] == '\r';
-    return malformed(in, fault);
+    return in->line > in->first_line;
 }
 
-/* The parser's own memory: no fault of the row. */
-static bool is_out_of_memory(csv_input *in)
+/* The parser has refused a byte, or lacks memory of its own, which is no fault of the row. */
+static csv_event refuse(csv_input *in)
 {
-    const bool out = csv_error(&in->parser) == CSV_ENOMEM;
-    if (out)
-        stop(in, "out of memory");
-    return out;
+    if (csv_error(&in->parser) == CSV_ENOMEM)
+        return stop(in, in->line, "out of memory");
+    in->skipping = true; /* to the end of the line */
+    return goes_on(in) ? not_closed(in) : CSV_ROW;
 }
 
-static const char misplaced[] = "misplaced quotes", not_closed[] = "a quote that is not closed";
-
-/* A row goes on with the next line where a quote is open. */
-static void end_line(csv_input *in)
+static bool is_begun(const csv_input *in)
 {
-    if (in->row_ended)
-        return;
-    if (in->count == 0 && in->parser.entry_pos == 0 && in->parser.quoted == 0) {
-        in->first_line = in->line; /* a blank line */
-        in->pushed = 0;
-    } else if (in->line_bytes == 0) {
-        in->line_bytes = in->pushed;
-        in->line_cells = in->count;
-    }
+    return in->count > 0 || in->parser.entry_pos > 0 || in->parser.quoted != 0 || in->skipping;
 }
 
-static csv_event refuse_length(csv_input *in)
-{
-    if (in->line_bytes > 0)
-        return take_first_line(in, not_closed);
-    stop(in, "a line of more than 1 MiB; allowed: CSV");
-    return CSV_FAILED;
-}
-
-/* Pushes one line, or as much of it as there is. */
+/* Pushes one line, or as much of it as there is. A row goes on with the next line where a quote is
+ * open. */
 static csv_event push(csv_input *in)
 {
-    size_t count;
-    const char *bytes = unread(in, &count);
-    const size_t length = line_length(bytes, count);
+    const size_t length = line_length(in->block + in->begin, in->end - in->begin);
     if (in->pushed + length > CSV_ROW_BYTES)
-        return refuse_length(in);
-    if (!keep(in, bytes, length))
-        return CSV_FAILED;
-    bytes = in->row + in->pushed - length;
+        return goes_on(in) ? not_closed(in)
+                           : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
+    if (!make_room(&in->row, &in->row_room, in->pushed, length + 1))
+        return stop(in, in->line, "out of memory");
+    const char *bytes = memcpy(in->row + in->pushed, in->block + in->begin, length);
+    in->pushed += length;
+    in->begin += length;
+    csv_event event = CSV_ROW;
+    if (!in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length)
+        event = refuse(in);
     const bool ends = ends_line(bytes[length - 1]);
-    const bool refused =
-        !in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length;
-    if (refused && is_out_of_memory(in))
-        return CSV_FAILED;
-    if (refused && in->line_bytes > 0)
-        return take_first_line(in, misplaced);
-    count_line(in, bytes, length);
-    if (refused || in->skipping) {
-        in->skipping = !ends;
-        return ends ? malformed(in, misplaced) : CSV_ROW;
+    if (event == CSV_ROW && in->skipping && ends) {
+        restart(in);
+        event = CSV_MALFORMED;
     }
-    if (ends)
-        end_line(in);
-    return CSV_ROW;
+    count_line(in, bytes, length);
+    if (ends && event == CSV_ROW && !in->row_ended && !is_begun(in)) {
+        in->first_line = in->line; /* a blank line */
+        in->pushed = 0;
+    }
+    return event;
 }
 
 /* The last row may lack its end of line. */
 static csv_event finish(csv_input *in)
 {
     if (in->skipping) {
-        in->skipping = false;
-        return malformed(in, misplaced);
+        restart(in);
+        return CSV_MALFORMED;
     }
     if (csv_fini(&in->parser, take_cell, end_row, in) == 0)
         return in->row_ended ? CSV_ROW : CSV_END;
-    if (is_out_of_memory(in))
-        return CSV_FAILED;
-    return in->line_bytes > 0 ? take_first_line(in, not_closed) : malformed(in, not_closed);
+    return csv_error(&in->parser) == CSV_ENOMEM ? stop(in, in->line, "out of memory")
+                                                : not_closed(in);
 }
 
 static csv_event next_row(csv_input *in)
 {
-    in->count = in->used = in->pushed = in->line_bytes = in->line_cells = 0;
-    in->row_ended = in->too_many = false;
+    in->count = in->used = in->pushed = 0;
+    in->row_ended = false;
     in->first_line = in->line;
     csv_event event = CSV_ROW;
     while (!in->row_ended && event == CSV_ROW && !in->too_many) {
-        size_t count;
-        unread(in, &count);
-        if (count == 0 && !in->at_end && !fill(in))
+        if (in->begin == in->end && !in->at_end && !fill(in))
             return CSV_FAILED;
-        unread(in, &count);
-        event = count > 0 ? push(in) : finish(in);
+        event = in->begin < in->end ? push(in) : finish(in);
     }
-    if (in->too_many) {
-        stop(in, "more than 1000 cells in a row, or out of memory");
-        return CSV_FAILED;
-    }
+    if (in->too_many)
+        return stop(in, in->line, "more than 1000 cells in a row, or out of memory");
+    for (size_t i = 0; i < in->count; i++)
+        in->cell[i] = in->text + in->begins[i];
     return event;
 }
 
 static bool is_blank(const csv_input *in)
 {
     for (size_t i = 0; i < in->count; i++)
-        if (csv_input_cell(in, i)[strspn(csv_input_cell(in, i), " \t")] != '\0')
+        if (in->cell[i][strspn(in->cell[i], " \t")] != '\0')
             return false;
     return true;
 }
@@ -349,17 +296,26 @@ csv_event csv_input_next(csv_input *in)
     return event;
 }
 
-bool csv_input_take_line(csv_input *in)
+bool csv_input_spans_lines(csv_input *in)
 {
-    if (in->line_bytes == 0)
-        return false;
-    take_first_line(in, "a quote over several lines, and too few or too many cells,");
-    return true;
+    return strpbrk(csv_input_row(in), "\r\n") != NULL;
 }
 
-const char *csv_input_fault(const csv_input *in)
+csv_event csv_input_stop(csv_input *in, const char *why)
 {
-    return in->fault;
+    return stop(in, in->first_line, why);
+}
+
+int csv_input_fail(const csv_input *in)
+{
+    return in->problem[0] != '\0' ? failure("%s", in->problem)
+                                  : failure("%s: line %" PRId64 ": misplaced quotes",
+                                            csv_input_name(in), in->first_line);
+}
+
+const char *csv_input_problem(const csv_input *in)
+{
+    return in->problem;
 }
 
 size_t csv_input_count(const csv_input *in)
@@ -367,9 +323,9 @@ size_t csv_input_count(const csv_input *in)
     return in->count;
 }
 
-const char *csv_input_cell(const csv_input *in, size_t i)
+const char *const *csv_input_cells(const csv_input *in)
 {
-    return in->text + in->cell[i];
+    return in->cell;
 }
 
 const char *csv_input_row(csv_input *in)
@@ -396,13 +352,6 @@ const char *csv_input_name(const csv_input *in)
 char csv_input_separator(csv_input *in)
 {
     return (char)csv_get_delim(&in->parser);
-}
-
-const char *csv_surplus_hint(size_t cells, size_t wanted, char separator)
-{
-    return cells > wanted && separator == ','
-               ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
-               : "";
 }
 
 bool csv_input_has_mark(const csv_input *in)

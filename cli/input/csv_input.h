@@ -14,10 +14,9 @@ typedef struct csv_input csv_input;
 
 typedef enum {
     CSV_ROW,
-    /* quotes are out of place: the cells before that, of one line; the next starts afresh */
-    CSV_MALFORMED,
+    CSV_MALFORMED, /* quotes are misplaced: the cells before that; the next line starts afresh */
     CSV_END,
-    CSV_FAILED /* it cannot be read on, and the reason has been said */
+    CSV_FAILED /* it cannot be read on: see the problem */
 } csv_event;
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
@@ -26,19 +25,25 @@ typedef enum {
  * read. */
 csv_input *csv_input_open(const char *path, char separator, const char *encoding);
 
-/* Reads the next row. Blank lines, and rows of empty cells, are no rows. */
+/* Reads the next row. Blank lines, and rows of empty cells, are no rows. A quote that is not closed
+ * ends the file: what it has taken may have been rows. */
 csv_event csv_input_next(csv_input *in);
 
-/* Makes of a row over several lines a malformed one, of its first line: the others are read again.
- * False where it has one line only. */
-bool csv_input_take_line(csv_input *in);
+/* Whether the row has a quote over several lines. */
+bool csv_input_spans_lines(csv_input *in);
 
-/* What is wrong with a malformed row. */
-const char *csv_input_fault(const csv_input *in);
+/* Ends the file at this row, for the reason. */
+csv_event csv_input_stop(csv_input *in, const char *why);
+
+/* Why it cannot be read on, with the name and the line. */
+const char *csv_input_problem(const csv_input *in);
+
+/* Says that, or that the row that was read last is malformed. Returns the status to leave with. */
+int csv_input_fail(const csv_input *in);
 
 /* The row that was read: its cells live until the next is. */
 size_t csv_input_count(const csv_input *in);
-const char *csv_input_cell(const csv_input *in, size_t i);
+const char *const *csv_input_cells(const csv_input *in);
 
 /* The whole row as it stands in the file, quotes and all. */
 const char *csv_input_row(csv_input *in);
@@ -49,10 +54,6 @@ const char *csv_input_name(const csv_input *in);
 
 /* What stands between the cells: a comma, a semicolon, a tab, or what the file names. */
 char csv_input_separator(csv_input *in);
-
-/* A hint for a row with more cells than wanted, where commas separate: decimal commas may be the
- * reason. Otherwise an empty text. */
-const char *csv_surplus_hint(size_t cells, size_t wanted, char separator);
 
 /* Whether the file begins with the mark of Unicode. */
 bool csv_input_has_mark(const csv_input *in);

@@ -16,12 +16,11 @@ static const char *put(char **to, const char *text)
 bool csv_row_keep(csv_input *in, bool malformed, csv_row *row)
 {
     const size_t count = csv_input_count(in);
-    const char *whole = csv_input_row(in);
+    const char *whole = csv_input_row(in), *const *cells = csv_input_cells(in);
     size_t bytes = (count + 1) * sizeof *row->cell + strlen(whole) + 1;
     for (size_t i = 0; i < count; i++)
-        bytes += strlen(csv_input_cell(in, i)) + 1;
+        bytes += strlen(cells[i]) + 1;
     *row = (csv_row){.malformed = malformed,
-                     .fault = malformed ? csv_input_fault(in) : "",
                      .line = csv_input_line(in),
                      .count = count,
                      .cell = malloc(bytes),
@@ -30,7 +29,7 @@ bool csv_row_keep(csv_input *in, bool malformed, csv_row *row)
         return false;
     char *to = (char *)(row->cell + count + 1);
     for (size_t i = 0; i < count; i++)
-        row->cell[i] = put(&to, csv_input_cell(in, i));
+        row->cell[i] = put(&to, cells[i]);
     row->whole = put(&to, whole);
     return true;
 }

@@ -7,8 +7,7 @@
 
 typedef struct {
     bool malformed;
-    const char *fault; /* what is wrong with a malformed row */
-    int64_t line;      /* of the file, on which it starts */
+    int64_t line; /* of the file, on which it starts */
     size_t count;
     const char **cell;
     const char *whole; /* as it stands in the file */

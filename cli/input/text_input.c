@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,7 @@
 
 #include <iconv.h>
 
-enum { BLOCK = 1 << 16, CARRY = 4 };
+enum { BLOCK = 1 << 16, CARRY = 4, PROBLEM = 600 };
 
 struct text_input {
     const char *name, *encoding; /* NULL for UTF-8 */
@@ -29,7 +30,24 @@ struct text_input {
     size_t carried;
     int64_t line, column; /* of the character that comes next, from 1 */
     bool after_return;
+    char problem[PROBLEM]; /* why it cannot be read on */
 };
+
+static bool stop(text_input *in, const char *format, ...) PRINTF_LIKE(2, 3);
+
+static bool stop(text_input *in, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    vsnprintf(in->problem, PROBLEM, format, values);
+    va_end(values);
+    return false;
+}
+
+const char *text_input_problem(const text_input *in)
+{
+    return in->problem;
+}
 
 /* ---- Opening ---- */
 
@@ -50,10 +68,8 @@ static bool start_converter(text_input *in, const char *encoding)
     if (encoding == NULL)
         return true;
     in->converter = iconv_open("UTF-8", encoding);
-    if (in->converter == (iconv_t)-1) {
-        failure("%s: reading %s: %s", in->name, encoding, strerror(errno));
-        return false;
-    }
+    if (in->converter == (iconv_t)-1)
+        return stop(in, "%s: reading %s: %s", in->name, encoding, strerror(errno));
     in->encoding = encoding;
     return true;
 }
@@ -67,16 +83,11 @@ text_input *text_input_open(const char *path, const char *encoding)
         return NULL;
     }
     *in = (text_input){.name = standard ? "standard input" : path, .line = 1, .column = 1};
-    if (!start_converter(in, encoding)) {
-        free(in);
-        return NULL;
-    }
+    if (!start_converter(in, encoding))
+        return in;
     in->file = standard ? STDIN_FILENO : file_to_read(path);
-    if (in->file < 0) {
-        failure("%s: %s", path, file_problem(errno));
-        text_input_close(in);
-        return NULL;
-    }
+    if (in->file < 0)
+        stop(in, "%s: %s", path, file_problem(errno));
     return in;
 }
 
@@ -90,10 +101,8 @@ static bool fill(text_input *in)
     in->begin = 0;
     while (!in->at_end && in->end < BLOCK) {
         const ssize_t got = read(in->file, in->block + in->end, (unsigned)(BLOCK - in->end));
-        if (got < 0 && errno != EINTR) {
-            failure("%s: %s", in->name, file_problem(errno));
-            return false;
-        }
+        if (got < 0 && errno != EINTR)
+            return stop(in, "%s: %s", in->name, file_problem(errno));
         in->at_end = got == 0;
         in->end += got > 0 ? (size_t)got : 0;
     }
@@ -111,11 +120,9 @@ static bool take_mark(text_input *in)
     static const char utf8[] = "\xef\xbb\xbf", little[] = "\xff\xfe", big[] = "\xfe\xff";
     in->started = true;
     if (begins_with(in, utf8, 3)) {
-        if (in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0) {
-            failure("--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8", in->encoding,
-                    in->name);
-            return false;
-        }
+        if (in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
+            return stop(in, "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
+                        in->encoding, in->name);
         in->begin = 3;
         in->has_mark = true;
     } else if (begins_with(in, little, 2) || begins_with(in, big, 2)) {
@@ -129,13 +136,13 @@ static bool take_mark(text_input *in)
 
 /* ---- Characters ---- */
 
-static bool stop(const text_input *in, const char *why)
+static bool stop_here(text_input *in, const char *why)
 {
-    failure("%s: line %" PRId64 ", column %" PRId64 ": %s", in->name, in->line, in->column, why);
-    return false;
+    return stop(in, "%s: line %" PRId64 ", column %" PRId64 ": %s", in->name, in->line, in->column,
+                why);
 }
 
-static bool refuse_byte(const text_input *in, char byte)
+static bool refuse_byte(text_input *in, char byte)
 {
     char why[200];
     if (in->encoding != NULL)
@@ -146,16 +153,16 @@ static bool refuse_byte(const text_input *in, char byte)
                  "the byte %02X is not UTF-8; allowed: UTF-8, UTF-16 with its mark, or --encoding, "
                  "such as windows-1252",
                  (unsigned char)byte);
-    return stop(in, why);
+    return stop_here(in, why);
 }
 
-static bool refuse_character(const text_input *in, uint32_t code)
+static bool refuse_character(text_input *in, uint32_t code)
 {
     char why[120];
     snprintf(why, sizeof why,
              "the character U+%04" PRIX32 " belongs to no text; allowed: text, no binary files",
              code);
-    return stop(in, why);
+    return stop_here(in, why);
 }
 
 /* Lines end with a return, a line feed, or both. */

@@ -14,13 +14,15 @@ typedef struct text_input text_input;
 int text_input_check(const char *encoding);
 
 /* Opens a file, or standard input where path is "-". The encoding is one that iconv knows; NULL is
- * UTF-8, or UTF-16 where the file begins with its mark. NULL, with the reason said, where it cannot
- * be read. */
+ * UTF-8, or UTF-16 where the file begins with its mark. NULL where memory is short. */
 text_input *text_input_open(const char *path, const char *encoding);
 
+/* Why it cannot be opened, or read on; an empty text as long as it can. */
+const char *text_input_problem(const text_input *in);
+
 /* Reads whole characters into room for at least 4 bytes; *count is 0 at the end. False, with the
- * reason said, where it cannot be read, or has what is no text: the message names the file, the
- * line and the column, which is the number of the character in the line. */
+ * problem, where it cannot be read, or has what is no text: the problem names the file, the line
+ * and the column, which is the number of the character in the line. */
 bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count);
 
 /* Whether it began with the mark that some programs put before Unicode; to be asked once it has

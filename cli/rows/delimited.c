@@ -80,5 +80,4 @@ static void nothing(records *rows)
     (void)rows;
 }
 
-const record_format delimited_format = {begin,   put_name, end_row, put_value,
-                                        end_row, nothing,  nothing};
+const record_format delimited_format = {begin, put_name, end_row, put_value, end_row, nothing};

@@ -75,4 +75,4 @@ static void end(records *rows)
     output_text(rows->out, "\n]\n");
 }
 
-const record_format json_format = {begin, ignore_name, nothing, put_value, end_row, end, nothing};
+const record_format json_format = {begin, ignore_name, nothing, put_value, end_row, end};

@@ -4,45 +4,11 @@
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 
+#include "text/cell.h"
 #include "text/number.h"
 #include "system/output.h"
 
-#include <math.h>
-
-/* A number as it was typed, with its text; or a text, whose number is NAN; or a number, whose text
- * is NULL. A number without a text that is not finite is an empty cell. */
-typedef struct {
-    const char *text;
-    double number;
-} cell;
-
-static inline cell cell_number(double number)
-{
-    return (cell){NULL, number};
-}
-
-static inline cell cell_text(const char *text)
-{
-    return (cell){text, NAN};
-}
-
-/* CSV gives the text back, other formats the number. */
-static inline cell cell_typed(const char *text, double number)
-{
-    return (cell){text, number};
-}
-
-static inline cell cell_empty(void)
-{
-    return cell_text("");
-}
-
 typedef struct records records;
-
-/* What a column holds, and in which unit. */
-typedef struct {
-    const char *name, *meaning, *unit;
-} column_kind;
 
 /* What a format does. All cells of a row have been named in the header, in the same order. */
 typedef struct {
@@ -52,7 +18,6 @@ typedef struct {
     void (*value)(records *rows, const char *name, cell value);
     void (*end_row)(records *rows);
     void (*end)(records *rows);
-    void (*discard)(records *rows); /* instead of the end, where something went wrong */
 } record_format;
 
 struct records {

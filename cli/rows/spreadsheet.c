@@ -205,9 +205,4 @@ static void end(records *rows)
     rows->book = NULL;
 }
 
-static void discard(records *rows)
-{
-    xlsx_discard(rows->book);
-}
-
-const record_format xlsx_format = {begin, put_name, end_header, put_value, end_row, end, discard};
+const record_format xlsx_format = {begin, put_name, end_header, put_value, end_row, end};

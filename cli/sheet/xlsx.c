@@ -120,14 +120,6 @@ const char *xlsx_finish(xlsx *book, output *out)
     return problem;
 }
 
-void xlsx_discard(xlsx *book)
-{
-    if (book == NULL)
-        return;
-    lxw_workbook_free(book->workbook);
-    release(book);
-}
-
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
 static lxw_row_t row_of(int row)

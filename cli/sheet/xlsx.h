@@ -114,7 +114,4 @@ void xlsx_print(xlsx *book, xlsx_page page);
  * output_finish() says. */
 const char *xlsx_finish(xlsx *book, output *out);
 
-/* Ends it without a trace. NULL is allowed. */
-void xlsx_discard(xlsx *book);
-
 #endif

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "batch.h"
 
-#include "contact/doubts.h"
-#include "contact/header.h"
-#include "input/csv_row.h"
+#include "contact/notices.h"
+#include "contact/table_header.h"
 #include "system/ahead.h"
 #include "text/message.h"
 #include "text/number.h"
 #include "system/progress.h"
-#include "results.h"
+#include "model/results.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -24,8 +23,10 @@ typedef struct {
     const batch *what;
     const output_options *how;
     csv_input *in;
+    csv_row first;
     header names;
-    bool shown[RESULT_COUNT]; /* the results that become columns */
+    bool unused[HEADER_COLUMNS]; /* columns with numbers in any row that are not used */
+    bool shown[RESULT_COUNT];    /* the results that become columns */
     records *rows;
     int64_t count, failed;
     int32_t doubts; /* of any row */
@@ -36,11 +37,6 @@ typedef struct {
 static const char error_column[] = "error";
 
 /* ---- Columns ---- */
-
-static bool has_column(const run *r, int input)
-{
-    return r->names.column[input] < r->names.count;
-}
 
 /* The inputs of a row: constants, and its cells. */
 static input_texts texts_of(const run *r, const char *const text[INPUT_COUNT])
@@ -59,7 +55,7 @@ static int check_constants(const run *r)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
-        if (r->what->constants.text[i] != NULL && has_column(r, i))
+        if (r->what->constants.text[i] != NULL && header_has_input(&r->names, i))
             return usage_error("%s %s: %s has a column for it; allowed: one of the two",
                                input_name(&r->what->constants, i, name), r->what->constants.text[i],
                                csv_input_name(r->in));
@@ -80,7 +76,8 @@ static bool is_rigid(const input_texts *texts)
 static bool has_no_gap(const run *r, const input_texts *texts, char complaint[COMPLAINT_SIZE])
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
-        if (!has_column(r, i) || input_is_given(texts, i) || (i == INPUT_NU2 && is_rigid(texts)))
+        if (!header_has_input(&r->names, i) || input_is_given(texts, i) ||
+            (i == INPUT_NU2 && is_rigid(texts)))
             continue;
         char name[INPUT_NAME_SIZE];
         snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
@@ -95,8 +92,8 @@ static int check_complete(const run *r)
 {
     const char *present[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
-        present[i] = has_column(r, i) ? "(a column)" : NULL;
-    if (has_column(r, INPUT_E2))
+        present[i] = header_has_input(&r->names, i) ? "(a column)" : NULL;
+    if (header_has_input(&r->names, INPUT_E2))
         present[INPUT_E2] = "inf";
     const input_texts texts = texts_of(r, present);
     char complaint[COMPLAINT_SIZE];
@@ -110,11 +107,12 @@ static int check_complete(const run *r)
 static int choose_results(run *r)
 {
     results_wanted wanted = r->what->wanted;
-    wanted.edges = wanted.edges || has_column(r, INPUT_M) || has_column(r, INPUT_SIGMA);
+    wanted.edges = wanted.edges || header_has_input(&r->names, INPUT_M) ||
+                   header_has_input(&r->names, INPUT_SIGMA);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const char *name = result_kinds[i].name;
-        const bool is_input = (i == RESULT_ROUNDING && has_column(r, INPUT_A)) ||
-                              (i == RESULT_RADIUS && has_column(r, INPUT_RADIUS));
+        const bool is_input = (i == RESULT_ROUNDING && header_has_input(&r->names, INPUT_A)) ||
+                              (i == RESULT_RADIUS && header_has_input(&r->names, INPUT_RADIUS));
         r->shown[i] = !is_input && results_include(wanted, i);
         if (r->shown[i] && header_has(&r->names, name))
             return failure("%s: column %s: a result has that name; allowed: any other",
@@ -143,19 +141,26 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
+static void warn_of_unused(const run *r, const csv_row *row, results *found)
+{
+    bool unused[HEADER_COLUMNS] = {false};
+    header_note_unused(&r->names, row->cell, unused);
+    header_write_unused(&r->names, unused, found->warnings, sizeof found->warnings);
+}
+
 static bool solve_row(const run *r, const csv_row *row, results *found,
                       char complaint[COMPLAINT_SIZE])
 {
     if (row->malformed) {
-        snprintf(complaint, COMPLAINT_SIZE, "%s in the row of line %" PRId64, row->fault,
+        snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64,
                  row->line);
         return false;
     }
-    if (!header_fits(&r->names, row->count, complaint))
+    if (!header_fits(&r->names, row->count, csv_input_separator(r->in), complaint))
         return false;
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
-        text[i] = has_column(r, i) ? row->cell[r->names.column[i]] : NULL;
+        text[i] = header_has_input(&r->names, i) ? row->cell[r->names.column[i]] : NULL;
     const input_texts texts = texts_of(r, text);
     contact_case what;
     if (!has_no_gap(r, &texts, complaint) || !case_read(&texts, CASE_OF_SOLVE, &what, complaint) ||
@@ -163,6 +168,7 @@ static bool solve_row(const run *r, const csv_row *row, results *found,
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(found, "no friction given");
+    warn_of_unused(r, row, found);
     return true;
 }
 
@@ -183,15 +189,15 @@ static void compute_answer(const void *of_run, int64_t i, void *of_answer)
 /* ---- A row is written ---- */
 
 /* A cell as it is in the file. A column that is no input may have names that look like numbers. */
-static cell cell_of(run *r, const csv_row *row, size_t column)
+static cell cell_of(const run *r, const csv_row *row, size_t column)
 {
     const char *text = column < row->count ? row->cell[column] : "";
     const bool is_input = header_is_input(&r->names, column);
     double number;
-    if (!number_read_cell(text, r->how->decimal_sign, &number))
-        return cell_text(text);
-    r->names.has_numbers[column] = true;
-    return is_input || number_is_exact(text) ? cell_typed(text, number) : cell_text(text);
+    return number_read_cell(text, r->how->decimal_sign, &number) &&
+                   (is_input || number_is_exact(text))
+               ? cell_typed(text, number)
+               : cell_text(text);
 }
 
 /* What the columns cannot show of a row is in its error. */
@@ -223,6 +229,8 @@ static void write_row(run *r, const csv_row *row, const answer *one)
                                    one->solved ? one->found.value[i] : cell_empty());
     write_error(r, row, one->complaint);
     r->rows->format->end_row(r->rows);
+    if (row->count == r->names.count)
+        header_note_unused(&r->names, row->cell, r->unused);
     r->count++;
     r->failed += one->solved ? 0 : 1;
     r->doubts |= one->solved ? one->found.doubts : 0;
@@ -244,13 +252,14 @@ static void write_broken_end(run *r)
     r->rows->format->end_row(r->rows);
 }
 
-/* A quote that is open may close in a later row. What is then no row of the table is taken line by
- * line: the rows between would be lost. */
+/* A quote that is left open may close in a later row, and take the rows between. */
 static csv_event next_row(const run *r)
 {
     const csv_event event = csv_input_next(r->in);
     const bool misfit = event == CSV_ROW && csv_input_count(r->in) != r->names.count;
-    return misfit && csv_input_take_line(r->in) ? CSV_MALFORMED : event;
+    return misfit && csv_input_spans_lines(r->in)
+               ? csv_input_stop(r->in, "a quote over several lines, and too few or too many cells")
+               : event;
 }
 
 static void release_held(run *r)
@@ -271,29 +280,23 @@ static csv_event hold_rows(run *r)
         if (event == CSV_END || event == CSV_FAILED)
             return event;
         csv_row *row = &r->held[r->held_count];
-        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row)) {
-            release_held(r);
+        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row))
             failure("out of memory");
-            return CSV_FAILED;
-        }
         bytes += row->bytes;
     }
     return event;
 }
 
-static bool write_held(run *r)
+static void write_held(run *r)
 {
-    if (r->held_count == 0)
-        return true;
     ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
-    for (int64_t i = 0; i < r->held_count && work != NULL && records_go_on(r->rows); i++)
+    for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], ahead_next(work));
     ahead_stop(work);
     release_held(r);
-    return work != NULL;
 }
 
-/* False, with the reason said, where the file or the format cannot go on. */
+/* Ends where the file or the format cannot go on. */
 static bool write_rows(void *of_run, records *rows, bool show_progress)
 {
     run *r = of_run;
@@ -303,14 +306,15 @@ static bool write_rows(void *of_run, records *rows, bool show_progress)
     write_header(r);
     while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
         event = hold_rows(r);
-        if (!write_held(r))
-            event = CSV_FAILED;
+        write_held(r);
     }
     if (event == CSV_FAILED)
         write_broken_end(r);
     r->rows->format->end(r->rows);
     progress_erase();
-    return event != CSV_FAILED && records_are_sound(r->rows);
+    if (event == CSV_FAILED)
+        csv_input_fail(r->in);
+    return records_are_sound(r->rows);
 }
 
 static void say_doubts(const run *r)
@@ -324,13 +328,30 @@ static int write_output(run *r)
 {
     const int status = output_options_write(r->how, write_rows, r);
     if (status == STATUS_DONE)
-        header_name_unused(&r->names, csv_input_name(r->in));
+        table_header_say_unused(&r->names, r->unused, csv_input_name(r->in));
     if (status == STATUS_DONE && r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);
     if (status == STATUS_DONE)
         say_doubts(r);
     return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
+}
+
+static int read_header(run *r)
+{
+    bool wanted[INPUT_COUNT];
+    char complaint[COMPLAINT_SIZE];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        wanted[i] = true;
+    if (!table_header_read(r->in, &r->first))
+        return STATUS_FAILED;
+    if (!header_find(r->first.cell, r->first.count, wanted, &r->what->constants, &r->names,
+                     complaint))
+        return failure("%s: %s", csv_input_name(r->in), complaint);
+    int status = check_constants(r);
+    if (status == STATUS_DONE)
+        status = check_complete(r);
+    return status == STATUS_DONE ? choose_results(r) : status;
 }
 
 int batch_run(const batch *what, const output_options *how)
@@ -344,18 +365,10 @@ int batch_run(const batch *what, const output_options *how)
         free(r.held);
         return r.in == NULL ? STATUS_FAILED : failure("out of memory");
     }
-    bool wanted[INPUT_COUNT];
-    for (int i = 0; i < INPUT_COUNT; i++)
-        wanted[i] = true;
-    int status =
-        header_read(r.in, wanted, &what->constants, &r.names) ? check_constants(&r) : STATUS_FAILED;
-    if (status == STATUS_DONE)
-        status = check_complete(&r);
-    if (status == STATUS_DONE)
-        status = choose_results(&r);
+    int status = read_header(&r);
     if (status == STATUS_DONE)
         status = write_output(&r);
-    header_free(&r.names);
+    csv_row_free(&r.first);
     csv_input_close(r.in);
     free(r.held);
     return status;

@@ -3,9 +3,7 @@
 #ifndef CLI_BATCH_H
 #define CLI_BATCH_H
 
-#include "results.h"
-
-#include "contact/inputs.h"
+#include "model/results.h"
 #include "rows/output_options.h"
 
 typedef struct {

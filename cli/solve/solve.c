@@ -6,9 +6,9 @@
 #include "input/text_input.h"
 #include "options/threads.h"
 #include "text/message.h"
-#include "results.h"
+#include "model/results.h"
 
-#include "contact/doubts.h"
+#include "contact/notices.h"
 #include "contact/load_table.h"
 
 #include <string.h>

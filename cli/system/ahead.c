@@ -6,6 +6,7 @@
 #include "processors.h"
 #include "signals.h"
 
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <pthread.h>
@@ -97,34 +98,44 @@ static void start_threads(ahead *work, int threads)
     signals_after_threads();
 }
 
+/* The one whose threads run; NULL for none. */
+static ahead *running;
+
+/* No thread goes on while the command ends. */
+static void stop_running(void)
+{
+    ahead_stop(running);
+}
+
+static void prepare(void)
+{
+    static bool is_prepared;
+    if (!is_prepared && atexit(stop_running) != 0)
+        failure("out of memory");
+    is_prepared = true;
+}
+
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
                    const void *context)
 {
-    ahead *work = malloc(sizeof *work);
     if (threads > blocks_of(count)) /* no thread without work */
         threads = count > 0 ? (int)blocks_of(count) : 1;
+    prepare();
     const int slots = threads * BLOCKS_A_THREAD;
-    char *results = calloc((size_t)slots * BLOCK, size);
-    bool *ready = calloc((size_t)slots, sizeof *ready);
-    if (work == NULL || results == NULL || ready == NULL) {
-        free(work);
-        free(results);
-        free(ready);
-        failure("out of memory");
-        return NULL;
-    }
+    ahead *work = memory_zeroed(1, sizeof *work);
     *work = (ahead){.compute = compute,
                     .context = context,
                     .count = count,
                     .size = size,
-                    .ready = ready,
+                    .ready = memory_zeroed((size_t)slots, sizeof *work->ready),
                     .slots = slots,
-                    .results = results};
+                    .results = memory_zeroed((size_t)slots * BLOCK, size)};
     pthread_mutex_init(&work->lock, NULL);
     pthread_cond_init(&work->room, NULL);
     pthread_cond_init(&work->progress, NULL);
     if (threads > 1)
         start_threads(work, threads);
+    running = work;
     return work;
 }
 
@@ -169,4 +180,5 @@ void ahead_stop(ahead *work)
     free(work->results);
     free(work->ready);
     free(work);
+    running = NULL;
 }

@@ -18,15 +18,14 @@ typedef void ahead_work(const void *context, int64_t i, void *result);
 typedef struct ahead ahead;
 
 /* Begins with the indices 0 to count - 1. Each result takes `size` bytes; the context must stay.
- * Where the system gives fewer threads, those do the work. NULL, with a message, where memory is
- * short. */
+ * Where the system gives fewer threads, those do the work. One is at work at a time. */
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
                    const void *context);
 
 /* The next result. It stays until the next call. To be called at most count times. */
 const void *ahead_next(ahead *work);
 
-/* Ends the threads, whatever is left to do. NULL is allowed. */
+/* Ends the threads, whatever is left to do, as the end of the command does. NULL is allowed. */
 void ahead_stop(ahead *work);
 
 #endif

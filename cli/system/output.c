@@ -14,60 +14,75 @@
 
 static const char stdout_name[] = "standard output";
 
-static bool refuse(output *out, int reason)
+NO_RETURN static void refuse(const output *out, int reason)
 {
     failure("%s: %s", out->name, file_problem(reason));
-    return false;
 }
 
-static bool open_directly(output *out, int descriptor)
+static void open_directly(output *out, int descriptor)
 {
     if (descriptor < 0)
-        return refuse(out, errno);
+        refuse(out, errno);
     out->descriptor = descriptor;
     signals_on_end(NULL, "; the output is not complete");
-    return true;
 }
 
-static bool open_beside(output *out, const char *path)
+static void open_beside(output *out, const char *path)
 {
     out->target = target_of_links(path);
     if (out->target == NULL)
-        return refuse(out, errno);
+        refuse(out, errno);
     signals_hold();
     out->descriptor = target_open_beside(out->target, &out->unfinished, &out->lost);
     const int reason = errno;
     if (out->descriptor >= 0)
         signals_on_end(out->unfinished, "; the output file is as it was before");
     signals_release();
-    if (out->descriptor >= 0)
-        return true;
-    free(out->target);
-    return refuse(out, reason);
+    if (out->descriptor < 0)
+        refuse(out, reason);
 }
 
-bool output_open(output *out, const char *path)
+static void open_by_name(output *out, const char *path)
 {
+    switch (file_kind_of(path)) {
+    case FILE_REGULAR:
+    case FILE_ABSENT:
+        open_beside(out, path);
+        return;
+    case FILE_FOLDER:
+        refuse(out, EISDIR);
+    case FILE_OTHER:
+        open_directly(out, file_to_write(path));
+        return;
+    case FILE_UNKNOWN: /* also a link that the system does not follow */
+        break;
+    }
+    refuse(out, errno);
+}
+
+/* The one that is open; NULL for none. */
+static output *unsettled;
+
+static void give_up(void);
+
+void output_open(output *out, const char *path)
+{
+    static bool is_prepared;
+    if (!is_prepared && atexit(give_up) != 0)
+        failure("out of memory");
+    is_prepared = true;
     out->target = out->unfinished = NULL;
     out->lost = "";
     out->error = 0;
     out->used = 0;
-    out->name = stdout_name;
-    if (path == NULL || strcmp(path, "-") == 0)
-        return open_directly(out, STDOUT_FILENO);
-    out->name = path;
-    switch (file_kind_of(path)) {
-    case FILE_REGULAR:
-    case FILE_ABSENT:
-        return open_beside(out, path);
-    case FILE_FOLDER:
-        return refuse(out, EISDIR);
-    case FILE_OTHER:
-        return open_directly(out, file_to_write(path));
-    case FILE_UNKNOWN: /* also a link that the system does not follow */
-        break;
+    if (path == NULL || strcmp(path, "-") == 0) {
+        out->name = stdout_name;
+        open_directly(out, STDOUT_FILENO);
+    } else {
+        out->name = path;
+        open_by_name(out, path);
     }
-    return refuse(out, errno);
+    unsettled = out;
 }
 
 bool output_is_stdout(const output *out)
@@ -141,21 +156,27 @@ static void settle(output *out)
     out->unfinished = out->target = NULL;
 }
 
-bool output_finish(output *out)
+static void give_up(void)
 {
-    flush(out);
-    close_checked(out);
-    settle(out);
-    if (out->error == 0 && out->lost[0] != '\0')
-        notice("%s: %s", out->name, out->lost);
-    return out->error == 0 ? true : refuse(out, out->error);
-}
-
-void output_discard(output *out)
-{
+    output *out = unsettled;
+    if (out == NULL)
+        return;
+    unsettled = NULL;
     if (out->unfinished == NULL)
         flush(out);
     close(out->descriptor);
     out->error = ECANCELED;
     settle(out);
+}
+
+void output_finish(output *out)
+{
+    flush(out);
+    close_checked(out);
+    settle(out);
+    unsettled = NULL;
+    if (out->error != 0)
+        refuse(out, out->error);
+    if (out->lost[0] != '\0')
+        notice("%s: %s", out->name, out->lost);
 }

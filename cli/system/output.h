@@ -22,9 +22,10 @@ typedef struct {
     char buffer[OUTPUT_BUFFER];
 } output;
 
-/* NULL or "-" is standard output. Says what is wrong, and returns false, where it cannot be
- * written to. */
-bool output_open(output *out, const char *path);
+/* NULL or "-" is standard output. One output is open at a time. Should the command end by a
+ * mistake, a file is left as it was; what was meant for standard output, a pipe or a device up to
+ * there goes there. */
+void output_open(output *out, const char *path);
 
 bool output_is_stdout(const output *out);
 
@@ -32,12 +33,7 @@ bool output_is_stdout(const output *out);
 bool output_write(output *out, const char *bytes, size_t count);
 bool output_text(output *out, const char *text);
 
-/* Makes the result appear. Says what went wrong, and returns false, where it did not. This or
- * the next ends it. */
-bool output_finish(output *out);
-
-/* Leaves a file as it was; what was meant for standard output, a pipe or a device up to here
- * goes there. */
-void output_discard(output *out);
+/* Makes the result appear. */
+void output_finish(output *out);
 
 #endif

@@ -17,7 +17,7 @@ typedef struct {
     FILE *stream;
 } spool;
 
-/* False with errno. */
+/* False with errno. Should the command end before spool_end(), the file goes too. */
 bool spool_begin(spool *file);
 
 /* What the library has written and closed; NULL with errno. The stream is the spool's. */

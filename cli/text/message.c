@@ -5,6 +5,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char *speaker_name = "rwedge";
 
@@ -40,7 +41,7 @@ int usage_error(const char *format, ...)
     va_start(values, format);
     say(format, values);
     va_end(values);
-    return STATUS_USAGE;
+    exit(STATUS_USAGE);
 }
 
 void notice(const char *format, ...)
@@ -57,5 +58,5 @@ int failure(const char *format, ...)
     va_start(values, format);
     say(format, values);
     va_end(values);
-    return STATUS_FAILED;
+    exit(STATUS_FAILED);
 }

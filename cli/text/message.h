@@ -1,9 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tool says on stderr, one line at a time, and the exit status that goes with it. */
+/* What the tool says on stderr, one line at a time. A mistake ends the command: what must be
+ * cleaned up is cleaned up by atexit(), and memory is the system's to take back. */
 #ifndef CLI_MESSAGE_H
 #define CLI_MESSAGE_H
 
 #include "printf_like.h"
+
+#ifdef __GNUC__
+#define NO_RETURN __attribute__((noreturn))
+#else
+#define NO_RETURN
+#endif
 
 enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
@@ -11,10 +18,11 @@ enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 void message_speaker_is(const char *speaker);
 const char *message_speaker(void);
 
-/* One line on stderr each; what they return is the status to leave with. A line names the option
- * or the file, its value, and what is allowed or what went wrong. */
-int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
-int failure(const char *format, ...) PRINTF_LIKE(1, 2);
+/* One line on stderr, and exit() with STATUS_USAGE or STATUS_FAILED. They do not return. The line
+ * names the option or the file, its value, and what is allowed or what went wrong. To be called by
+ * the first thread alone, and not at exit. */
+NO_RETURN int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
+NO_RETURN int failure(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /* A line that is no failure: what the user should know of a result. */
 void notice(const char *format, ...) PRINTF_LIKE(1, 2);

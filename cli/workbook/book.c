@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "book.h"
 
+#include "text/memory.h"
 #include "text/message.h"
 #include "workbook/calculator/calculator.h"
 #include "workbook/calculator/working.h"
@@ -61,30 +62,18 @@ static bool fill(xlsx *book, const yield_table *table)
     return fill_tables(book);
 }
 
-static bool write_book(const yield_table *table, output *out)
+void book_write(output *out)
 {
+    yield_table *table = memory_zeroed(1, sizeof *table);
+    if (!yield_table_fill(table))
+        failure("the elastic limit: a value could not be computed");
     const char *problem;
     xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
-    if (book != NULL && !fill(book, table)) {
+    if (book != NULL && !fill(book, table))
         problem = "a value of the tables could not be computed";
-        xlsx_discard(book);
-    } else if (book != NULL)
+    else if (book != NULL)
         problem = xlsx_finish(book, out);
     if (problem != NULL)
         failure("%s: %s", out->name, problem);
-    return problem == NULL;
-}
-
-bool book_write(output *out)
-{
-    yield_table *table = malloc(sizeof *table);
-    bool done = false;
-    if (table == NULL)
-        failure("out of memory");
-    else if (!yield_table_fill(table))
-        failure("the elastic limit: a value could not be computed");
-    else
-        done = write_book(table, out);
     free(table);
-    return done;
 }

@@ -5,9 +5,6 @@
 
 #include "system/output.h"
 
-#include <stdbool.h>
-
-/* False, with the reason said, where it could not be made. */
-bool book_write(output *out);
+void book_write(output *out);
 
 #endif

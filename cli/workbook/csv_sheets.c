@@ -59,17 +59,10 @@ static void write_row(const csv_input *in, bool header, records *rows)
 {
     for (size_t i = 0; i < csv_input_count(in); i++)
         if (header)
-            rows->format->name(rows, csv_input_cell(in, i));
+            rows->format->name(rows, csv_input_cells(in)[i]);
         else
-            rows->format->value(rows, NULL, cell_of(csv_input_cell(in, i)));
+            rows->format->value(rows, NULL, cell_of(csv_input_cells(in)[i]));
     (header ? rows->format->end_header : rows->format->end_row)(rows);
-}
-
-static bool refuse_row(const csv_input *in)
-{
-    failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
-            csv_input_fault(in));
-    return false;
 }
 
 static bool write_rows(csv_input *in, records *rows)
@@ -80,11 +73,11 @@ static bool write_rows(csv_input *in, records *rows)
         write_row(in, header, rows);
         header = false;
     }
-    if (event == CSV_MALFORMED)
-        return refuse_row(in);
+    if (event == CSV_MALFORMED || event == CSV_FAILED)
+        csv_input_fail(in);
     if (event == CSV_END && header)
         failure("%s: no rows", csv_input_name(in));
-    return event != CSV_FAILED && !header;
+    return event == CSV_END && !header;
 }
 
 static bool write_file(const char *path, records *rows)

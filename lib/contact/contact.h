@@ -16,12 +16,14 @@ typedef struct {
 struct rwedge_contact {
     rw_geometry geometry;
     double f;
+    double strain; /* of the surface per bulk tension, over A/4: 1 for equal compliances */
     rw_loads loads;
     double slid_from;  /* the largest load since it slides; 0 where it does not */
     double touched_at; /* the bulk tension at which the bodies touched */
-    /* their sum; the carry is what rounding left out of a long history */
-    double energy, energy_carry; /* NaN where it is not known */
-    rw_memory memory;            /* loads are P, shears Q/f */
+    /* their sum; the carry is what rounding left out of a long history, and NaN from a load of
+     * unknown energy until the first load after the separation */
+    double energy, energy_carry;
+    rw_memory memory;     /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
@@ -37,30 +39,33 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
+/* The stretch that a bulk tension makes, in the unit of the memory. */
+static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
+{
+    return c->f > 0 ? -(c->geometry.A / c->geometry.theta) * sigma / (4 * c->f) * c->strain : 0;
+}
+
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
  * apex of the sharp wedge. */
 typedef struct {
     rw_fields normal, tangential;
 } rw_contact_fields;
 
-void rw_contact_fields_clear(rw_contact_fields *fields, int n);
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields);
 
-/* A patch's own fields at n <= RW_BATCH points, and their part of the contact's, of which the last
- * patch is the whole. */
+/* A patch's own fields at n <= RW_BATCH points, and their part of the sum over the patches. */
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields);
-void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
-                  rw_contact_fields *fields);
+void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum);
 
 /* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
  * apex of a loaded sharp wedge has none. */
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
 
 /* The stresses of the fields and a bulk tension. */
-void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
-                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,
+                              const rw_fields *tangential, int n, double sxx[], double syy[],
                               double txy[]);
 
 #endif

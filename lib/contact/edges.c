@@ -67,7 +67,7 @@ int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact, double *no
     const rw_corners corners = rw_corners_of(g->a, patch);
     const rw_edge_rates rates = rw_patch_edge_rates(&corners);
     const double pressure = 2 / RW_PI * (g->theta / g->A) * sqrt(2 / b);
-    const double tension = (contact->loads.sigma - contact->touched_at) * b / 4;
+    const double tension = (contact->loads.sigma - contact->touched_at) * b / 4 * contact->strain;
     *normal_left = pressure * rates.at_left;
     *normal_right = pressure * rates.at_right;
     *shear_left = (contact->loads.Q / RW_PI + tension) / sqrt(2 * b);

@@ -54,14 +54,6 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 
 /* ---- Stresses ---- */
 
-void rw_contact_fields_clear(rw_contact_fields *fields, int n)
-{
-    for (int i = 0; i < n; i++) {
-        rw_put(&fields->normal, i, (rw_field){0, 0, 0, 0});
-        rw_put(&fields->tangential, i, (rw_field){0, 0, 0, 0});
-    }
-}
-
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields)
 {
@@ -76,43 +68,46 @@ static void add(int n, double weight, const double *restrict part, double *restr
         sum[i] += weight * part[i];
 }
 
-void rw_add_patch(const rw_fields *of_patch, double weight, bool whole, int n,
-                  rw_contact_fields *fields)
+void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum)
 {
-    rw_fields *sum = &fields->tangential;
     add(n, weight, of_patch->G_re, sum->G_re);
     add(n, weight, of_patch->G_im, sum->G_im);
     add(n, weight, of_patch->H_re, sum->H_re);
     add(n, weight, of_patch->H_im, sum->H_im);
-    for (int i = 0; whole && i < n; i++)
-        rw_put(&fields->normal, i, rw_field_in(of_patch, i));
 }
 
+static void clear(rw_fields *fields, int n)
+{
+    for (int i = 0; i < n; i++)
+        rw_put(fields, i, (rw_field){0, 0, 0, 0});
+}
+
+/* The last patch is the contact. */
 void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
                           const double y[], rw_contact_fields *fields)
 {
     const rw_memory *memory = &contact->memory;
-    rw_contact_fields_clear(fields, (int)n);
+    clear(&fields->normal, (int)n);
+    clear(&fields->tangential, (int)n);
     for (size_t j = 1; j < memory->count; j++) {
         const double weight = rw_patch_weight(memory, j);
-        const bool whole = j + 1 == memory->count;
-        const rw_patch patch = memory->corners[j].patch;
-        if (weight == 0 && !whole)
+        const bool is_whole = j + 1 == memory->count;
+        if (weight == 0 && !is_whole)
             continue;
-        rw_fields of_patch;
-        rw_patch_fields(contact->geometry.a, patch, (int)n, x, y, &of_patch);
-        rw_add_patch(&of_patch, weight, whole, (int)n, fields);
+        rw_fields other, *of_patch = is_whole ? &fields->normal : &other;
+        rw_patch_fields(contact->geometry.a, memory->corners[j].patch, (int)n, x, y, of_patch);
+        rw_add_patch(of_patch, weight, (int)n, &fields->tangential);
     }
 }
 
-void rw_contact_stresses_from(const rwedge_contact *contact, double sigma,
-                              const rw_contact_fields *fields, int n, double sxx[], double syy[],
+void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,
+                              const rw_fields *tangential, int n, double sxx[], double syy[],
                               double txy[])
 {
     const double unit = rw_unit_stress(&contact->geometry);
     for (int i = 0; i < n; i++) {
-        const rw_field shear = rw_field_multiple(contact->f, rw_field_in(&fields->tangential, i));
-        const rw_stress_state s = rw_superpose(rw_field_in(&fields->normal, i), shear);
+        const rw_field shear = rw_field_multiple(contact->f, rw_field_in(tangential, i));
+        const rw_stress_state s = rw_superpose(rw_field_in(normal, i), shear);
         sxx[i] = unit * (s.mean - s.difference) + sigma;
         syy[i] = unit * (s.mean + s.difference);
         txy[i] = unit * s.shear;
@@ -133,8 +128,8 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
         const size_t block = n - start < RW_BATCH ? n - start : RW_BATCH;
         rw_contact_fields fields;
         rw_contact_fields_at(contact, block, x + start, y + start, &fields);
-        rw_contact_stresses_from(contact, contact->loads.sigma, &fields, (int)block, sxx + start,
-                                 syy + start, txy + start);
+        rw_contact_stresses_from(contact, contact->loads.sigma, &fields.normal, &fields.tangential,
+                                 (int)block, sxx + start, syy + start, txy + start);
     }
     return RWEDGE_OK;
 }

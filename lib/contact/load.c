@@ -43,13 +43,19 @@ static bool is_in_range(const rw_geometry *g, double P)
     return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
 }
 
-/* The energy of the step to the load, never negative. */
-static double energy_of(const rwedge_contact *contact, double P, double shear)
+/* The energy of a step that leaves the centre at most by separation; never negative, NaN where it
+ * has no single integral. */
+static double share_centred(const rwedge_contact *contact, const rw_step *step)
 {
+    const rw_memory *memory = &contact->memory;
+    if (contact->f == 0 || memory->count == 1)
+        return 0;
+    if (!rw_memory_is_plain(memory, step->to))
+        return rw_path_separates_stuck(step) ? 0 : NAN;
     const rw_geometry *g = &contact->geometry;
     const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
     const double f_over_pi = contact->f / RW_PI;
-    const double integral = rw_dissipation(&contact->memory, P, shear, corner_load);
+    const double integral = rw_dissipation(memory, step->to.load, step->to.shear, corner_load);
     return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
@@ -89,9 +95,9 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
-    step->to.stretch = contact->f > 0 ? -(g->A / g->theta) * to.sigma / (4 * contact->f) : 0;
+    step->to.stretch = rw_contact_stretch(contact, to.sigma);
     if (is_same_pressing(contact, to) &&
-        (to.M != 0 || !rw_path_is_plain(&contact->memory, step->to))) {
+        (to.M != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;
         step->to.load = end->load;
@@ -143,8 +149,11 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
                const rw_departure *departure)
 {
     rw_memory *memory = &contact->memory;
-    if (memory->count == 1)
+    if (memory->count == 1) {
         contact->touched_at = contact->loads.sigma;
+        if (isnan(contact->energy_carry))
+            contact->energy_carry = 0;
+    }
     contact->loads = *to;
     if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
@@ -163,24 +172,27 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
     contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
 }
 
+/* The carry may be negative. */
+static void add_energy(rwedge_contact *contact, double share)
+{
+    const double more = contact->energy_carry + share, before = contact->energy;
+    contact->energy = isnan(more) ? before : fmax(before, before + more);
+    contact->energy_carry = more - (contact->energy - before);
+}
+
 static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,
                           const rw_departure *departure)
 {
     const double load = step->to.load, shear = step->to.shear;
-    const double share = energy_of(contact, load, shear) + contact->energy_carry;
-    const bool is_known = !isnan(contact->energy);
+    const double share = share_centred(contact, step);
     if (isgreater(contact->energy + share, RW_LARGEST))
         return RWEDGE_ERANGE;
-    /* the carry may be negative */
-    const double energy =
-        is_known ? fmax(contact->energy, contact->energy + share) : contact->energy;
     if (!rw_memory_reserve(&contact->memory, 2) ||
         !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
                                  shear))
         return RWEDGE_ENOMEM;
     go(contact, &to, step, departure);
-    contact->energy_carry = is_known ? share - (energy - contact->energy) : 0;
-    contact->energy = energy;
+    add_energy(contact, share);
     if (load == 0) {
         contact->was_off_centre = false;
         contact->is_origin_known = true;
@@ -191,7 +203,7 @@ static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *s
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
 {
     return contact->f > 0 && step->to.load > 0 &&
-           (contact->was_off_centre || !rw_path_is_plain(&contact->memory, step->to));
+           (contact->was_off_centre || !rw_memory_is_plain(&contact->memory, step->to));
 }
 
 /* One origin serves for all points that slipped, where they had touched before the first slip: no
@@ -239,10 +251,7 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     contact->was_off_centre = true;
     contact->settled = common_part(settled, step->patch);
     contact->is_origin_known = is_known && !slides;
-    const double share = contact->energy_carry + share_off_centre(contact, &before, step, slip);
-    const double energy = contact->energy + share; /* NaN if one of them is */
-    contact->energy_carry = isnan(energy) ? 0 : share - (energy - contact->energy);
-    contact->energy = energy;
+    add_energy(contact, share_off_centre(contact, &before, step, slip));
     rw_memory_destroy(&before);
     return RWEDGE_OK;
 }
@@ -321,7 +330,7 @@ double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double
     if (!contact || !rw_is_signed(Q))
         return NAN;
     const double s = rwedge_contact_half_width(contact);
-    if (contact->f == 0)
+    if (contact->f == 0 || contact->strain == 0)
         return HUGE_VAL;
-    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) : 0;
+    return s > 0 ? 4 * fabs(Q - contact->loads.Q) / (RW_PI * s) / contact->strain : 0;
 }

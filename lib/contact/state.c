@@ -9,7 +9,8 @@
 
 #include <stdlib.h>
 
-static const double VERSION = 1;
+/* Since 2 it has the strain per bulk tension. */
+static const double VERSION = 2;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
 
@@ -18,6 +19,8 @@ typedef struct {
     double *out;      /* NULL when reading or counting */
     const double *in; /* NULL when writing or counting */
     size_t at, size;
+    double version;
+    const rw_geometry *geometry;
     bool is_sound, is_short; /* of memory */
 } tape;
 
@@ -61,20 +64,109 @@ static void pass_corner(tape *t, rw_corner *c)
     pass(t, &c->most);
 }
 
-/* What a path must be for the functions that read it to come to an end. */
-static bool is_corner_sound(const rw_corner *c, const rw_corner *before)
+/* ---- What is sound ---- */
+
+/* What a contact has computed from each other is as near to each other as this, whatever was
+ * rounded on the way. */
+static const double LOOSE = 1e-6;
+
+/* Half of the width of the least patch inside a contact, and less. */
+static const double LEAST = 1e-90;
+
+static bool is_near(double value, double expected, double scale)
 {
-    const double width = c->patch.right - c->patch.left;
-    return !isnan(c->least) && !isnan(c->most) && fabs(c->ratio) <= 1 &&
-           (before ? c->load > before->load && width > 0 : c->load == 0 && width == 0);
+    return islessequal(fabs(value - expected), LOOSE * scale);
 }
+
+/* Whether a patch is that of its corner's load and tilt. */
+static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
+{
+    const rw_patch p = c->patch;
+    const double load = rw_as_length(g, c->load);
+    if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
+        !(p.left < g->a && p.right > -g->a) || !(fabs(c->tilt) < 1))
+        return false;
+    const rw_pressing carried = rw_patch_pressing(g->a, p);
+    return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
+}
+
+static bool is_nested(rw_patch inner, rw_patch outer)
+{
+    const double slack = LOOSE * (outer.right - outer.left);
+    return inner.left > outer.left - slack && inner.right < outer.right + slack;
+}
+
+static bool is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corner *before)
+{
+    if (isnan(c->least) || isnan(c->most))
+        return false;
+    if (!before)
+        return c->load == 0 && c->shear == 0 && c->ratio == 0 && c->patch.left == 0 &&
+               c->patch.right == 0;
+    const double run = c->load - before->load, rise = c->shear - before->shear;
+    return run > 0 && c->load < 2 * RW_LARGEST && fabs(c->ratio) <= 1 &&
+           is_near(rise, c->ratio * run, c->load) && is_patch_sound(g, c) &&
+           (before->load == 0 || is_nested(before->patch, c->patch));
+}
+
+/* Whether slip is measured from the end of its path, at points that the one before does not have.
+ */
+static bool is_origin_sound(const rw_slip_origins *origins, size_t i)
+{
+    const rw_slip_origin *o = &origins->all[i];
+    const rw_trail trail = rw_slip_origin_trail(origins, o);
+    const rw_corner *end = rw_trail_end(&trail);
+    return o->end > (i > 0 ? origins->all[i - 1].end : 0) &&
+           o->end <= fmax(o->from_load, o->to_load) && o->from_load == end->load &&
+           o->from_shear == end->shear && o->to_load >= 0 && o->to_load < 2 * RW_LARGEST &&
+           fabs(o->to_shear) <= (1 + LOOSE) * o->to_load;
+}
+
+/* Whether the loads are those at the end of the path. */
+static bool are_loads_sound(const rwedge_contact *c)
+{
+    const rw_geometry *g = &c->geometry;
+    const rw_corner *end = rw_memory_end(&c->memory);
+    if (end->load == 0)
+        return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
+    const rw_pressing carried = rw_patch_pressing(g->a, end->patch);
+    const double arm = fmax(-end->patch.left, end->patch.right);
+    return is_near(c->loads.P, end->load, end->load) &&
+           is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
+           is_near(c->loads.Q, c->f * end->shear, c->f * end->load);
+}
+
+/* Whether the last path kept has what the present one shares with it. */
+static bool is_share_sound(const rwedge_contact *c)
+{
+    const rw_slip_origins *origins = &c->origins;
+    if (c->memory.shared == 0)
+        return true;
+    if (c->memory.shared > rw_slip_origins_last_corners(origins))
+        return false;
+    const rw_trail last = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
+    return rw_memory_common(&c->memory, &last) >= c->memory.shared;
+}
+
+static bool is_contact_sound(const rwedge_contact *c)
+{
+    const rw_slip_origins *origins = &c->origins;
+    return rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
+           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
+           !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
+           are_loads_sound(c) && is_share_sound(c) &&
+           origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
+}
+
+/* ---- Reading and writing ---- */
 
 /* Corners in a row, after the one before them if there is one. */
 static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
-        if (t->in && !is_corner_sound(&corners[i], before))
+        if (t->in && !is_corner_sound(t->geometry, &corners[i], before))
             t->is_sound = false;
         before = &corners[i];
     }
@@ -92,6 +184,8 @@ static void pass_path(tape *t, rw_memory *memory)
         memory->count = t->is_sound && !t->is_short ? count : 0;
     }
     pass_corners(t, memory->corners, memory->count, NULL);
+    if (t->in && memory->count > 0)
+        rw_memory_relevel(memory);
 }
 
 /* An origin but for its corners: how many they are, and how many it shares with the last. */
@@ -133,7 +227,10 @@ static void read_origin(tape *t, rw_slip_origins *origins)
         before = rw_trail_corner(&trail, shared - 1);
     }
     pass_corners(t, own, origin.corners - shared, before);
+    if (!t->is_sound)
+        return;
     rw_slip_origins_keep(origins, origin, own, shared);
+    t->is_sound = is_origin_sound(origins, origins->count - 1);
 }
 
 static void pass_origins(tape *t, rw_slip_origins *origins)
@@ -152,11 +249,20 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
-        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,  &c->f,          &c->loads.P,
-        &c->loads.M,        &c->loads.Q,      &c->loads.sigma, &c->touched_at, &c->settled.left,
-        &c->settled.right,  &c->energy_carry, &c->slid_from};
+        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
+        &c->loads.P,        &c->loads.M,      &c->loads.Q,      &c->loads.sigma,
+        &c->touched_at,     &c->settled.left, &c->settled.right};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
-    pass(t, &c->energy); /* NaN where it is not known */
+    pass(t, &c->energy_carry); /* NaN where the energy is not known */
+    pass(t, &c->slid_from);
+    if (t->version > 1)
+        pass(t, &c->strain);
+    else
+        c->strain = 1;
+    pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
+    t->geometry = &c->geometry;
+    if (t->in && !(rw_is_geometry(t->geometry) && rw_is_positive(rw_unit_stress(t->geometry))))
+        t->is_sound = false;
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
@@ -175,7 +281,7 @@ static double sum_of_bits(const double *state, size_t n)
 static size_t size_of(const rwedge_contact *contact)
 {
     rwedge_contact same = *contact; /* is only counted */
-    tape t = {.at = HEAD, .is_sound = true};
+    tape t = {.at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     return t.at;
 }
@@ -192,32 +298,24 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
     if (n != size_of(contact))
         return RWEDGE_ERANGE;
     rwedge_contact same = *contact; /* is only read */
-    tape t = {.out = state, .at = HEAD, .is_sound = true};
+    tape t = {.out = state, .at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     state[0] = VERSION;
     state[1] = sum_of_bits(state + HEAD, n - HEAD);
     return RWEDGE_OK;
 }
 
-static bool is_contact_sound(const rwedge_contact *c)
-{
-    return rw_is_geometry(&c->geometry) && rw_is_positive(rw_unit_stress(&c->geometry)) &&
-           rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
-           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) &&
-           c->memory.shared <= rw_slip_origins_last_corners(&c->origins);
-}
-
 int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **contact)
 {
     if (!state || !contact)
         return RWEDGE_ENULL;
-    if (n <= HEAD || state[0] != VERSION || state[1] != sum_of_bits(state + HEAD, n - HEAD))
+    if (n <= HEAD || (state[0] != 1 && state[0] != VERSION) ||
+        state[1] != sum_of_bits(state + HEAD, n - HEAD))
         return RWEDGE_EDOMAIN;
     rwedge_contact *restored = calloc(1, sizeof *restored);
     if (!restored)
         return RWEDGE_ENOMEM;
-    tape t = {.in = state, .at = HEAD, .size = n, .is_sound = true};
+    tape t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
     pass_contact(&t, restored);
     if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses at many points through many loads. The loads come first: what each leaves is noted as a
- * list of weighted patches. Then the points, block by block: a patch that is in the lists of one
- * load and the next is evaluated once for both. */
+/* Stresses at many points through many loads. The loads come first: a load leaves the first patches
+ * of the contact as they were, and what follows is noted, weighted patches. Then the points, block
+ * by block: the sums over the first patches are kept, and so is the field of the contact itself. */
 #include "contact/contact.h"
 #include "stress/stress.h"
 
@@ -11,119 +11,146 @@
 typedef struct {
     rw_patch patch;
     double weight;
-    size_t frame; /* where the fields of the patch are kept */
-    bool is_new;  /* they were not there under the load before */
 } piece;
 
-/* After each load: its pieces, from first[i] to first[i + 1] - 1, the last being the contact. */
+/* Pieces in a row. */
 typedef struct {
-    piece *pieces;
-    size_t *first;
-    double *sigma;
-    size_t loads, capacity, most;
+    piece *all;
+    size_t count, capacity;
+} pieces;
+
+/* Of each load: how many pieces of the load before it keeps, how many more it has, the last being
+ * the contact, and its tension. */
+typedef struct {
+    size_t kept, own;
+    double sigma;
+} entry;
+
+typedef struct {
+    pieces own, now; /* those of all loads; all pieces of the last load */
+    entry *entries;
+    size_t loads, most; /* most: pieces of one load */
 } record;
 
 static void discard(record *r)
 {
-    free(r->pieces);
-    free(r->first);
-    free(r->sigma);
+    free(r->own.all);
+    free(r->now.all);
+    free(r->entries);
 }
 
-static bool begin(record *r, size_t loads)
+static bool reserve(pieces *p, size_t more)
 {
-    *r = (record){.first = calloc(loads + 1, sizeof *r->first),
-                  .sigma = calloc(loads + 1, sizeof *r->sigma)};
-    return r->first && r->sigma;
+    if (p->capacity - p->count >= more)
+        return true;
+    const size_t capacity = p->count + p->count / 2 + more;
+    piece *grown = realloc(p->all, capacity * sizeof *grown);
+    if (!grown)
+        return false;
+    p->all = grown;
+    p->capacity = capacity;
+    return true;
+}
+
+static bool is_same_patch(rw_patch one, rw_patch other)
+{
+    return one.left == other.left && one.right == other.right;
+}
+
+static bool is_same(const piece *one, const piece *other)
+{
+    return one->weight == other->weight && is_same_patch(one->patch, other->patch);
 }
 
 static bool note(record *r, const rwedge_contact *contact)
 {
     const rw_memory *memory = &contact->memory;
-    size_t count = r->first[r->loads];
-    if (r->capacity - count < memory->count) {
-        const size_t capacity = count + count / 2 + memory->count;
-        piece *pieces = realloc(r->pieces, capacity * sizeof *pieces);
-        if (!pieces)
-            return false;
-        r->pieces = pieces;
-        r->capacity = capacity;
-    }
+    const size_t before = r->now.count;
+    entry *e = &r->entries[r->loads++];
+    *e = (entry){.sigma = contact->loads.sigma};
+    r->now.count = 0;
+    if (!reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
+        return false;
     for (size_t j = 1; j < memory->count; j++) {
-        const double weight = rw_patch_weight(memory, j);
-        if (weight != 0 || j + 1 == memory->count)
-            r->pieces[count++] = (piece){.patch = memory->corners[j].patch, .weight = weight};
-    }
-    const size_t more = count - r->first[r->loads];
-    r->most = more > r->most ? more : r->most;
-    r->sigma[r->loads++] = contact->loads.sigma;
-    r->first[r->loads] = count;
-    return true;
-}
-
-/* ---- Where fields are kept from one load to the next ---- */
-
-/* Twice as many as a load has pieces. */
-typedef struct {
-    rw_patch patch;
-    size_t last; /* the load that needs it, from 1 on */
-    rw_fields fields;
-} frame;
-
-/* The frame that has the patch since the load before, or the first that neither load needs. */
-static void place(piece *p, size_t load, frame frames[], size_t count)
-{
-    p->is_new = true;
-    for (size_t i = 0; i < count; i++) {
-        const bool is_needed = frames[i].last > 0 && frames[i].last + 1 >= load;
-        if (is_needed && memcmp(&frames[i].patch, &p->patch, sizeof p->patch) == 0) {
-            p->frame = i;
-            p->is_new = false;
-            break;
+        const piece next = {memory->corners[j].patch, rw_patch_weight(memory, j)};
+        if (next.weight == 0 && j + 1 < memory->count)
+            continue;
+        piece *place = &r->now.all[r->now.count++];
+        if (e->own == 0 && e->kept < before && is_same(&next, place)) {
+            e->kept++;
+        } else {
+            *place = r->own.all[r->own.count++] = next;
+            e->own++;
         }
-        if (!is_needed)
-            p->frame = i;
     }
-    frames[p->frame].patch = p->patch;
-    frames[p->frame].last = load;
-}
-
-static frame *place_all(record *r)
-{
-    const size_t count = 2 * r->most + 1;
-    frame *frames = calloc(count, sizeof *frames);
-    for (size_t load = 0; frames && load < r->loads; load++)
-        for (size_t j = r->first[load]; j < r->first[load + 1]; j++)
-            place(&r->pieces[j], load + 1, frames, count);
-    return frames;
+    r->most = r->now.count > r->most ? r->now.count : r->most;
+    return true;
 }
 
 /* ---- A block of points ---- */
 
-static void sum_up(const record *r, size_t load, double a, frame frames[], int n, const double x[],
-                   const double y[], rw_contact_fields *fields)
+/* The field of one piece's patch, and the sum up to it. */
+typedef struct {
+    rw_patch patch;
+    rw_fields field, sum;
+} level;
+
+/* The points, and a level for each piece; levels[0] is none. */
+typedef struct {
+    double a;
+    int n;
+    const double *x, *y;
+    level *levels;
+    size_t top; /* of the last load */
+} block;
+
+static void add_piece(const block *b, size_t at, const piece *next)
 {
-    rw_contact_fields_clear(fields, n);
-    for (size_t j = r->first[load]; j < r->first[load + 1]; j++) {
-        const piece *p = &r->pieces[j];
-        rw_fields *of_patch = &frames[p->frame].fields;
-        if (p->is_new)
-            rw_patch_fields(a, p->patch, n, x, y, of_patch);
-        rw_add_patch(of_patch, p->weight, j + 1 == r->first[load + 1], n, fields);
+    level *l = &b->levels[at];
+    if (!is_same_patch(l->patch, next->patch)) {
+        l->patch = next->patch;
+        rw_patch_fields(b->a, next->patch, b->n, b->x, b->y, &l->field);
     }
+    l->sum = b->levels[at - 1].sum;
+    rw_add_patch(&l->field, next->weight, b->n, &l->sum);
 }
 
-static void roll(const rwedge_contact *contact, const record *r, frame frames[], size_t n,
+/* The contact is often as it was, with more or fewer pieces inside of it. */
+static void move_contact(const block *b, size_t to, const piece *contact)
+{
+    const level *from = &b->levels[b->top];
+    if (to == b->top || !is_same_patch(from->patch, contact->patch))
+        return;
+    b->levels[to].patch = from->patch;
+    b->levels[to].field = from->field;
+}
+
+static void follow_load(block *b, const entry *e, const piece own[])
+{
+    const size_t top = e->kept + e->own;
+    if (e->own > 0)
+        move_contact(b, top, &own[e->own - 1]);
+    for (size_t i = 0; i < e->own; i++)
+        add_piece(b, e->kept + i + 1, &own[i]);
+    b->top = top;
+}
+
+static void roll(const rwedge_contact *contact, const record *r, level levels[], size_t n,
                  const double x[], const double y[], double sxx[], double syy[], double txy[])
 {
     for (size_t start = 0; start < n; start += RW_BATCH) {
-        const int block = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
+        const int size = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
+        block b = {contact->geometry.a, size, x + start, y + start, levels, 0};
+        for (size_t i = 0; i <= r->most; i++)
+            levels[i].patch = (rw_patch){0, 0};
+        const piece *own = r->own.all;
         for (size_t load = 0; load < r->loads; load++) {
-            rw_contact_fields fields;
+            const entry *e = &r->entries[load];
             const size_t to = load * n + start;
-            sum_up(r, load, contact->geometry.a, frames, block, x + start, y + start, &fields);
-            rw_contact_stresses_from(contact, r->sigma[load], &fields, block, sxx + to, syy + to,
-                                     txy + to);
+            follow_load(&b, e, own);
+            own += e->own;
+            rw_contact_stresses_from(contact, e->sigma, &levels[b.top].field, &levels[b.top].sum,
+                                     size, sxx + to, syy + to, txy + to);
         }
     }
 }
@@ -163,18 +190,18 @@ static int32_t follow(rwedge_contact *contact, size_t loads, const double P[], c
                       const double Q[], const double sigma[], size_t n, const double x[],
                       const double y[], double sxx[], double syy[], double txy[])
 {
-    record r;
-    frame *frames = NULL;
-    int32_t status = begin(&r, loads) ? RWEDGE_OK : RWEDGE_ENOMEM;
+    record r = {.entries = calloc(loads + 1, sizeof *r.entries)};
+    level *levels = NULL;
+    int32_t status = r.entries ? RWEDGE_OK : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK)
         status = load_all(contact, loads, P, M, Q, sigma, n, x, y, &r);
     if (status == RWEDGE_OK) {
-        frames = place_all(&r);
-        status = frames ? RWEDGE_OK : RWEDGE_ENOMEM;
+        levels = calloc(r.most + 1, sizeof *levels);
+        status = levels ? RWEDGE_OK : RWEDGE_ENOMEM;
     }
     if (status == RWEDGE_OK)
-        roll(contact, &r, frames, n, x, y, sxx, syy, txy);
-    free(frames);
+        roll(contact, &r, levels, n, x, y, sxx, syy, txy);
+    free(levels);
     discard(&r);
     return status;
 }

@@ -72,9 +72,6 @@ static double panel_integral(const layer *l, double from, double to)
     return half * step * sum;
 }
 
-/* Of the way through a layer: a root so close to the end of a panel is as good as at it. */
-static const double CLOSE = 1e-6;
-
 /* How far on the way something that goes evenly passes a place; 1 where it does not. */
 static double passing(double from, double to, double place)
 {
@@ -82,7 +79,7 @@ static double passing(double from, double to, double place)
 }
 
 /* Panels end where an edge passes the end of the rounding, and where the patch has four times the
- * width: there is a pole where it has none. */
+ * width, however narrow the front is: there is a pole where it has none. */
 static double next_end(const layer *l, double t)
 {
     const double from = rw_patch_half_width(l->from), to = rw_patch_half_width(l->to);
@@ -91,7 +88,7 @@ static double next_end(const layer *l, double t)
                            passing(from, to, 4 * (from + t * (to - from)))};
     double next = 1;
     for (int i = 0; i < 3; i++)
-        if (ends[i] > t + CLOSE && ends[i] < next)
+        if (ends[i] > t && ends[i] < next)
             next = ends[i];
     return next;
 }

@@ -36,7 +36,7 @@ static const rw_patch UNKNOWN = {NAN, NAN};
 
 bool rw_memory_create(rw_memory *memory)
 {
-    *memory = (rw_memory){0};
+    *memory = (rw_memory){.level = 1};
     if (!rw_memory_reserve(memory, 4))
         return false;
     memory->corners[memory->count++] = origin(0, 0);
@@ -51,6 +51,7 @@ bool rw_memory_copy(const rw_memory *memory, rw_memory *copy)
     memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
     copy->count = memory->count;
     copy->shared = memory->shared;
+    copy->level = memory->level;
     return true;
 }
 
@@ -136,24 +137,46 @@ static void alter(rw_memory *memory, size_t first)
         memory->shared = first;
 }
 
+/* A corner is new, or has another tilt. */
+static void note_level(rw_memory *memory, size_t i)
+{
+    const rw_corner *corner = &memory->corners[i];
+    if (memory->level >= i)
+        memory->level =
+            corner->tilt == 0 && corner->stretch == memory->corners[0].stretch ? i + 1 : i;
+}
+
+void rw_memory_relevel(rw_memory *memory)
+{
+    memory->level = 1;
+    for (size_t i = 1; i < memory->count; i++)
+        note_level(memory, i);
+}
+
+static void append(rw_memory *memory, rw_corner corner)
+{
+    memory->corners[memory->count] = corner;
+    note_level(memory, memory->count++);
+}
+
 /* A new end of the path. */
 static void push(rw_memory *memory, rw_loading to, double ratio)
 {
     const double load = to.load, shear = to.shear;
     rw_corner corner = {load, shear, to.tilt, to.stretch, ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
-    rw_corner *end = &memory->corners[memory->count - 1];
-    if (load <= end->load) /* within rounding of the corner that is there */
+    if (load <= rw_memory_end(memory)->load) /* within rounding of the corner that is there */
         return;
     double least, most;
     if (!is_straight(memory, load, shear, &least, &most)) {
-        memory->corners[memory->count++] = corner;
+        append(memory, corner);
         return;
     }
     corner.ratio = joint_ratio(memory, load, shear, ratio);
     corner.least = least;
     corner.most = most;
     alter(memory, memory->count - 1);
-    *end = corner;
+    memory->count--;
+    append(memory, corner);
 }
 
 double rw_trail_shear(const rw_trail *trail, double load)
@@ -266,13 +289,14 @@ void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_load
     memory->count = departure->kept;
     alter(memory, memory->count);
     if (departure->corner.load > memory->corners[memory->count - 1].load)
-        memory->corners[memory->count++] = departure->corner;
+        append(memory, departure->corner);
     if (slip != 0) {
         push(memory, to, slip);
     } else if (load < end.load && load > 0) {
         alter(memory, memory->count - 1);
         memory->corners[memory->count - 1].load = load; /* to the last bit */
         memory->corners[memory->count - 1].tilt = to.tilt;
+        note_level(memory, memory->count - 1);
     } else if (load > end.load) {
         const double rise = shear - end.shear, run = load - end.load;
         /* a ring of rounding alone, without shear, is not */

@@ -41,11 +41,13 @@ typedef struct {
 } rw_corner;
 
 /* corners[0] is the origin. The first `shared` of them are as they were when they were last kept:
- * slip_origin.h. */
+ * slip_origin.h. Those from the
+ * second on and before `level` have no tilt and the origin's stretch. */
 typedef struct {
     rw_corner *corners;
     size_t count, capacity;
     size_t shared;
+    size_t level;
 } rw_memory;
 
 /* How a path that is kept branches off one that was kept before. Its corners are that one's up to
@@ -104,6 +106,17 @@ void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_load
 /* A new path that goes straight to a load, from an origin with that load's tilt and stretch: of a
  * contact that slides, or that has no friction. */
 void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio);
+
+/* Whether all of it, and this load, have one stretch and no tilt: the history of P and Q alone. */
+static inline bool rw_memory_is_plain(const rw_memory *memory, rw_loading to)
+{
+    const rw_corner *origin = &memory->corners[0];
+    return to.tilt == 0 && origin->tilt == 0 && origin->stretch == to.stretch &&
+           memory->level >= memory->count;
+}
+
+/* Finds `level` of corners that were set from outside. */
+void rw_memory_relevel(rw_memory *memory);
 
 /* The last corner. */
 static inline const rw_corner *rw_memory_end(const rw_memory *memory)

@@ -108,20 +108,24 @@ static double primitive(const outside *o, double w)
 /* Where the closed form neither cancels next to the edge nor far away. */
 static const double NEAR = 0.06, FAR = 2;
 
+/* More panels than a patch of the domain can need: none of its angles is below 1e-160, no w above
+ * 400. */
+enum { PANELS_MAX = 1024 };
+
 /* Panels as long as w is far from the singularities, at distances of the angles between the ends
- * and the edge. */
+ * and the edge. NaN of a patch without width, of which no panel has a length. */
 static double integrate(rw_function f, const outside *o, double from, double to)
 {
     double sum = 0, first = 1;
     for (int i = 0; i < 2; i++)
         if (o->ends.is_inside[i])
             first = fmin(first, rw_angle(o->ends.sine[i], o->ends.cosine[i]));
-    while (from < to) {
+    for (int i = 0; i < PANELS_MAX && from < to; i++) {
         const double next = fmin(to, from + fmin(2, fmax(first, from)));
         sum += rw_integral(f, o, from, next);
         from = next;
     }
-    return sum;
+    return from < to ? NAN : sum;
 }
 
 static double plain_slope(double w, const void *context)
@@ -187,7 +191,7 @@ static double displacement(const rw_memory *path, size_t first, double a, double
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
         sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
     }
-    if (first > 1)
+    if (first > 1 && first < path->count)
         sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
     return sum;
 }

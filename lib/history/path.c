@@ -32,16 +32,6 @@ static double half_width(rw_patch patch)
     return rw_patch_half_width(patch);
 }
 
-bool rw_path_is_plain(const rw_memory *memory, rw_loading to)
-{
-    if (to.tilt != 0)
-        return false;
-    for (size_t i = memory->count; i-- > 0;)
-        if (memory->corners[i].tilt != 0 || memory->corners[i].stretch != to.stretch)
-            return false;
-    return true;
-}
-
 /* ---- Conditions ---- */
 
 static double tilt_tolerance(const rw_memory *memory, rw_loading to)
@@ -349,7 +339,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
 
 rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
 {
-    if (s->to.load == 0 || rw_path_is_plain(s->memory, s->to)) {
+    if (s->to.load == 0 || rw_memory_is_plain(s->memory, s->to)) {
         *departure = rw_memory_departure(s->memory, s->to);
         return RW_NO_OBSTACLE;
     }
@@ -359,4 +349,10 @@ rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
     rw_memory shorter;
     rw_step rest;
     return leaves_layer(s, &shorter, &rest) ? rw_path_departure(&rest, departure) : found;
+}
+
+bool rw_path_separates_stuck(const rw_step *s)
+{
+    const rw_departure d = rw_memory_departure(s->memory, s->to);
+    return sticking_recession(s, &d) == RW_NO_OBSTACLE;
 }

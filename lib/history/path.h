@@ -28,7 +28,6 @@ typedef enum {
 /* What is in the way; the departure for the step's load, its patch known, where nothing is. */
 rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
 
-/* Whether all of it has one stretch and no tilt: the history of P and Q alone. */
-bool rw_path_is_plain(const rw_memory *memory, rw_loading to);
-
+/* Whether a step that separates the bodies slips nowhere on its way. */
+bool rw_path_separates_stuck(const rw_step *step);
 #endif

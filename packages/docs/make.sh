@@ -11,7 +11,7 @@ epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGE
 
 cmake -S "$top" -B "$build" -DRWEDGE_BUILD_CLI=ON >/dev/null
 cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge_cli rwedge >/dev/null
-sh "$top/docs/make.sh" "$build" && status=0 || status=$?
+sh "$top/packages/docs/write.sh" "$build" && status=0 || status=$?
 [ $status != 77 ] || echo "not made: $name.zip, for lack of gnuplot or of Sphinx" >>"$tested"
 [ $status = 0 ] || exit $status
 
@@ -22,5 +22,5 @@ python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$work/$name"
 [ $# = 3 ] || exit 0 # untested
 mkdir "$work/a folder"
 python3 -m zipfile -e "$packages/$name.zip" "$work/a folder"
-python3 -B "$top/docs/check.py" "$work/a folder/$name"
+python3 -B "$top/packages/docs/check.py" "$work/a folder/$name"
 echo "tested: $name.zip: unpacked, every link leads to a place in it, and nothing is loaded from elsewhere" >>"$tested"

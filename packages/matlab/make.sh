@@ -7,7 +7,6 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
 build=$1 packages=$2 tested=${3-/dev/null}
-binding=$top/bindings/matlab
 version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 name=rwedge-$version-matlab
 epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
@@ -17,8 +16,8 @@ folder=$work/$name
 rm -rf "$work"
 mkdir -p "$folder"
 
-cp -r "$binding/build_rwedge.m" "$binding/rwedge_mex.c" "$binding/rwedge_example.m" "$binding/functions" "$binding/README.md" \
-    "$top/bindings/interface/entries.h" "$folder"
+sh "$top/bindings/private.sh" "$build"
+cp -r "$build/private/prefix/share/rwedge/matlab/." "$folder"
 sed "s/@VERSION@/$version/" "$here/start-here.txt" >"$folder/start-here.txt"
 
 # library SYSTEM LIBRARY... - all its members as one, with the header beside
@@ -34,7 +33,6 @@ library()
     (cd "$work/members" && LC_ALL=C && ar rcsD "$made" ./*)
     rm -r "$work/members"
 }
-sh "$top/bindings/private.sh" "$build"
 library "linux-$(uname -m)" "$build/private/prefix/lib/librwedge.a"
 inside='gsl lapack'
 windows=$build/excel

@@ -23,10 +23,10 @@ cmake -S "$source" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER="$P
     -DCMAKE_C_FLAGS=-DRW_BASELINE -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none \
     -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF
 cmake --build library --parallel 2 --target rwedge_objects
-python3 -B "$source/bindings/interface/write_python.py" "$source/include/rwedge.h" made
+python3 -B "$source/bindings/interface/generate.py" made python
 for file in packages/dgelsd bindings/python/src/loops; do
     # shellcheck disable=SC2086
-    ./compiler -std=c99 $options -Iinclude -Imade -I"$source/include" -c "$source/$file.c" -o "made/${file##*/}.o"
+    ./compiler -std=c99 $options -Iinclude -Imade/python -I"$source/include" -c "$source/$file.c" -o "made/${file##*/}.o"
 done
 # what Apple's system offers to arm64 is listed under names that this linker may not know
 sed 's/arm64e\.x1-/arm64-/g' "$zig"/venv/lib/python3*/site-packages/ziglang/lib/libc/darwin/libSystem.tbd >libSystem.tbd

@@ -99,7 +99,7 @@ with_musl()
     [ -f "$musl" ] || return 0 # make.sh has said it
     unpacked "$musl"
     [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
-    "$compiler" -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
+    "$compiler" -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
         -Wl,-rpath,"$work/there/rwedge" -o there/door
     "$@" there/door <calls >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "two machines differ, both with musl's mathematics"
@@ -142,7 +142,7 @@ else
     [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
     grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
     LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
-    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$top/bindings/interface" "$top/tests/doors/door.c" \
+    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/doors/door.c" \
         there/rwedge/_rwedge.dll -o there/rwedge/door.exe
     trap end_wine EXIT
     start_wine

@@ -19,7 +19,7 @@ made=$work/windows
 folder=$work/$name
 rm -rf "$folder"
 mkdir -p "$folder/c" "$folder/licences" "$folder/tables/decimal-comma"
-cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$top/bindings/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" \
+cp "$made/bin/rwedge.exe" "$made/bin/rwedge.dll" "$work/build/made/excel/rwedge.bas" "$top/tables/rounded-wedge.xlsx" \
     "$top/tables/rounded-wedge.html" "$folder"
 sed "s/@VERSION@/$version/" "$here/start-here.html" >"$folder/start-here.html"
 cp "$top/include/rwedge.h" "$made/lib/librwedge.dll.a" "$folder/c"

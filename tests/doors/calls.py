@@ -74,10 +74,11 @@ OWN = {
 }
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9}
-# The objects, each with the calls that change it: normal load, both loads together, Q reversed, P and Q to and fro; with
+# The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; with
 # moment and tension.
 OBJECTS = {
-    "contact": [("contact_load", pair) for pair in
+    "contact": [("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
+               [("contact_load", pair) for pair in
                 ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))] +
                [("contact_apply", four) for four in
                 ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
@@ -188,7 +189,7 @@ def objects():
             steps = history if maker.method == "create" else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
-                if arguments[0] == 0:
+                if arguments[0] == 0 or len(arguments) == 1:
                     continue  # separated, it tells nothing
                 for f in readers:
                     sample(f, 1 if maker.method != "create" else 2)

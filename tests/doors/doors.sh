@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 sh "$source/bindings/private.sh" "$build"
 
 python3 -B "$here/calls.py" >"$work/calls.csv"
-set -- -I"$source/include" -I"$source/bindings/interface" "$here/door.c"
+set -- -I"$source/include" -I"$build/made/c" "$here/door.c"
 cc -std=c99 "$@" -o "$work/c" -L"$build/lib" -lrwedge -Wl,-rpath,"$build/lib"
 cc -std=c99 "$@" -o "$work/private" "$build/private/prefix/lib/librwedge.a" -lm
 c++ -x c++ "$@" -x none -o "$work/c++" -L"$build/private/prefix/lib" -lrwedge -Wl,-rpath,"$build/private/prefix/lib"

@@ -37,6 +37,7 @@ SYMMETRIC = {name: {"sxx", "syy"} for name in ("von_mises", "out_of_plane_stress
 interface = read(TOP / "include" / "rwedge.h")
 BUILD = Path(sys.argv[1] if len(sys.argv) > 1 else "build").resolve()
 PRIVATE = BUILD / "private" / "prefix"
+MADE = BUILD / "private" / "made"
 ARCHIVE = str(PRIVATE / "lib" / "librwedge.a")
 SHARES = os.cpu_count() or 1  # rounds at the same time
 
@@ -114,7 +115,7 @@ class C:
 
     def __init__(self, work):
         self.work = work
-        self.files = [INTERFACE / "entries.h"]
+        self.files = [MADE / "c" / "entries.h"]
 
     def sites(self, texts):
         (file,) = self.files
@@ -131,7 +132,7 @@ class Fortran:
 
     def __init__(self, work):
         self.work = work
-        self.files = [TOP / "bindings" / "fortran" / "rwedge.f90"]
+        self.files = [MADE / "fortran" / "rwedge.f90"]
 
     def sites(self, texts):
         (file,) = self.files
@@ -142,7 +143,7 @@ class Fortran:
 
     def answers(self, texts, calls):
         (self.work / "rwedge.f90").write_text(texts[self.files[0]])
-        run("gfortran", "-O0", "-w", "rwedge.f90", TOP / "bindings" / "fortran" / "door.f90", ARCHIVE, "-lm", "-o", "door",
+        run("gfortran", "-O0", "-w", "rwedge.f90", MADE / "fortran" / "door.f90", ARCHIVE, "-lm", "-o", "door",
             cwd=self.work)
         return run(self.work / "door", input=calls)
 
@@ -152,8 +153,8 @@ class Matlab:
 
     def __init__(self, work):
         self.work, self.built = work, None
-        self.functions = sorted((TOP / "bindings" / "matlab" / "functions").glob("*.m"))
-        self.files = [INTERFACE / "entries.h", *self.functions]
+        self.functions = sorted((MADE / "matlab").glob("*.m"))
+        self.files = [MADE / "c" / "entries.h", *self.functions]
         self.include = run("mkoctfile", "-p", "OCTINCLUDEDIR").strip()
 
     def sites(self, texts):
@@ -226,7 +227,7 @@ class Excel:
 
     def __init__(self, work):
         self.work = work
-        self.files = [TOP / "bindings" / "excel" / "rwedge.bas"]
+        self.files = [MADE / "excel" / "rwedge.bas"]
         folder = BUILD / "excel"
         self.given = [TOP / "include/rwedge.h", folder / "prototypes", folder / "tables"]
 

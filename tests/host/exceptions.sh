@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The library raises no floating-point exception but inexact and underflow. This is tried with every compiler that is here, at
 # every level of optimisation, and with every width of vectors that this processor has.
-#     exceptions.sh SOURCE [COMPILER...]
+#     exceptions.sh SOURCE BUILD [COMPILER...]
 set -eu
+build=$(cd "$2" && pwd)
 cd "$1"
-shift
+shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 . tests/support/compilers.sh
@@ -23,7 +24,7 @@ processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,
 build_tests()
 {
     for test in host/test_calls host/calls/calls host/calls/edges host/calls/together host/calls/sequences host/test_host lib/stress/test_batches support/claims support/quadrature; do
-        "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -Ibindings/interface -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
+        "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -I"$build/made/c" -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
             -o "$work/$(basename "$test").o"
     done
 }

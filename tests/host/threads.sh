@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs under the thread sanitizer: eight threads with shared handles give the same bits without a data race. So do the threads of
-# the tool.    threads.sh SOURCE
+# the tool.    threads.sh SOURCE BUILD
 set -eu
+build=$(cd "$2" && pwd)
 cd "$1"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -40,7 +41,7 @@ for compiler in gcc clang; do
 done
 [ -n "$compiler" ] || { echo "SKIPPED: no compiler here whose thread sanitizer finds a race"; exit 77; }
 
-$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -Ibindings/interface -Itests/support lib/*/*.c \
+$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -I"$build/made/c" -Itests/support lib/*/*.c \
     tests/host/test_threads.c tests/support/every_function.c tests/support/claims.c -o "$work/threads" \
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
 $compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/system/test_ahead.c cli/system/ahead.c cli/text/message.c cli/text/utf8.c \

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every C file of the project compiles alone by the strict rules of newer compilers. Every function is declared; no type is
 # implied to be int.
-#     alone.sh SOURCE
+#     alone.sh SOURCE BUILD
 set -eu
+build=$(cd "$2" && pwd)
 cd "$1"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 options='-std=c99 -Wall -Wextra -Wpedantic -Werror=implicit -fsyntax-only -D_XOPEN_SOURCE=700 -DTEST_DATA="" -DTABLES=""'
-options="$options -DOPTIMISED_BUILD=0 -Iinclude -Ilib -Icli -Ibindings/interface"
+options="$options -DOPTIMISED_BUILD=0 -Iinclude -Ilib -Icli"
 options="$options -Itests/host -Itests/host/calls -Itests/random -Itests/speed -Itests/support"
 flint=/usr/include/flint/arb.h
 [ ! -f $flint ] || options="$options -DBALLS_IN_FLINT"
@@ -23,7 +24,7 @@ for file in $(find bindings cli lib tests -name '*.c' | sort); do
     if ! command -v $compiler >/dev/null; then
         echo "SKIPPED: $file: no $compiler here"
     # shellcheck disable=SC2086
-    elif $compiler $options "$file" 2>"$work/said"; then
+    elif $compiler $options -I"$build/made/c" "$file" 2>"$work/said"; then
         compiled=$((compiled + 1))
     elif grep -q 'fatal error: [^ ]*: No such file' "$work/said"; then
         echo "SKIPPED: $file: $(sed -n 's/.*fatal error: //p' "$work/said" | head -n 1)"

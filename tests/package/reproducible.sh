@@ -50,13 +50,13 @@ while read -r name; do
 done <"$work/inexact"
 
 # Bit for bit: a program that prints the bits of results of every function.
-printer='-Iinclude -Ilib -Ibindings/interface -Itests/support tests/support/every_function.c tests/package/print_bits.c'
+printer='-Iinclude -Ilib -Itests/support tests/support/every_function.c tests/package/print_bits.c'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had
 print_bits_of()
 {
     name=$1
     shift
-    "$@" -lgsl -lgslcblas -llapack -lm -o "$work/$name-program" && "$work/$name-program" >"$work/$name-now" &&
+    "$@" -I"$build/made/c" -lgsl -lgslcblas -llapack -lm -o "$work/$name-program" && "$work/$name-program" >"$work/$name-now" &&
         mv "$work/$name-now" "$work/$name"
 }
 # of_all_files NAME COMPILER OPTIONS... - of the library compiled with these options

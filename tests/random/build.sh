@@ -17,9 +17,10 @@ done
 [ -n "$clang" ] || { echo "SKIPPED: no clang with libFuzzer here (Debian: clang, libclang-rt-dev)"; exit 77; }
 # The project under a short name: lists of flags and commands then need no quotes, even where its path has a space.
 ln -sfn "$source" source
+python3 -B source/bindings/interface/generate.py made c
 flags="-std=c99 -gline-tables-only -O1 -ffp-contract=off -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined"
 flags="$flags -fno-sanitize-recover=all -D_XOPEN_SOURCE=700 -DRW_CHECKED -Isource/include -Isource/lib -Isource/cli"
-flags="$flags -Isource/tests/host/calls -Isource/tests/random -Isource/bindings/interface"
+flags="$flags -Isource/tests/host/calls -Isource/tests/random -Imade/c"
 flags="$flags $(pkg-config --cflags popt jansson gsl)"
 libraries="$(pkg-config --libs popt jansson gsl) -lcsv -llapack -lm"
 
@@ -46,6 +47,9 @@ done
 compile "source/tests/random/messages.c" "source/tests/random/file.c"
 tool=$objects
 objects=
+compile "source/tests/random/until_exit.c"
+until_exit=$objects
+objects=
 compile source/tests/host/calls/*.c
 calls=$objects
 # seeds TARGET - a file of seeds/TARGET/ for every line of the target's seeds.
@@ -65,7 +69,13 @@ done
 xargs -P "${JOBS:-2}" -I{} sh -c '{}' <commands
 rm -f tool.a
 ar rc tool.a $tool
+wraps=
+for call in malloc calloc realloc free strdup csv_init iconv_open iconv_close file_to_read file_to_write atexit exit; do
+    wraps="$wraps -Wl,--wrap=$call"
+done
 for target in $targets; do
-    "$clang" -fsanitize=fuzzer,address,undefined "fuzz_$target.o" $calls tool.a $library $libraries -o "fuzz_$target"
+    ends=
+    case $target in csv | batch) ends="$until_exit $wraps" ;; esac
+    "$clang" -fsanitize=fuzzer,address,undefined "fuzz_$target.o" $calls $ends tool.a $library $libraries -o "fuzz_$target"
 done
 echo "$clang: $targets"

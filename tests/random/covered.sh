@@ -8,7 +8,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 python3 -B bindings/interface/header.py --names include/rwedge.h >"$work/declared"
 grep -q '^rwedge_' "$work/declared" || { echo "FAILED: the header declares no function"; exit 1; }
-cat tests/random/targets/*.c tests/host/calls/*.c bindings/interface/entries.h >"$work/targets"
+python3 -B bindings/interface/generate.py "$work" c
+cat tests/random/targets/*.c tests/host/calls/*.c "$work/c/entries.h" >"$work/targets"
 status=0
 while read -r function; do
     grep -qw "$function" "$work/targets" || {

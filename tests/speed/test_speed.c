@@ -229,6 +229,77 @@ static void yield_factors_take_few_points(void **state)
     rwedge_contact_destroy(worn(250));
 }
 
+/* ---- Many loads ---- */
+
+/* Reversals under one P; `falling` makes each smaller than the last, so that all are remembered. */
+static rwedge_contact *reversals(long loads, bool falling, double P[], double Q[])
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact), RWEDGE_OK);
+    for (long i = 0; i < loads; i++) {
+        P[i] = 20000;
+        Q[i] =
+            (i % 2 ? 0.9 : -0.9) * (falling ? 12000 * (1 - (double)i / ((double)loads + 1)) : 6000);
+    }
+    return contact;
+}
+
+enum { LOADS = 2000 };
+
+/* Stresses at two points after each load. */
+static double history_of(long loads, bool falling)
+{
+    static double P[LOADS], Q[LOADS], zero[LOADS];
+    rwedge_contact *contact = reversals(loads, falling, P, Q);
+    assert_int_equal(rwedge_contact_stress_history(contact, (size_t)loads, P, zero, Q, zero, 2, x,
+                                                   y, sxx, syy, txy),
+                     RWEDGE_OK);
+    rwedge_contact_destroy(contact);
+    return sxx[0];
+}
+
+static double calls_of(long loads, bool falling)
+{
+    static double P[LOADS], Q[LOADS];
+    rwedge_contact *contact = reversals(loads, falling, P, Q);
+    for (long i = 0; i < loads; i++) {
+        assert_int_equal(rwedge_contact_apply(contact, P[i], 0, Q[i], 0), RWEDGE_OK);
+        assert_int_equal(rwedge_contact_stresses(contact, 2, x, y, sxx, syy, txy), RWEDGE_OK);
+    }
+    rwedge_contact_destroy(contact);
+    return sxx[0];
+}
+
+static double history_of_growing_memory(long loads)
+{
+    return history_of(loads, true);
+}
+
+static double calls_of_growing_memory(long loads)
+{
+    return calls_of(loads, true);
+}
+
+static double history_of_a_cycle(long loads)
+{
+    return history_of(loads, false);
+}
+
+static double calls_of_a_cycle(long loads)
+{
+    return calls_of(loads, false);
+}
+
+/* Seen: 15 and 2; once 0.04, because each load was noted with all of its memory. */
+static void a_stress_history_is_not_slower_than_its_calls(void **state)
+{
+    (void)state;
+    assert_ratio("calls / history, growing memory", calls_of_growing_memory, LOADS,
+                 history_of_growing_memory, LOADS, 1 / 1.2);
+    assert_ratio("calls / history, a cycle", calls_of_a_cycle, LOADS, history_of_a_cycle, LOADS,
+                 1 / 1.2);
+}
+
 int main(void)
 {
     if (!OPTIMISED_BUILD || IS_SANITIZED) {
@@ -246,6 +317,7 @@ int main(void)
         cmocka_unit_test(time_grows_linearly),
         cmocka_unit_test(limits_beat_the_search),
         cmocka_unit_test(yield_factors_take_few_points),
+        cmocka_unit_test(a_stress_history_is_not_slower_than_its_calls),
     };
     return RUN_CLAIMS("speed", tests);
 }

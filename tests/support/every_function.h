@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results of every function of the header, for comparison bit by bit: between compilers
  * (print_bits.c) and between threads (test_threads.c). The functions and the domains of their
- * arguments are those of bindings/interface/entries.h: no function is listed by hand. */
+ * arguments are those of bindings/interface's entries.h: no function is listed by hand. */
 #ifndef EVERY_FUNCTION_H
 #define EVERY_FUNCTION_H
 

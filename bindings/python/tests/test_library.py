@@ -25,10 +25,10 @@ def test_version_is_that_of_the_header():
     assert f'RWEDGE_VERSION "{rwedge.__version__}"' in (TOP / "include" / "rwedge.h").read_text()
 
 
-def test_door_prints_the_bits_of_the_c_library(compiled, private, run):
+def test_door_prints_the_bits_of_the_c_library(compiled, private, run, tmp_path):
     calls = subprocess.run([sys.executable, "-B", TOP / "tests/doors/calls.py"], capture_output=True, text=True, check=True).stdout
-    door = compiled("door", TOP / "tests/doors/door.c", f"-I{private}/include", f"-I{TOP}/bindings/interface",
-                    f"{private}/lib/librwedge.a", "-lm")
+    run("-B", TOP / "bindings/interface/generate.py", tmp_path, "c")
+    door = compiled("door", TOP / "tests/doors/door.c", f"-I{private}/include", f"-I{tmp_path}/c", f"{private}/lib/librwedge.a", "-lm")
     expected = subprocess.run([door], input=calls, capture_output=True, text=True, check=True).stdout
     assert expected.count("\n") == calls.count("\n") > 900
     assert run(PACKAGE / "tests/door.py", input=calls) == expected

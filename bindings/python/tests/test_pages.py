@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The calls that the pages of docs/ show for Python work, and give as many results as the header says."""
+"""The calls that the pages of packages/docs/ show for Python work, and give as many results as the header says."""
 import numpy as np
 import pytest
 
 import rwedge
 from conftest import CLONE
 
-pytestmark = pytest.mark.skipif(not (CLONE / "docs/examples.py").is_file(), reason="the source distribution has no docs/")
+pytestmark = pytest.mark.skipif(not (CLONE / "packages/docs/examples.py").is_file(), reason="the source distribution has no packages/")
 
 
 def test_the_calls_on_the_pages_work(monkeypatch):
-    for folder in ("docs", "bindings/interface"):
+    for folder in ("packages/docs", "bindings/interface"):
         monkeypatch.syspath_prepend(str(CLONE / folder))
     import examples
     from header import read
@@ -22,7 +22,8 @@ def test_the_calls_on_the_pages_work(monkeypatch):
         if not call:
             continue  # something else is said to serve there
         contact = rwedge.Contact(0.01, 2, 1.82e-5, 0.3)
-        contact.load([2000, 2000], [0, 300])
+        if f.name not in examples.UNLOADED:
+            contact.load([2000, 2000], [0, 300])
         names = {"rwedge": rwedge, "contact": contact, "series": rwedge.Series(0.25, 4), "state": contact.state()}
         result = eval(call.rpartition(" = ")[2], names)
         called += 1

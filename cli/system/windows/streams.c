@@ -43,6 +43,15 @@ FILE *stream_temporary(void)
     return new_name(name) ? open_last_time(name) : NULL;
 }
 
+/* The one that is there; NULL for none. */
+static spool *spooled;
+
+static void end_spooled(void)
+{
+    if (spooled != NULL)
+        spool_end(spooled);
+}
+
 /* Windows does not let a library write to what is open here: it is opened again afterwards. */
 bool spool_begin(spool *file)
 {
@@ -54,7 +63,8 @@ bool spool_begin(spool *file)
         return false;
     snprintf(file->name, sizeof file->name, "%s", name);
     free(name);
-    return true;
+    spooled = file;
+    return atexit(end_spooled) == 0;
 }
 
 FILE *spool_read(spool *file)
@@ -69,6 +79,7 @@ FILE *spool_read(spool *file)
 
 void spool_end(spool *file)
 {
+    spooled = NULL;
     wchar_t *name = file->stream == NULL ? wide_of(file->name) : NULL;
     if (file->stream != NULL)
         fclose(file->stream);

@@ -115,8 +115,8 @@ ZSH
 fi
 
 # The man page: every option and command of the help is in it, and no other.
-page=$here/../../../cli/rwedge.1
-sed 's/\\-/-/g' "$page" | grep -v '^\.\\"' >plain
+sh "$here/../../../cli/manual.sh" "$rwedge" 2026-11-22 >page
+sed 's/\\-/-/g' page | grep -v '^\.\\"' >plain
 grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' plain | sort -u >in_page
 {
     every_option ""
@@ -130,10 +130,10 @@ for command in $(cat commands) elastic-limit max-tension contact-law critical-fr
     same "has $command" yes "$(grep -q -e "$command" plain && echo yes)"
 done
 if command -v mandoc >/dev/null 2>&1; then
-    same "mandoc -Tlint -Wwarning" "" "$(mandoc -Tlint -Wwarning "$page")"
+    same "mandoc -Tlint -Wwarning" "" "$(mandoc -Tlint -Wwarning page)"
 fi
 if man --version 2>/dev/null | grep -q '^man 2'; then
-    same "man --warnings" "" "$(LC_ALL=C.UTF-8 man -l --warnings "$page" 2>&1 >/dev/null)"
+    same "man --warnings" "" "$(LC_ALL=C.UTF-8 man -l --warnings ./page 2>&1 >/dev/null)"
 fi
 
 finish

@@ -130,6 +130,13 @@ fails "line 3: Q: the cell is empty" 'P,Q\n100,0\n100,\n'
 fails "column Q: missing; a history needs P and Q" 'P,M\n1,2\n'
 fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" 'P;Q\n100,5;0\n'
 fails "empty; needed: a header row with the names of the columns" ''
+fails "column 'sigma / MPa': allowed: sigma" 'P,Q,sigma / MPa\n1,0,0\n'
+fails "line 3: a quote that is not closed" 'P,Q\n1,0\n1,"0\n1,0\n'
+printf 'P,Q,T\n100,10,5\n100,-10,x\n' >unused.csv
+run history unused.csv $specimen
+message_is "rwedge history: unused.csv: columns with numbers that are not used: 'T'"
+same "in the warnings of the row that has one" "columns with numbers that are not used: 'T'|-" \
+    "$(column warnings out | paste -s -d '|' -)"
 fails "no loads; needed: rows of P and Q" 'P,Q\n'
 fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
 printf 'P;Q\n135,75;30\n135,75;-30\n' >comma.csv
@@ -159,6 +166,9 @@ printf 'x,y\n1,2\n1,2,5\n' >bad.csv
 cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,"2\n1,2\n' >bad.csv
 cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
+printf 'node,x,y,S11\n1,0,0,-5.3\n' >stress.csv
+run history loads.csv $specimen --points stress.csv
+message_is "rwedge history: stress.csv: columns with numbers that are not used: 'S11'"
 refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \
     history loads.csv $specimen --points points.csv -o points.csv
 run history loads.csv $specimen --points points.csv

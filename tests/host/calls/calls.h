@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every public function as a call of doubles, for tests that try them all with whatever arguments.
- * The functions and the domains are those of bindings/interface/entries.h; beside them are some
+ * The functions and the domains are those of bindings/interface's entries.h; beside them are some
  * sequences of calls. */
 #ifndef CALLS_H
 #define CALLS_H

@@ -2,7 +2,9 @@
 /* A contact as numbers. */
 #include "histories.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { MOST = 4096 };
 
@@ -113,21 +115,134 @@ static void sign(size_t n, double numbers[])
     numbers[1] = (double)(sum >> 12);
 }
 
-/* What still is a contact may be used. */
-static void assert_refused_or_usable(size_t n, double numbers[])
+/* Every function, within a second of the processor's time. */
+static void use(rwedge_contact *contact)
+{
+    enum { N = 9 };
+    const clock_t start = clock();
+    double left = -1, right = 1, x[N], y[N], p[N], q[N], s[N], factor;
+    (void)rwedge_contact_edges(contact, &left, &right);
+    for (int i = 0; i < N; i++) {
+        x[i] = left + i * ((right - left) / (N - 1));
+        y[i] = i % 2 * (right - left) / 4;
+    }
+    x[N - 1] = right;
+    (void)rwedge_contact_stick_zone(contact, &left, &right);
+    (void)rwedge_contact_edge_asymptotes(contact, p, q, p + 1, q + 1);
+    (void)rwedge_contact_memory(contact);
+    (void)rwedge_contact_tractions(contact, N, x, p, q);
+    (void)rwedge_contact_slip(contact, N, x, s);
+    (void)rwedge_contact_stresses(contact, N, x, y, p, q, s);
+    (void)rwedge_contact_yield_factor(contact, 0.3, 1, &factor, NULL, NULL);
+    const rw_loads l = contact->loads;
+    const rw_loads next[] = {{l.P, l.M, -l.Q, l.sigma},
+                             {l.P, l.M, l.Q / 2, -l.sigma},
+                             {1.1 * l.P, 1.1 * l.M, l.Q, l.sigma},
+                             {l.P / 2, l.M / 2, l.Q / 2, l.sigma},
+                             {0.5, 0, 0.01, 0},
+                             {0, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof next / sizeof *next; i++) {
+        (void)rwedge_contact_obstacle(contact, next[i].P, next[i].M, next[i].Q, next[i].sigma);
+        (void)rwedge_contact_apply(contact, next[i].P, next[i].M, next[i].Q, next[i].sigma);
+        (void)rwedge_contact_slip(contact, N, x, s);
+    }
+    assert_true(clock() - start < CLOCKS_PER_SEC);
+}
+
+static bool is_usable(size_t n, double numbers[])
 {
     rwedge_contact *restored = NULL;
     sign(n, numbers);
     const int32_t status = rwedge_contact_restore(n, numbers, &restored);
-    if (status == RWEDGE_OK) {
-        double left, right;
-        (void)rwedge_contact_edges(restored, &left, &right);
-        (void)rwedge_contact_apply(restored, 0.5, 0, 0.01, 0);
-        rwedge_contact_destroy(restored);
-    } else {
+    if (status != RWEDGE_OK) {
         assert_int_equal(status, RWEDGE_EDOMAIN);
         assert_null(restored);
+        return false;
     }
+    use(restored);
+    rwedge_contact_destroy(restored);
+    return true;
+}
+
+/* Of a contact, centred or not, that has slipped to and fro. */
+static size_t worn_state(int number, double numbers[])
+{
+    random_history h;
+    rwedge_contact *contact = begin(&h, number);
+    const double b = 0.4, M = number % 3 == 0 ? 0 : 0.02 * (number % 5 - 2);
+    for (int i = 0; i < 4 && M == 0; i++)
+        go_on(&h, contact);
+    assert_int_equal(rwedge_contact_apply(contact, 0, 0, 0, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(contact, b, M, 0, 0), RWEDGE_OK);
+    for (int i = 0; i < 4; i++) {
+        const double Q = h.f * b * (i % 2 ? -0.7 : 0.7) / (1 + 0.2 * i);
+        (void)rwedge_contact_apply(contact, b, M, Q, number % 2 * 0.1 * Q);
+    }
+    const size_t n = state_of(contact, numbers);
+    rwedge_contact_destroy(contact);
+    return n;
+}
+
+static double mutated(double value, const double numbers[], size_t n, uint64_t *seed)
+{
+    const double draw = random_fraction(seed);
+    const double other = numbers[(size_t)(random_fraction(seed) * (double)n)];
+    switch ((int)(random_fraction(seed) * 8)) {
+    case 0:
+        return -value;
+    case 1:
+        return other;
+    case 2:
+        return value + other;
+    case 3:
+        return value * pow(10, 40 * draw - 20);
+    case 4:
+        return value * (1 + pow(10, -16 * draw));
+    case 5:
+        return floor(6 * draw) - 2;
+    case 6:
+        return pow(10, 400 * draw - 200);
+    default:
+        return value * (2 * draw - 0.5);
+    }
+}
+
+/* Some once read beyond the memory, and some took minutes. */
+static void mutants_are_refused_or_usable(void **state)
+{
+    (void)state;
+    static double numbers[MOST], mutant[MOST];
+    uint64_t seed = 3;
+    int usable = 0;
+    const char *more = getenv("RWEDGE_MUTANTS");
+    const int mutants = more ? atoi(more) : 1500;
+    for (int number = 0; number < mutants; number++) {
+        const size_t n = worn_state(number % 60, numbers);
+        assert_true(number >= 60 || is_usable(n, numbers));
+        memcpy(mutant, numbers, n * sizeof *mutant);
+        for (double k = 0; k < 3 * random_fraction(&seed); k++) {
+            const size_t i = 2 + (size_t)(random_fraction(&seed) * (double)(n - 2));
+            mutant[i] = mutated(mutant[i], numbers, n, &seed);
+        }
+        usable += is_usable(n, mutant);
+    }
+    assert_true(usable > mutants / 20 && usable < mutants / 2);
+}
+
+/* The stick zone was then sought before the first corner. */
+static void a_path_of_one_corner_has_no_slope(void **state)
+{
+    (void)state;
+    double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    const size_t n = state_of(contact, numbers);
+    for (size_t i = 2; i < n; i++) {
+        double changed[MOST];
+        memcpy(changed, numbers, sizeof changed);
+        changed[i] = 1;
+        (void)is_usable(n, changed);
+    }
+    rwedge_contact_destroy(contact);
 }
 
 static void damage_that_is_signed_does_no_harm(void **state)
@@ -149,20 +264,53 @@ static void damage_that_is_signed_does_no_harm(void **state)
             const double kept = numbers[i];
             for (size_t j = 0; j < sizeof BAD / sizeof *BAD; j++) {
                 numbers[i] = BAD[j];
-                assert_refused_or_usable(n, numbers);
+                (void)is_usable(n, numbers);
             }
             numbers[i] = kept;
-            assert_refused_or_usable(i + 1, numbers);
+            (void)is_usable(i + 1, numbers);
         }
-        assert_refused_or_usable(n + 1, numbers);
+        (void)is_usable(n + 1, numbers);
     }
     const size_t n = state_of(none, numbers);
     numbers[2] = 1e-50; /* theta */
     numbers[4] = 1e50;  /* A: each is in the domain, theta/A is not */
-    assert_refused_or_usable(n, numbers);
+    (void)is_usable(n, numbers);
     rwedge_contact_destroy(centred);
     rwedge_contact_destroy(tilted);
     rwedge_contact_destroy(none);
+}
+
+/* A state of the first version, which did not hold the strain, is that of equal compliances. */
+static void older_states_are_read(void **state)
+{
+    (void)state;
+    enum { STRAIN = 2 + 13 }; /* its place */
+    static double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    load(contact, 0.5, 0.1);
+    const size_t n = state_of(contact, numbers);
+    memmove(numbers + STRAIN, numbers + STRAIN + 1, (n - STRAIN - 1) * sizeof *numbers);
+    numbers[0] = 1;
+    sign(n - 1, numbers);
+    rwedge_contact *restored = restore(n - 1, numbers);
+    assert_same(restored, contact);
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(contact);
+}
+
+static void the_strain_is_in_it(void **state)
+{
+    (void)state;
+    static double numbers[MOST];
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(rwedge_contact_set_strain(contact, A), RWEDGE_OK);
+    rwedge_contact *restored = restore(state_of(contact, numbers), numbers);
+    load(contact, 1, 0);
+    load(restored, 1, 0);
+    assert_true(rwedge_contact_largest_tension_step(restored, 0.1) ==
+                rwedge_contact_largest_tension_step(contact, 0.1));
+    rwedge_contact_destroy(restored);
+    rwedge_contact_destroy(contact);
 }
 
 int main(void)
@@ -172,6 +320,10 @@ int main(void)
         cmocka_unit_test(moment_and_tension_are_in_it),
         cmocka_unit_test(damage_is_noticed),
         cmocka_unit_test(damage_that_is_signed_does_no_harm),
+        cmocka_unit_test(a_path_of_one_corner_has_no_slope),
+        cmocka_unit_test(mutants_are_refused_or_usable),
+        cmocka_unit_test(older_states_are_read),
+        cmocka_unit_test(the_strain_is_in_it),
     };
     return RUN_CLAIMS("contact_state", tests);
 }

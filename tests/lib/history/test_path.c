@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts with moment and bulk tension. */
 #include "histories.h"
+#include "history/off_centre.h"
 #include "quadrature.h"
 
 #include <fenv.h>
@@ -926,6 +927,14 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* The integral once went on without end. */
+static void a_patch_without_width_ends_the_integral_of_its_gap(void **state)
+{
+    (void)state;
+    assert_nan(rw_patch_gap(0.4, (rw_patch){0.1, 0.1}, 0.2));
+    assert_nan(rw_patch_gap(0, (rw_patch){0.5, 0.5}, 0.6));
+}
+
 /* So small a force moves one edge of the slip by less than the rounding of its place. */
 static void the_energy_of_an_edge_that_stays_divides_by_nothing(void **state)
 {
@@ -980,6 +989,7 @@ int main(void)
         cmocka_unit_test(slip_has_one_origin_or_none),
         cmocka_unit_test(slip_is_continuous_in_the_moment),
         cmocka_unit_test(energy_and_slip_say_where_they_are_not_known),
+        cmocka_unit_test(a_patch_without_width_ends_the_integral_of_its_gap),
         cmocka_unit_test(the_energy_of_an_edge_that_stays_divides_by_nothing),
     };
     return RUN_CLAIMS("path", tests);

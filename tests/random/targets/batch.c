@@ -6,6 +6,7 @@
 #include "file.h"
 #include "input.h"
 #include "text/message.h"
+#include "until_exit.h"
 
 static void set_constants(uint8_t kind, input_texts *constants)
 {
@@ -17,21 +18,34 @@ static void set_constants(uint8_t kind, input_texts *constants)
             constants->text[i] = usual[i];
 }
 
+typedef struct {
+    batch what;
+    output_options how;
+    int status;
+} run;
+
+static void run_batch(void *of_run)
+{
+    run *r = of_run;
+    r->status = batch_run(&r->what, &r->how);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     input in = {data, size};
     const uint8_t kind = take_byte(&in);
-    batch what = {
-        .path = file_of(in.data, in.left), .threads = 1, .wanted = {.yield_factor = kind >= 0xf8}};
-    set_constants(kind, &what.constants);
     const bool comma = kind / 8 % 4 == 1;
-    const output_options how = {.format = kind / 8 % 4 == 2 ? &json_format : &delimited_format,
-                                .digits = 17,
-                                .decimal_sign = comma ? ',' : '.',
-                                .separator = comma ? ';' : ',',
-                                .path = "/dev/null",
-                                .quiet = true};
-    const int status = batch_run(&what, &how);
+    run r = {.what = {.path = file_of(in.data, in.left),
+                      .threads = 1,
+                      .wanted = {.yield_factor = kind >= 0xf8}},
+             .how = {.format = kind / 8 % 4 == 2 ? &json_format : &delimited_format,
+                     .digits = 17,
+                     .decimal_sign = comma ? ',' : '.',
+                     .separator = comma ? ';' : ',',
+                     .path = "/dev/null",
+                     .quiet = true}};
+    set_constants(kind, &r.what.constants);
+    const int ended = until_exit(run_batch, &r), status = ended == NO_EXIT ? r.status : ended;
     CLAIM(status == STATUS_DONE || status == STATUS_FAILED || status == STATUS_USAGE, "%d", status);
     return 0;
 }

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "input_options.h"
+
+enum { OTHER_NAMES = 2, CONTACT_INPUTS = INPUT_K };
+
+struct poptOption input_option_table[CONTACT_INPUTS + OTHER_NAMES + 1] = {
+    [CONTACT_INPUTS] = OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
+    OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
+    POPT_TABLEEND,
+};
+struct poptOption strength_option_table[INPUT_COUNT - CONTACT_INPUTS + 1] = {
+    [INPUT_COUNT - CONTACT_INPUTS] = POPT_TABLEEND,
+};
+
+void input_options_prepare(void)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        struct poptOption *option = i < CONTACT_INPUTS ? &input_option_table[i]
+                                                       : &strength_option_table[i - CONTACT_INPUTS];
+        *option = (struct poptOption){.longName = input_kinds[i].option,
+                                      .argInfo = POPT_ARG_STRING,
+                                      .val = OPTION_INPUT + i,
+                                      .descrip = input_kinds[i].meaning,
+                                      .argDescrip = input_kinds[i].argument};
+    }
+}
+
+void input_texts_from_options(const arguments *given, input_texts *texts)
+{
+    *texts = (input_texts){.cell_decimal_sign = '.',
+                           .how_comma = "with --decimal-comma",
+                           .where_else = "columns or options"};
+    for (int i = 0; i < INPUT_COUNT; i++)
+        texts->text[i] = given->value[OPTION_INPUT + i];
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The inputs of a contact as options of a command. */
+#ifndef CLI_INPUT_OPTIONS_H
+#define CLI_INPUT_OPTIONS_H
+
+#include "model/inputs.h"
+#include "options/arguments.h"
+
+/* The numbers of their options; those of a command that has them start after the last. */
+enum { OPTION_INPUT = OPTION_OWN, OPTION_AFTER_INPUTS = OPTION_INPUT + INPUT_COUNT };
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength.
+ * They are empty before the first call of input_options_prepare(). */
+extern struct poptOption input_option_table[], strength_option_table[];
+
+/* Fills the tables with the words of the inputs. */
+void input_options_prepare(void);
+
+/* Those on a command line. */
+void input_texts_from_options(const arguments *given, input_texts *texts);
+
+#endif

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact_case.h"
+
+#include "text/list.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <rwedge.h>
+
+static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.7320508075688772;
+
+/* Two ways to give the same; the second is -1 where there is one way only. */
+typedef struct {
+    int one, other;
+} alternatives;
+
+static const alternatives ways[] = {
+    {INPUT_E1, -1}, {INPUT_NU1, -1}, {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS},
+    {INPUT_P, -1},  {INPUT_F, -1},   {INPUT_K, INPUT_YIELD_STRESS},
+};
+enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
+
+static bool excluded(const input_texts *texts, int one, int other, char complaint[COMPLAINT_SIZE])
+{
+    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: given together with %s; allowed: one of the two",
+             input_name(texts, other, second), texts->text[other], input_name(texts, one, first));
+    return false;
+}
+
+static bool is_needed(const input_texts *texts, int input, case_needs needs)
+{
+    if (input == INPUT_K)
+        return false;
+    if (input == INPUT_P)
+        return needs == CASE_WITH_LOADS || needs == CASE_OF_SOLVE;
+    if (input == INPUT_F && needs == CASE_OF_COURSE)
+        return true;
+    if (input == INPUT_F)
+        return needs == CASE_OF_SOLVE &&
+               (input_is_given(texts, INPUT_Q) || input_is_given(texts, INPUT_SIGMA) ||
+                input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS));
+    return true;
+}
+
+/* Adds it to the list of what is missing. */
+static void add_missing(const input_texts *texts, const alternatives *way,
+                        char complaint[COMPLAINT_SIZE])
+{
+    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
+    const bool two = way->other >= 0;
+    list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
+             complaint[0] == '\0' ? "missing: " : "", input_name(texts, way->one, first),
+             two ? " or " : "", two ? input_name(texts, way->other, second) : "");
+}
+
+/* Body 2 is given whole or not at all: a guess would look like a result. */
+static bool second_body_is_whole(const input_texts *texts, char complaint[COMPLAINT_SIZE])
+{
+    char name[INPUT_NAME_SIZE], other[INPUT_NAME_SIZE];
+    const bool E2 = input_is_given(texts, INPUT_E2), nu2 = input_is_given(texts, INPUT_NU2);
+    if (E2 == nu2)
+        return true;
+    double value;
+    if (E2 && !input_read(texts, INPUT_E2, &value, complaint))
+        return false;
+    if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
+        return true;
+    const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
+    snprintf(complaint, COMPLAINT_SIZE,
+             "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+             input_name(texts, there, name), texts->text[there], input_name(texts, absent, other));
+    return false;
+}
+
+bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE])
+{
+    bool cells = false, friction = false;
+    complaint[0] = '\0';
+    for (int i = 0; i < WAY_COUNT; i++) {
+        const bool one = input_is_given(texts, ways[i].one);
+        const bool other = ways[i].other >= 0 && input_is_given(texts, ways[i].other);
+        if (one && other)
+            return excluded(texts, ways[i].one, ways[i].other, complaint);
+        if (one || other || !is_needed(texts, ways[i].one, needs))
+            continue;
+        add_missing(texts, &ways[i], complaint);
+        cells = cells || texts->is_cell[ways[i].one];
+        friction = friction || ways[i].one == INPUT_F;
+    }
+    if (friction)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "friction has no default %s",
+                 needs == CASE_OF_COURSE ? "here" : "where Q, sigma or a yield stress is given");
+    if (cells && texts->where_else != NULL)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: %s", texts->where_else);
+    return complaint[0] == '\0' && second_body_is_whole(texts, complaint);
+}
+
+static double either(double one, double other)
+{
+    return isnan(one) ? other : one;
+}
+
+static void fill(const double value[INPUT_COUNT], contact_case *setup)
+{
+    setup->E1 = value[INPUT_E1];
+    setup->nu1 = value[INPUT_NU1];
+    setup->E2 = either(value[INPUT_E2], setup->E1);
+    setup->nu2 = either(value[INPUT_NU2], setup->nu1); /* of no effect where body 2 is rigid */
+    setup->theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
+    setup->a = either(value[INPUT_A], rwedge_rounding(setup->theta, value[INPUT_RADIUS]));
+    setup->P = either(value[INPUT_P], 0);
+    setup->M = either(value[INPUT_M], 0);
+    setup->Q = either(value[INPUT_Q], 0);
+    setup->sigma = either(value[INPUT_SIGMA], 0);
+    setup->f = either(value[INPUT_F], 0);
+    setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
+    setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);
+    setup->beta = rwedge_dundurs_beta(setup->E1, setup->nu1, setup->E2, setup->nu2);
+    setup->after = NULL;
+}
+
+int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
+{
+    *contact = NULL;
+    return rwedge_contact_create(setup->theta, setup->a, setup->A, setup->f, contact);
+}
+
+load case_load(const contact_case *setup)
+{
+    return (load){setup->P, setup->M, setup->Q, setup->sigma};
+}
+
+int32_t case_loaded(const contact_case *setup, rwedge_contact **contact)
+{
+    if (setup->after != NULL)
+        return rwedge_contact_copy(setup->after, contact);
+    const int32_t status = case_contact(setup, contact);
+    return status == RWEDGE_OK ? loads_apply_monotonic(case_load(setup), *contact) : status;
+}
+
+/* The library is asked to apply the loads, and so its tolerance counts. */
+static load_fault fault_of_loads(const contact_case *setup)
+{
+    rwedge_contact *contact = NULL;
+    load_fault fault = {.input = INPUT_COUNT};
+    if (case_contact(setup, &contact) == RWEDGE_OK) {
+        const int32_t status = loads_apply_monotonic(case_load(setup), contact);
+        if (status != RWEDGE_OK)
+            fault = loads_fault(status, case_load(setup), setup->f, contact);
+    }
+    rwedge_contact_destroy(contact);
+    return fault;
+}
+
+/* Whether the loads can be applied. What is beyond the range of numbers is told later. */
+static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
+                            char complaint[COMPLAINT_SIZE])
+{
+    const load_fault fault = fault_of_loads(setup);
+    if (fault.input == INPUT_COUNT)
+        return true;
+    char name[INPUT_NAME_SIZE];
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s%s", input_name(texts, fault.input, name),
+             texts->text[fault.input], fault.why,
+             fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? "" : "; f is missing");
+    return false;
+}
+
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
+               char complaint[COMPLAINT_SIZE])
+{
+    if (!case_is_complete(texts, needs, complaint))
+        return false;
+    double value[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        value[i] = NAN;
+        if (input_is_given(texts, i) && !input_read(texts, i, &value[i], complaint))
+            return false;
+    }
+    fill(value, setup);
+    if (!isnormal(setup->A) || !isnormal(setup->theta / setup->A) || !isfinite(setup->a)) {
+        snprintf(
+            complaint, COMPLAINT_SIZE,
+            "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
+        return false;
+    }
+    return has_equilibrium(texts, setup, complaint);
+}
+
+double case_shear_ratio(const contact_case *setup)
+{
+    const double limit = setup->f * setup->P;
+    return setup->Q == 0 || limit == 0 ? 0 : fmax(-1, fmin(1, setup->Q / limit));
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One contact and its load, from the texts that give it. */
+#ifndef CLI_CONTACT_CASE_H
+#define CLI_CONTACT_CASE_H
+
+#include "loads.h"
+
+typedef struct {
+    double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
+    double theta, a, P, M, Q, sigma, f;
+    double k;    /* NAN where not given */
+    double A;    /* composite compliance */
+    double beta; /* Dundurs' second constant */
+    /* the contact that a history has brought to these loads; NULL: the loads came as
+     * loads_apply_monotonic() has them */
+    const rwedge_contact *after;
+} contact_case;
+
+/* What must be given beside the bodies and their shape. */
+typedef enum {
+    CASE_LOADS_APART, /* nothing: a history has the loads, and f may be 0 */
+    CASE_OF_COURSE,   /* f: a history has the loads */
+    CASE_WITH_LOADS,  /* P */
+    CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
+} case_needs;
+
+/* False, with the complaint, where inputs exclude each other, or one that is needed is missing. */
+bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
+
+/* Reads it; the loads and f are 0 where they are not given. False, with the complaint. */
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
+               char complaint[COMPLAINT_SIZE]);
+
+/* Makes it, without loads yet; returns the library's status. Destroy it in either case. */
+int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
+
+/* The same under its loads. */
+int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
+
+load case_load(const contact_case *setup);
+
+/* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
+double case_shear_ratio(const contact_case *setup);
+
+#endif

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "header.h"
+
+#include "column_name.h"
+#include "text/list.h"
+#include "text/number.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* ---- Columns that are inputs ---- */
+
+bool header_has_input(const header *names, int input)
+{
+    return names->column[input] < names->count;
+}
+
+bool header_is_input(const header *names, size_t column)
+{
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (names->column[i] == column)
+            return true;
+    return false;
+}
+
+bool header_has(const header *names, const char *name)
+{
+    for (size_t i = 0; i < names->count; i++)
+        if (strcmp(names->name[i], name) == 0)
+            return true;
+    return false;
+}
+
+static bool find_input(int input, header *names, char complaint[COMPLAINT_SIZE])
+{
+    char column[INPUT_NAME_SIZE];
+    input_column(input, column);
+    for (size_t i = 0; i < names->count; i++) {
+        if (strcmp(names->name[i], column) != 0)
+            continue;
+        if (header_has_input(names, input)) {
+            snprintf(complaint, COMPLAINT_SIZE, "column %s: there twice; allowed: once", column);
+            return false;
+        }
+        names->column[input] = i;
+    }
+    return true;
+}
+
+/* ---- Columns that are probably meant for an input ---- */
+
+/* Other usual names of inputs. Where the input is given by its own name too, they are columns like
+ * any other. */
+static const struct {
+    const char *name;
+    int input;
+} synonyms[] = {
+    {"mu", INPUT_F},
+    {"\xce\xbc", INPUT_F}, /* the Greek letter */
+    {"\xc2\xb5", INPUT_F}, /* the sign for micro, which keyboards have */
+    {"friction", INPUT_F},
+    {"friction_coefficient", INPUT_F},
+    {"coefficient_of_friction", INPUT_F},
+    {"cof", INPUT_F},
+    {"tangential_force", INPUT_Q},
+    {"tangential_load", INPUT_Q},
+    {"shear_force", INPUT_Q},
+    {"shear_load", INPUT_Q},
+    {"moment", INPUT_M},
+    {"bulk_tension", INPUT_SIGMA},
+    {"bulk_stress", INPUT_SIGMA},
+    {"\xcf\x83", INPUT_SIGMA},
+    {"load", INPUT_P},
+    {"force", INPUT_P},
+    {"normal_force", INPUT_P},
+    {"normal_load", INPUT_P},
+    {"sigma_y", INPUT_YIELD_STRESS},
+    {"\xcf\x83y", INPUT_YIELD_STRESS}, /* sigma */
+    {"Sy", INPUT_YIELD_STRESS},
+    {"Re", INPUT_YIELD_STRESS},
+    {"ReH", INPUT_YIELD_STRESS},
+    {"Rp0.2", INPUT_YIELD_STRESS},
+    {"yield", INPUT_YIELD_STRESS},
+    {"yield_strength", INPUT_YIELD_STRESS},
+    {"tau_y", INPUT_K},
+    {"\xcf\x84y", INPUT_K}, /* tau */
+    {"E", INPUT_E1},
+    {"youngs_modulus", INPUT_E1},
+    {"nu", INPUT_NU1},
+    {"\xce\xbd", INPUT_NU1},
+    {"\xce\xbd\x31", INPUT_NU1},
+    {"\xce\xbd\x32", INPUT_NU2},
+    {"poissons_ratio", INPUT_NU1},
+    {"poisson", INPUT_NU1},
+    {"\xce\xb8", INPUT_THETA},
+    {"angle", INPUT_THETA},
+    {"R", INPUT_RADIUS},
+};
+
+/* Where inputs come from that may stand for a column. */
+typedef struct {
+    const header *names;
+    const bool *wanted;
+    const input_texts *options;
+} sources;
+
+static bool is_given(const sources *from, int input)
+{
+    return header_has_input(from->names, input) ||
+           (from->options != NULL && from->options->text[input] != NULL);
+}
+
+/* Whether the input is given, or its alternative is, as the radius for a. */
+static bool is_given_somehow(const sources *from, int input)
+{
+    return is_given(from, input) ||
+           (input_alternative(input) >= 0 && is_given(from, input_alternative(input)));
+}
+
+/* The input whose name this nearly is: "Yield stress" and " f" are slips. But p beside P, or F
+ * beside f, may be another thing; so is what stands beside the input's own column. */
+static int slip_for(const sources *from, const char *name, size_t length)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char column[INPUT_NAME_SIZE];
+        if (!from->wanted[i] || header_has_input(from->names, i) ||
+            !column_name_is_like(name, length, input_column(i, column)))
+            continue;
+        if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
+            !is_given_somehow(from, i))
+            return i;
+    }
+    return INPUT_COUNT;
+}
+
+static int synonym_for(const sources *from, const char *name, size_t length)
+{
+    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+        if (from->wanted[synonyms[i].input] && !is_given_somehow(from, synonyms[i].input) &&
+            column_name_is_like(name, length, synonyms[i].name))
+            return synonyms[i].input;
+    return INPUT_COUNT;
+}
+
+/* If a column that is meant for an input passed through, nobody would notice: friction, for one, is
+ * 0 by default. */
+static bool check_other(const sources *from, const char *name, char complaint[COMPLAINT_SIZE])
+{
+    char plain[COLUMN_NAME_SIZE], allowed[INPUT_NAME_SIZE];
+    const size_t length = column_name_make_plain(name, plain), stem = column_name_stem(plain);
+    int meant = slip_for(from, plain, length); /* "theta (deg)" is theta_deg */
+    const bool has_unit = meant == INPUT_COUNT && stem < length;
+    if (has_unit)
+        meant = slip_for(from, plain, stem);
+    const bool slip = meant < INPUT_COUNT;
+    if (!slip)
+        meant = synonym_for(from, plain, stem);
+    if (meant == INPUT_COUNT)
+        return true;
+    snprintf(complaint, COMPLAINT_SIZE, "column '%.60s': allowed: %s%s%s", name,
+             input_column(meant, allowed),
+             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
+             slip ? "" : ", or another name if it is something else");
+    return false;
+}
+
+/* A column that says which row it is, not what is computed. A capital T may be a force. */
+static bool is_label(const char *name)
+{
+    static const char *const labels[] = {"case", "id",    "key",    "line",  "load", "name",
+                                         "no",   "nr",    "number", "row",   "step", "time",
+                                         "t",    "cycle", "point",  "label", "node"};
+    char plain[COLUMN_NAME_SIZE];
+    column_name_make_plain(name, plain);
+    const size_t stem = column_name_stem(plain);
+    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++)
+        if (column_name_is_like(plain, stem, labels[i]) &&
+            (labels[i][1] != '\0' || memchr(plain, labels[i][0], stem) != NULL))
+            return true;
+    return false;
+}
+
+bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],
+                 const input_texts *options, header *names, char complaint[COMPLAINT_SIZE])
+{
+    const sources from = {names, wanted, options};
+    *names = (header){.name = name, .count = count};
+    for (int i = 0; i < INPUT_COUNT; i++)
+        names->column[i] = count;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (wanted[i] && !find_input(i, names, complaint))
+            return false;
+    for (size_t i = 0; i < count; i++) {
+        const bool is_input = header_is_input(names, i);
+        if (!is_input && !check_other(&from, name[i], complaint))
+            return false;
+        names->is_used[i] = is_input || is_label(name[i]);
+    }
+    return true;
+}
+
+/* ---- Columns that nothing uses ---- */
+
+/* With either decimal sign, or in percent: a column that is not read has not been checked. */
+static bool looks_like_number(const char *text)
+{
+    char bare[40];
+    double number;
+    const size_t length = strcspn(text, "%");
+    if (length >= sizeof bare || (text[length] != '\0' && text[length + 1] != '\0'))
+        return false;
+    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
+    return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
+}
+
+void header_note_unused(const header *names, const char *const cell[], bool unused[HEADER_COLUMNS])
+{
+    for (size_t i = 0; i < names->count; i++)
+        if (!names->is_used[i] && !unused[i])
+            unused[i] = looks_like_number(cell[i]);
+}
+
+void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,
+                         size_t size)
+{
+    char list[400] = "";
+    for (size_t i = 0; i < names->count; i++)
+        if (unused[i])
+            list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
+    if (list[0] != '\0')
+        list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
+}
+
+/* ---- Rows ---- */
+
+const char *header_surplus_hint(size_t cells, size_t wanted, char separator)
+{
+    return cells > wanted && separator == ','
+               ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
+               : "";
+}
+
+bool header_fits(const header *names, size_t cells, char separator, char complaint[COMPLAINT_SIZE])
+{
+    if (cells == names->count)
+        return true;
+    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header%s", cells,
+             names->count, header_surplus_hint(cells, names->count, separator));
+    return false;
+}
+
+const char *header_separator_hint(const header *names)
+{
+    if (names->count != 1)
+        return "";
+    if (strchr(names->name[0], ';') != NULL)
+        return "; the columns seem to be separated by ';': --decimal-comma reads that";
+    if (strchr(names->name[0], ',') != NULL)
+        return "; the columns seem to be separated by ',': leave --decimal-comma out";
+    return strchr(names->name[0], '\t') != NULL
+               ? "; the columns seem to be separated by tabs; allowed: commas"
+               : "";
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "inputs.h"
+
+#include "text/list.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#define ABOVE_0 0, HUGE_VAL, true, "a number above 0"
+#define ANY -HUGE_VAL, HUGE_VAL, false, "a number"
+#define NOT_BELOW_0 0, HUGE_VAL, false, "a number not below 0"
+
+const input_kind input_kinds[INPUT_COUNT] = {
+    [INPUT_E1] = {"E1", "Young's modulus of body 1, whose stresses are computed", "STRESS",
+                  "stress", "Young's modulus of body 1", ABOVE_0},
+    [INPUT_NU1] = {"nu1", "Poisson's ratio of body 1, 0 to 0.5, or --nu", "NUMBER", "none",
+                   "Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
+    [INPUT_E2] = {"E2", "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
+                  "STRESS", "stress", "Young's modulus", 0, HUGE_VAL, true,
+                  "a number above 0, or inf"},
+    [INPUT_NU2] = {"nu2", "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER",
+                   "none", "Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
+    [INPUT_THETA] = {"theta", "Angle between flank and surface, in radians", "ANGLE", "rad",
+                     "the angle", 0, 1.5707963267948966, true,
+                     "a number above 0 and below pi/2, in radians"},
+    [INPUT_THETA_DEG] = {"theta-deg", "The same in degrees", "ANGLE", "deg", "the angle", 0, 90,
+                         true, "a number above 0 and below 90, in degrees"},
+    [INPUT_A] = {"a", "Half-width of the rounding; 0 is the sharp wedge", "LENGTH", "length",
+                 "the half-width of the rounding", NOT_BELOW_0},
+    [INPUT_RADIUS] = {"radius", "Radius of the rounding instead, a/theta", "LENGTH", "length",
+                      "the radius", NOT_BELOW_0},
+    [INPUT_P] = {"P", "Normal force per unit length", "FORCE", "force/length", "the normal force",
+                 ABOVE_0},
+    [INPUT_M] = {"M", "Moment per unit length, positive presses the side x > 0 (default 0)",
+                 "MOMENT", "force", "the moment", ANY},
+    [INPUT_Q] = {"Q", "Tangential force per unit length (default 0)", "FORCE", "force/length",
+                 "the tangential force", ANY},
+    [INPUT_SIGMA] = {"sigma", "Bulk tension of body 1 along the surface (default 0)", "STRESS",
+                     "stress", "the bulk tension", ANY},
+    [INPUT_F] = {"f", "Coefficient of friction, or --friction (default 0)", "NUMBER", "none",
+                 "the coefficient of friction", 0, 1e6, false, "a number from 0 to 1000000"},
+    [INPUT_K] = {"k", "Yield stress of body 1 in pure shear", "STRESS", "stress",
+                 "the yield stress", ABOVE_0},
+    [INPUT_YIELD_STRESS] = {"yield-stress", "Yield stress in tension instead, sqrt(3) k", "STRESS",
+                            "stress", "the yield stress", ABOVE_0},
+};
+
+const char *input_column(int input, char name[INPUT_NAME_SIZE])
+{
+    snprintf(name, INPUT_NAME_SIZE, "%s", input_kinds[input].option);
+    for (char *dash = strchr(name, '-'); dash != NULL; dash = strchr(dash, '-'))
+        *dash = '_';
+    return name;
+}
+
+int input_alternative(int input)
+{
+    static const int pairs[][2] = {
+        {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS}, {INPUT_K, INPUT_YIELD_STRESS}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+        for (int j = 0; j < 2; j++)
+            if (pairs[i][j] == input)
+                return pairs[i][1 - j];
+    return -1;
+}
+
+const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE])
+{
+    if (texts->is_cell[input])
+        return input_column(input, name);
+    snprintf(name, INPUT_NAME_SIZE, "--%s", input_kinds[input].option);
+    return name;
+}
+
+bool input_is_given(const input_texts *texts, int input)
+{
+    const char *text = texts->text[input];
+    return text != NULL && (!texts->is_cell[input] || text[strspn(text, " \t")] != '\0');
+}
+
+/* Adds what the commonest mistakes need. */
+static void add_hint(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
+{
+    const char *text = texts->text[input];
+    const bool cell = texts->is_cell[input], comma = cell && texts->cell_decimal_sign == ',';
+    if (input == INPUT_E1 && strcasecmp(text, "inf") == 0)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "a rigid body is body 2, with --E2 inf");
+    else if (comma && strchr(text, '.') != NULL)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a comma");
+    else if (!comma && strchr(text, ',') != NULL)
+        list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a point%s%s",
+                 cell ? ", or a comma " : "", cell ? texts->how_comma : "");
+}
+
+static bool is_in(double value, const input_kind *kind)
+{
+    return kind->open ? value > kind->lo && value < kind->hi
+                      : value >= kind->lo && value <= kind->hi;
+}
+
+/* The header's first page: whatever has a size is 0 or 1e-60 to 1e60. */
+static bool has_possible_size(int input, double value)
+{
+    const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
+    return without_size || value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
+
+bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE])
+{
+    const char *text = texts->text[input];
+    const char decimal_sign = texts->is_cell[input] ? texts->cell_decimal_sign : '.';
+    const input_kind *kind = &input_kinds[input];
+    const bool rigid = strcasecmp(text, "inf") == 0;
+    char name[INPUT_NAME_SIZE];
+    *value = HUGE_VAL;
+    if (rigid ? input == INPUT_E2
+              : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {
+        if (rigid || has_possible_size(input, *value))
+            return true;
+        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
+                 input_name(texts, input, name), text, kind->subject,
+                 is_in(0, kind) ? ", or 0" : "");
+        return false;
+    }
+    const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s", input_name(texts, input, name),
+             shown, kind->subject, kind->domain);
+    add_hint(texts, input, complaint);
+    return false;
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a contact is given by, one at a time: its names as option and as column, its domain, and
+ * how its text is read. */
+#ifndef CLI_INPUTS_H
+#define CLI_INPUTS_H
+
+#include <stdbool.h>
+
+enum {
+    INPUT_E1,
+    INPUT_NU1,
+    INPUT_E2,
+    INPUT_NU2,
+    INPUT_THETA,
+    INPUT_THETA_DEG,
+    INPUT_A,
+    INPUT_RADIUS,
+    INPUT_P, /* the loads, up to sigma */
+    INPUT_M,
+    INPUT_Q,
+    INPUT_SIGMA,
+    INPUT_F,
+    INPUT_K,
+    INPUT_YIELD_STRESS,
+    INPUT_COUNT
+};
+
+typedef struct {
+    const char *option, *meaning, *argument; /* as the help of an option has them */
+    const char *unit;                        /* the dimension, as that of a result */
+    const char *subject;                     /* of a sentence */
+    double lo, hi;
+    bool open; /* the ends are not in the domain */
+    const char *domain;
+} input_kind;
+extern const input_kind input_kinds[INPUT_COUNT];
+
+/* Texts from options, or from the cells of a row, whose decimal sign may be a comma. */
+typedef struct {
+    const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
+    bool is_cell[INPUT_COUNT];
+    char cell_decimal_sign;
+    /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
+     * where else inputs are given, "columns or options", or NULL */
+    const char *how_comma, *where_else;
+} input_texts;
+
+/* What is wrong with the inputs: the line of a message, or the error of a row. */
+enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
+
+/* The name of its column, "theta_deg". */
+const char *input_column(int input, char name[INPUT_NAME_SIZE]);
+
+/* The other input that gives the same, as radius gives a; -1 where there is none. */
+int input_alternative(int input);
+
+/* Its name as where its text came from spells it: "theta_deg" or "--theta-deg". */
+const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE]);
+
+/* Whether a text is there; an empty cell is none. */
+bool input_is_given(const input_texts *texts, int input);
+
+/* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be
+ * HUGE_VAL, "inf". */
+bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
+
+#endif

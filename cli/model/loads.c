@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "loads.h"
+
+#include "text/list.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static int32_t apply(load to, rwedge_contact *contact)
+{
+    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+}
+
+int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
+{
+    const int32_t status = apply((load){.P = to.P, .M = to.M}, contact);
+    return status == RWEDGE_OK ? apply(to, contact) : status;
+}
+
+/* ---- What is wrong with a load ---- */
+
+static bool is_in_domain(load to, const rwedge_contact *contact)
+{
+    rwedge_contact *trial = NULL;
+    int32_t status = rwedge_contact_copy(contact, &trial);
+    if (status == RWEDGE_OK)
+        status = apply(to, trial);
+    rwedge_contact_destroy(trial);
+    return status != RWEDGE_EDOMAIN;
+}
+
+/* Whatever has a size is 0 or at least this: the library's header. */
+static const double SIZE_LEAST = 1e-60;
+
+/* The magnitude below which a moment lays no flank on the surface, to the digits that are shown. */
+static double largest_moment(load to, const rwedge_contact *contact)
+{
+    double allowed = 0, refused = to.M;
+    while (fabs(refused) >= SIZE_LEAST && fabs(refused - allowed) > 1e-7 * fabs(refused)) {
+        to.M = allowed + (refused - allowed) / 2;
+        if (is_in_domain(to, contact))
+            allowed = to.M;
+        else
+            refused = to.M;
+    }
+    return fabs(allowed);
+}
+
+static load_fault domain_fault(load to, const rwedge_contact *contact)
+{
+    char limit[NUMBER_SIZE];
+    load_fault fault = {.input = INPUT_COUNT};
+    load level = to;
+    level.M = 0;
+    if (to.P < 0)
+        fault = (load_fault){INPUT_P, "must not be below 0, and Q must be 0 where P is"};
+    else if (to.P == 0 && to.M != 0)
+        fault = (load_fault){INPUT_M, "must be 0 where P is"};
+    else if (is_in_domain(level, contact)) {
+        fault.input = INPUT_M;
+        const double most = largest_moment(to, contact);
+        number_write(most, 6, '.', limit);
+        snprintf(fault.why, sizeof fault.why,
+                 most > 0 ? "must be below %s in magnitude: more lays a flank on the surface"
+                          : "must be %s: any other lays a flank on the surface",
+                 limit);
+    } else
+        snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
+    return fault;
+}
+
+static load_fault path_fault(load to, const rwedge_contact *contact)
+{
+    load last;
+    load_fault fault = {.input = INPUT_SIGMA};
+    rwedge_contact_loads(contact, &last.P, &last.M, &last.Q, &last.sigma);
+    snprintf(fault.why, sizeof fault.why, "no closed form: %s",
+             rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
+    const double most = rwedge_contact_largest_tension_step(contact, to.Q);
+    if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most) {
+        char limit[NUMBER_SIZE];
+        number_write(most, 6, '.', limit);
+        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %s with this Q", limit);
+    }
+    return fault;
+}
+
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+{
+    load_fault fault = {.input = INPUT_Q};
+    char limit[NUMBER_SIZE];
+    if (status == RWEDGE_EDOMAIN)
+        return domain_fault(to, contact);
+    if (status == RWEDGE_EPATH)
+        return path_fault(to, contact);
+    if (status == RWEDGE_ESLIDING) {
+        number_write(f * to.P, 6, '.', limit);
+        snprintf(fault.why, sizeof fault.why, "must not exceed f P = %s: there is no equilibrium",
+                 limit);
+        return fault;
+    }
+    fault.input = INPUT_COUNT;
+    snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(status));
+    return fault;
+}
+
+bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+{
+    const int32_t status = apply(to, contact);
+    if (status == RWEDGE_OK)
+        return true;
+    const load_fault fault = loads_fault(status, to, f, contact);
+    char name[INPUT_NAME_SIZE], value[NUMBER_SIZE];
+    const double part[INPUT_COUNT] = {
+        [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
+    if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
+        snprintf(complaint, COMPLAINT_SIZE, "%s", fault.why);
+    else {
+        number_write(part[fault.input], NUMBER_DIGITS, '.', value);
+        snprintf(complaint, COMPLAINT_SIZE, "%s %s: %s", input_column(fault.input, name), value,
+                 fault.why);
+    }
+    return false;
+}

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "results.h"
+
+#include "doubts.h"
+#include "present_state.h"
+#include "text/list.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <rwedge.h>
+
+const column_kind result_kinds[RESULT_COUNT] = {
+    [RESULT_A] = {"A", "composite compliance", "1/stress"},
+    [RESULT_BETA] = {"dundurs_beta", "Dundurs' beta; 0 for elastically similar bodies", "none"},
+    [RESULT_ROUNDING] = {"a", "half-width of the rounding", "length"},
+    [RESULT_RADIUS] = {"radius", "radius of the rounding", "length"},
+    [RESULT_B] = {"b", "half-width of the contact", "length"},
+    [RESULT_A_OVER_B] = {"a_over_b", "rounding over contact; 1 and more is Hertz' contact", "none"},
+    [RESULT_AP_OVER_THETA_B] = {"AP_over_theta_b", "load A P/(theta b)", "none"},
+    [RESULT_P0] = {"p0", "peak pressure, at x = 0", "stress"},
+    [RESULT_P_TRANSITION] = {"p_transition", "pressure where the rounding meets the flank, x = a",
+                             "stress"},
+    [RESULT_Q_OVER_FP] = {"Q_over_fP", "tangential force over its sliding value", "none"},
+    [RESULT_C] = {"c", "half-width of the stick zone", "length"},
+    [RESULT_C_OVER_B] = {"c_over_b", "stick zone over contact; 0 slides", "none"},
+    [RESULT_LEFT] = {"left", "left edge of the contact", "length"},
+    [RESULT_RIGHT] = {"right", "right edge of the contact", "length"},
+    [RESULT_STICK_LEFT] = {"stick_left", "left edge of the stick zone", "length"},
+    [RESULT_STICK_RIGHT] = {"stick_right", "right edge of the stick zone", "length"},
+    [RESULT_TILT] = {"tilt", "angle by which the moment tilts body 2, in radians", "rad"},
+    [RESULT_TENSION] = {"max_tension", "tension at the trailing edge under P and Q", "stress"},
+    [RESULT_TENSION_SLIDING] = {"max_tension_sliding", "the same in full sliding, Q = f P",
+                                "stress"},
+    [RESULT_VON_MISES_SLIDING] = {"von_mises_sliding", "largest von Mises stress in full sliding",
+                                  "stress"},
+    [RESULT_F_CRITICAL] = {"f_critical", "friction from which on yield starts at the surface",
+                           "none"},
+    [RESULT_LOAD_OVER_BK] = {"load_over_bk", "load P/(bk)", "none"},
+    [RESULT_P_OVER_BK] = {"P_over_bk", "elastic limit of P/(bk) for this a/b in full sliding",
+                          "none"},
+    [RESULT_P_YIELD] = {"P_yield", "P at first yield in full sliding", "force/length"},
+    [RESULT_SAFETY] = {"safety", "P_yield/P: below 1 it yields in full sliding", "none"},
+    [RESULT_YIELD_X] = {"yield_x", "where it yields first, under P_yield", "length"},
+    [RESULT_YIELD_Y] = {"yield_y", "and how deep", "length"},
+    [RESULT_YIELD_BRANCH] = {"yield_branch", "surface or subsurface", "text"},
+    [RESULT_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2) under P and Q", "none"},
+    [RESULT_WARNINGS] = {"warnings", "what makes these numbers doubtful", "text"},
+};
+
+bool results_include(results_wanted wanted, int result)
+{
+    if (result == RESULT_YIELD_FACTOR)
+        return wanted.yield_factor;
+    return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
+}
+
+static const double SQRT_3 = 1.7320508075688772;
+
+static bool not_computed(const char *name, const char *why, char complaint[COMPLAINT_SIZE])
+{
+    snprintf(complaint, COMPLAINT_SIZE, "%s: %s", name, why);
+    return false;
+}
+
+static void geometry(const contact_case *setup, double b, cell row[])
+{
+    const double alpha = setup->a / b, unit = setup->theta / setup->A;
+    row[RESULT_A] = cell_number(setup->A);
+    row[RESULT_BETA] = cell_number(setup->beta);
+    row[RESULT_ROUNDING] = cell_number(setup->a);
+    row[RESULT_RADIUS] = cell_number(rwedge_radius(setup->theta, setup->a));
+    row[RESULT_B] = cell_number(b);
+    row[RESULT_A_OVER_B] = cell_number(alpha);
+    row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
+    row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha));
+    row[RESULT_P_TRANSITION] = cell_number(unit * rwedge_transition_pressure(alpha));
+    row[RESULT_LEFT] = cell_number(-b);
+    row[RESULT_RIGHT] = cell_number(b);
+    row[RESULT_TILT] = cell_number(0);
+}
+
+/* Without friction there is neither stick nor slip to speak of. */
+static bool friction(const contact_case *setup, double b, cell row[],
+                     char complaint[COMPLAINT_SIZE])
+{
+    const double alpha = setup->a / b, ratio = case_shear_ratio(setup);
+    const double c = rwedge_stick_width(alpha, fabs(ratio));
+    double sxx = 0, syy, txy;
+    if (ratio != 0) {
+        const int32_t status = rwedge_stress(alpha, setup->f, c, -1, 0, &sxx, &syy, &txy);
+        if (status != RWEDGE_OK)
+            return not_computed("max_tension", rwedge_strerror(status), complaint);
+    }
+    const bool rough = setup->f > 0;
+    row[RESULT_Q_OVER_FP] = rough ? cell_number(ratio) : cell_empty();
+    row[RESULT_C] = rough ? cell_number(c * b) : cell_empty();
+    row[RESULT_C_OVER_B] = rough ? cell_number(c) : cell_empty();
+    row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
+    row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
+    row[RESULT_TENSION] = cell_number(setup->theta / setup->A * sxx);
+    return true;
+}
+
+/* Where it yields once P has grown to P_yield: the contact grows on the way. Q < 0 is the mirror
+ * image. */
+static bool yield_place(const contact_case *setup, double P_yield, cell row[],
+                        char complaint[COMPLAINT_SIZE])
+{
+    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, P_yield);
+    const double alpha = b > 0 ? setup->a / b : 0;
+    double limit, x, y;
+    const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
+    if (status != RWEDGE_OK)
+        return not_computed("yield_x", rwedge_strerror(status), complaint);
+    row[RESULT_YIELD_X] = cell_number(setup->Q < 0 ? -x * b : x * b);
+    row[RESULT_YIELD_Y] = cell_number(y * b);
+    row[RESULT_YIELD_BRANCH] = cell_text(y > 0 ? "subsurface" : "surface");
+    return true;
+}
+
+/* The library looks for first yield up to this b/a. */
+static const double WIDTH_MOST = 1e14;
+
+/* Where no load yields as far as the library looks: the load there, as a power of ten, is a
+ * bound. */
+static void bound_safety(const contact_case *setup, results *answer)
+{
+    const double most = rwedge_normal_load(setup->theta, setup->a, setup->A, WIDTH_MOST * setup->a);
+    if (isfinite(most)) {
+        snprintf(answer->bound, sizeof answer->bound, "> 1e%.0f", floor(log10(most / setup->P)));
+        answer->value[RESULT_SAFETY] = cell_text(answer->bound);
+    }
+    results_warn(answer, "nothing yields before the contact is 1e14 a wide: safety is a bound");
+}
+
+static bool strength(const contact_case *setup, double b, cell row[],
+                     char complaint[COMPLAINT_SIZE])
+{
+    const double alpha = setup->a / b;
+    const double limit = rwedge_elastic_limit(alpha, setup->f, setup->nu1);
+    row[RESULT_TENSION_SLIDING] = cell_number(setup->f * setup->P / b * rwedge_max_tension(alpha));
+    row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * setup->P / b / limit);
+    row[RESULT_F_CRITICAL] =
+        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_empty();
+    row[RESULT_P_OVER_BK] = cell_number(limit);
+    if (isnan(setup->k))
+        return true;
+    const double P_yield =
+        rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k);
+    if (isnan(P_yield))
+        return not_computed("P_yield", rwedge_strerror(RWEDGE_ERANGE), complaint);
+    row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
+    row[RESULT_P_YIELD] = cell_number(P_yield);
+    row[RESULT_SAFETY] = cell_number(P_yield / setup->P);
+    return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
+}
+
+static bool yield_factor(const contact_case *setup, cell row[], char complaint[COMPLAINT_SIZE])
+{
+    rwedge_contact *contact = NULL;
+    double factor;
+    int32_t status = case_loaded(setup, &contact);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
+    rwedge_contact_destroy(contact);
+    if (status != RWEDGE_OK)
+        return not_computed("yield_factor", rwedge_strerror(status), complaint);
+    row[RESULT_YIELD_FACTOR] = cell_number(factor);
+    return true;
+}
+
+static bool compute(const contact_case *setup, double b, cell row[], char complaint[COMPLAINT_SIZE])
+{
+    const bool centred = setup->M == 0 && setup->sigma == 0;
+    geometry(setup, b, row);
+    if (centred && setup->after == NULL)
+        return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
+    const int32_t status = results_of_state(setup, row);
+    if (status != RWEDGE_OK)
+        return not_computed("left", rwedge_strerror(status), complaint);
+    return !centred || strength(setup, b, row, complaint);
+}
+
+bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
+                     char complaint[COMPLAINT_SIZE])
+{
+    for (int i = 0; i < RESULT_COUNT; i++)
+        answer->value[i] = cell_empty();
+    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, setup->P);
+    if (!isnormal(b) || !isfinite(setup->a / b))
+        return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
+    if (!compute(setup, b, answer->value, complaint) ||
+        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer->value, complaint)))
+        return false;
+    const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
+    answer->doubts = doubts_of(setup, answer->value[RESULT_B].number, safety);
+    answer->warnings[0] = '\0';
+    doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
+    if (isinf(safety))
+        bound_safety(setup, answer);
+    answer->value[RESULT_WARNINGS] = cell_text(answer->warnings);
+    return true;
+}
+
+void results_warn(results *answer, const char *warning)
+{
+    list_add(answer->warnings, sizeof answer->warnings, "; ", "%s", warning);
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "memory.h"
+
+#include "message.h"
+
+#include <stdlib.h>
+
+void *memory_checked(void *memory)
+{
+    if (memory == NULL)
+        failure("out of memory");
+    return memory;
+}
+
+/* Nothing may be NULL, which is no lack of memory. */
+static size_t some(size_t size)
+{
+    return size > 0 ? size : 1;
+}
+
+void *memory_zeroed(size_t count, size_t size)
+{
+    return memory_checked(calloc(some(count), some(size)));
+}
+
+void *memory_resized(void *old, size_t size)
+{
+    return memory_checked(realloc(old, some(size)));
+}

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the pages of the functions show: numbers for the calls, the command of the tool that answers the same, a figure."""
+from __future__ import annotations
+
+from header import Function, Parameter
+
+# Of an argument, by its name.
+NUMBERS = {
+    "alpha": 0.25, "f": 0.1, "nu": 0.3, "c": 0.5, "x": -0.9, "y": 0.2, "n": 3,
+    "Q_over_fP": 0.5, "AP_over_theta_a": 7.5,
+    "E1": 200e3, "nu1": 0.3, "E2": 70e3, "nu2": 0.33,
+    "theta": 0.01, "a": 2, "A": 1.82e-5, "R": 200, "P": 2000, "Q": 300, "b": 2.2, "k": 300, "M": 500, "sigma": 10,
+    "beta": 0.1, "k_over_E": 0.0015, "safety": 0.9, "terms": 4, "doubt": 4, "status": 1,
+    "sxx": 120, "syy": -64, "txy": 55, "E": 200e3, "k_over_sy": 0.0025, "strain_per_tension": 4.55e-6,
+    "P1": 2000, "M1": 0, "Q1": 300, "sigma1": 10, "P2": 2000, "M2": 0, "Q2": -300, "sigma2": -10,
+}
+# Of an array.
+LISTS = {
+    "x": [-0.9, 0, 0.9], "y": [0.2, 0.2, 0.2], "alpha": [0.1, 0.25, 1], "f": [0, 0.1, 0.3], "p": [-0.6, -1, -0.6],
+    "sxx": [120, -80, 45], "syy": [-64, 31, 15], "txy": [55, -14, 26],
+    "state": "state", "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0],
+}
+OWN = {("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
+       ("yield_load", "f"): 0.3, ("permanent_stick", "f"): 0.3, ("contact_apply", "M"): 0, ("contact_apply", "Q"): 500}
+UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
+# What the object of a call is: how it is made, and the calls before.
+OBJECTS = {
+    "contact": [("contact_create", (0.01, 2, 1.82e-5, 0.3)), ("contact_load", (2000, 0)), ("contact_load", (2000, 300))],
+    "series": [("series_create", (0.25, 4))],
+}
+# The tool's command with the same numbers.
+COMMANDS = {
+    "load": "table contact-law --a-over-b 0.25",
+    "peak_pressure": "table contact-law --a-over-b 0.25",
+    "transition_pressure": "table contact-law --a-over-b 0.25",
+    "pressure": "profile --a-over-b 0.25 --x -0.9",
+    "stick_width": "table stick-zone --a-over-b 0.25 --q-over-fp 0.5",
+    "shear": "profile --a-over-b 0.25 --f 0.1 --c-over-b 0.5 --x -0.9",
+    "stress": "field --a-over-b 0.25 --f 0.1 --c-over-b 0.5 --x -0.9 --y 0.2",
+    "stresses": "field --a-over-b 0.25 --f 0.1 --c-over-b 0.5 --x -0.9,0,0.9 --y 0.2",
+    "max_tension": "table max-tension --a-over-b 0.25 --friction 0.1",
+    "elastic_limit": "table elastic-limit --a-over-b 0.25 --friction 0.1 --nu 0.3",
+    "elastic_limits": "table elastic-limit --a-over-b 0.1,0.25,1 --friction 0,0.1,0.3 --nu 0.3",
+    "yield_point": "table elastic-limit --a-over-b 0.25 --friction 0.1 --nu 0.3",
+    "subsurface_yield": "table elastic-limit --a-over-b 0.25 --friction 0.1 --nu 0.3",
+    "surface_yield": "table elastic-limit --a-over-b 0.25 --friction 0.1 --nu 0.3",
+    "critical_friction": "table critical-friction --a-over-b 0.25 --nu 0.3",
+    "half_width": "solve --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000",
+    "yield_load": "solve --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000 --f 0.3 --k 300",
+    "contact_tractions": "profile --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000 --Q 300 --f 0.3 --x -0.9,0,0.9",
+    "contact_slip": "profile --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000 --Q 300 --f 0.3 --x -0.9,0,0.9",
+    "contact_stresses": "field --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000 --Q 300 --f 0.3 --x -0.9,0,0.9 --y 0.2",
+    "contact_load": "solve --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --P 2000 --Q 300 --f 0.3",
+}
+
+
+def value_of(f: Function, p: Parameter):
+    """A number, a list of them, or a list of lists."""
+    if not p.size:
+        return OWN.get((f.name, p.name), NUMBERS[p.name])
+    of = LISTS[p.name]
+    return [of, [-v for v in of]] if len(p.size) == 2 else of

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a function is called from each language: by the names of its arguments, or with numbers."""
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+
+import write_excel
+import write_fortran
+import write_matlab
+import write_python
+import write_web
+from header import Function, Parameter
+
+TOP = Path(__file__).resolve().parents[2]
+# Where a language has no such call, what serves there.
+FREED = "It is freed when the last variable that holds it goes."
+INSTEAD = {
+    ("strerror", "Python"): "It is the message of `rwedge.Error`; `.status` is the number.",
+    ("contact_destroy", "Python"): FREED, ("series_destroy", "Python"): FREED,
+    ("contact_create", "Excel"): "No cell holds a contact: `RWEDGE_CONTACT_...` take what it is made of, and its loads.",
+    ("series_create", "Excel"): "No cell holds a series: `RWEDGE_SERIES_...` take the samples of a fit.",
+    ("series_fit", "Excel"): "`RWEDGE_SERIES_...` take the samples, and fit them in every cell.",
+    ("strerror", "Excel"): "The cell shows `#NUM!`, `#N/A` or `#VALUE!`.",
+    ("contact_stress_history", "Excel"): "`RWEDGE_CONTACT_STRESSES` gives the stresses after the last of the loads.",
+    ("smith_watson_topper_field", "Excel"): "`RWEDGE_SMITH_WATSON_TOPPER` is for one point; a cell has no array of two sizes.",
+    ("fatemi_socie_field", "Excel"): "`RWEDGE_FATEMI_SOCIE` is for one point; a cell has no array of two sizes.",
+}
+NO_OBJECT = "No cell holds an object."
+# What is not called by the rule.
+OTHERS = {
+    ("version", "Python"): "rwedge.__version__",
+    ("contact_create", "Python"): "contact = rwedge.Contact({})",
+    ("contact_copy", "Python"): "copy = contact.copy()",
+    ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
+    ("series_create", "Python"): "series = rwedge.Series({})",
+    ("series_fit", "Python"): "series = rwedge.Series.fit({})",
+    ("series_coefficient", "Python"): "series.coefficients[{}]",
+    ("series_potential", "Python"): "re_plus_i_im = series.potential({})",
+    ("elastic_limits", "Python"): "limit = rwedge.elastic_limit({})",
+    ("smith_watson_topper_field", "Python"): "value, angle = rwedge.smith_watson_topper({}, axis=0)",
+    ("fatemi_socie_field", "Python"): "value, angle = rwedge.fatemi_socie({}, axis=0)",
+    ("contact_copy", "MATLAB, Octave"): "copy = contact.copy()",
+    ("contact_destroy", "MATLAB, Octave"): "delete(contact)", ("series_destroy", "MATLAB, Octave"): "delete(series)",
+    ("strerror", "Fortran"): "text = rwedge_error_text({})",
+    ("contact_copy", "Fortran"): "copy = contact",
+    ("version", "Excel"): "=RWEDGE_VERSION()",
+    ("contact_load", "Excel"): "=RWEDGE_CONTACT_HISTORY(theta, a, compliance, f, P_history, Q_history)",
+}
+
+
+def properties() -> set[str]:
+    """What Python's classes have without brackets, besides what is made from the header."""
+    text = "".join((TOP / f"bindings/python/src/rwedge/_{name}.py").read_text(encoding="utf-8") for name in ("contact", "series"))
+    return set(re.findall(r"@property\n    def (\w+)", text))
+
+
+PROPERTIES = properties()
+
+
+def flat(numbers: list) -> list:
+    return [v for row in numbers for v in (row if isinstance(row, list) else [row])]
+
+
+def plain(value) -> str:
+    """A number as most languages read it; a name stays."""
+    return value if isinstance(value, str) else f"{value:g}"
+
+
+class C:
+    name, lexer = "C, C++", "c"
+
+    def signature(self, f: Function) -> str:
+        parameters = ", ".join(p.declared for p in f.parameters) or "void"
+        text = f"{f.returns} rwedge_{f.name}({parameters});".replace("* rwedge", "*rwedge")
+        return "\n".join(textwrap.wrap(text, 88, subsequent_indent="        "))
+
+    def call(self, f: Function, given: dict) -> str:
+        """With the variables that it needs."""
+        arrays = {p.name: given[p.name] for p in f.of("in array") if isinstance(given[p.name], list)}
+        counts = {}
+        for p in f.of("in array"):
+            if p.name in arrays:
+                lengths = (len(arrays[p.name]), len(arrays[p.name][0])) if len(p.size) == 2 else (len(arrays[p.name]),)
+                counts.update({n: str(k) for n, k in zip(p.size, lengths)})
+        lines = [f"const double {name}[] = {{{', '.join(map(plain, flat(values)))}}};" for name, values in arrays.items()]
+        made = [p.name + (f"[{' * '.join(counts.get(n, n) for n in p.size)}]" if p.size else "") for p in f.outputs]
+        lines += [f"double {', '.join(made)};"] if made else []
+        lines += [f"rwedge_{p.kind} *{p.name};" for p in f.of("created")]
+        result = {"status": "int32_t status = ", "nothing": "", "text": "const char *text = "}.get(f.result, f"{f.returns} value = ")
+        return "\n".join([*lines, f"{result}rwedge_{f.name}({', '.join(self.passed(p, given, counts) for p in f.parameters)});"])
+
+    @staticmethod
+    def passed(p: Parameter, given: dict, counts: dict[str, str]) -> str:
+        if p.role == "in":
+            return plain(given[p.name])
+        if p.role in ("out", "created"):
+            return f"&{p.name}"
+        return p.kind if p.role in ("handle", "changed") else counts.get(p.name, p.name)
+
+
+class Language:
+    """A language whose signature is the call with names."""
+
+    name = lexer = ""
+
+    def of_name(self, p: Parameter) -> str:
+        return p.name
+
+    def signature(self, f: Function) -> str:
+        return self.form(f, [self.of_name(p) for p in f.inputs])
+
+    def call(self, f: Function, given: dict) -> str:
+        return self.form(f, [self.text(given[p.name], p) for p in f.inputs])
+
+    def form(self, f: Function, given: list[str]) -> str:
+        if (f.name, self.name) in INSTEAD:
+            return ""
+        other = OTHERS.get((f.name, self.name))
+        return other.format(", ".join(given)) if other else self.rule(f, given)
+
+    def text(self, value, p: Parameter) -> str:
+        return f"[{', '.join(self.text(v, p) for v in value)}]" if isinstance(value, list) else plain(value)
+
+
+class Python(Language):
+    name, lexer = "Python", "python"
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        bare = not f.inputs and (write_python.is_general(f) and bool(f.of("handle")) or f.method in PROPERTIES)
+        left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
+        return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(given)})")
+
+
+class Matlab(Language):
+    name, lexer = "MATLAB, Octave", "matlab"
+
+    def text(self, value, p: Parameter) -> str:
+        if not isinstance(value, list):
+            return plain(value)
+        rows = zip(*value) if len(p.size) == 2 else [value]  # of two sizes, a row for each point
+        return f"[{'; '.join(' '.join(map(plain, row)) for row in rows)}]"
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        if f.of("created"):
+            return write_matlab.call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), given)
+        name = f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}"
+        return write_matlab.call(write_matlab.outputs(f), name, given)
+
+
+class Fortran(Language):
+    name, lexer = "Fortran", "fortran"
+
+    def of_name(self, p: Parameter) -> str:
+        return write_fortran.name_of(p)
+
+    def text(self, value, p: Parameter) -> str:
+        if isinstance(value, list):
+            text = f"[{', '.join(self.text(v, p) for v in flat(value))}]"
+            return f"reshape({text}, [{len(value[0])}, {len(value)}])" if len(p.size) == 2 else text
+        number = plain(value)
+        return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
+        if f.result in ("value", "text"):
+            return f"{f.result} = {name}({', '.join(given)})"
+        passed = dict(zip([p.name for p in f.inputs], given))
+        return f"call {name}({', '.join(passed.get(p.name, p.name) for p in f.parameters if p in f.inputs or p in f.outputs)})"
+
+
+class JavaScript(Language):
+    """Sizes that no array tells are given too; an array of two sizes is flat."""
+
+    name, lexer = "JavaScript", "javascript"
+
+    def signature(self, f: Function) -> str:
+        return self.form(f, [p.name for p in write_web.arguments(f)])
+
+    def call(self, f: Function, given: dict) -> str:
+        loads = [str(len(given[p.name])) for p in f.inputs if len(p.size) == 2]
+        return self.form(f, [loads[0] if p.role == "size" else self.text(given[p.name], p) for p in write_web.arguments(f)])
+
+    def text(self, value, p: Parameter) -> str:
+        return super().text(flat(value) if isinstance(value, list) else value, p)
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        arguments, made_by = ", ".join(given), f.family.title()
+        if f.of("created"):
+            maker = f"new {made_by}" if f.method == "create" else f"{f.family if f.of('handle') else made_by}.{f.method}"
+            return f"const {f.of('created')[0].name} = {maker}({arguments});"
+        names = ", ".join(p.name for p in f.outputs)
+        left = f"const {{ {names} }} = " if len(f.outputs) > 1 else f"const {names} = " if names else ""
+        name = f"{f.family}.{'free' if f.method == 'destroy' else f.method}" if f.family else f.name
+        return f"{left}{name}({arguments});"
+
+
+class Excel(Language):
+    """A handle is made in the cell, of what stands first."""
+
+    name, lexer = "Excel", "text"
+    MADE_OF = {"contact": ["0.01", "2", "1.82E-5", "0.3", "P2:P3", "Q2:Q3"], "series": ["X2:X4", "P2:P4", "2"], "": []}
+
+    def of_name(self, p: Parameter) -> str:
+        return write_excel.name_of(p)
+
+    def signature(self, f: Function) -> str:
+        made_of = write_excel.names(write_excel.HANDLES[f.family][0]) if f.family else []
+        return self.form(f, [*made_of, *map(self.of_name, f.inputs)])
+
+    def call(self, f: Function, given: dict) -> str:
+        columns = [p.name.upper() if len(p.name) == 1 else letter for p, letter in zip(f.inputs, "ABCDEFGHIJKL")]
+        texts = [f"{column}2:{column}{len(given[p.name]) + 1}" if p.size else plain(given[p.name]).replace("e", "E")
+                 for p, column in zip(f.inputs, columns)]
+        return self.form(f, self.MADE_OF[f.family] + texts)
+
+    def rule(self, f: Function, given: list[str]) -> str:
+        absent = f.name in write_excel.NOT_DECLARED | write_excel.NOT_IN_CELLS
+        return "" if absent else f"={write_excel.cell_name(f)}({', '.join(given)})"
+
+
+LANGUAGES = (C(), Python(), Matlab(), Fortran(), JavaScript(), Excel())
+
+
+def calls(f: Function, given: dict) -> list[tuple[str, str, str]]:
+    """(language, lexer, text) of each; where the lexer is empty the text says what serves instead."""
+    result = []
+    for language in LANGUAGES:
+        lines = [language.signature(f), language.call(f, given)]
+        if lines[0]:
+            result.append((language.name, language.lexer, "\n".join(dict.fromkeys(lines))))
+        else:
+            result.append((language.name, "", INSTEAD.get((f.name, language.name), NO_OBJECT)))
+    return result

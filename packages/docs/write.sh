@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Writes the pages into BUILD/docs, and checks them. The generator is fetched once, into BUILD/docs-tools.
+#     write.sh BUILD
+# It ends with 77 where something is missing.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd)
+tools=$build/docs-tools
+. "$here/../../tests/support/install.sh"
+wish command:gnuplot=gnuplot-nox command:python3=python3 python:ensurepip=python3-venv
+
+skip()
+{
+    echo "SKIPPED: not made: the pages: $*"
+    exit 77
+}
+
+for command in gnuplot python3; do
+    command -v "$command" >/dev/null 2>&1 || skip "no $command here"
+done
+if ! cmp -s "$here/requirements.txt" "$tools/fetched"; then
+    rm -rf "$tools"
+    mkdir -p "$tools"
+    python3 -m venv "$tools/venv" >"$tools/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
+    "$tools/venv/bin/pip" install --quiet --disable-pip-version-check -r "$here/requirements.txt" >"$tools/pip.log" 2>&1 ||
+        skip "pip cannot fetch Sphinx: $(tail -n 1 "$tools/pip.log")"
+    cp "$here/requirements.txt" "$tools/fetched"
+fi
+
+rm -rf "$tools/source" "$build/docs"
+mkdir "$tools/source"
+"$tools/venv/bin/python" -B "$here/pages.py" "$build/lib/librwedge.so" "$build/cli/rwedge" "$tools/source"
+"$tools/venv/bin/python" -B -m sphinx -b html -nWEq --keep-going -c "$here" -d "$tools/doctrees" "$tools/source" "$build/docs"
+rm "$build/docs/.buildinfo"
+"$tools/venv/bin/python" -B "$here/check.py" "$build/docs"

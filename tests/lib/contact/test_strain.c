@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strain that a bulk tension makes: bodies of unequal compliance. */
+#include "histories.h"
+
+static const double F = 0.5;
+
+static void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), RWEDGE_OK);
+}
+
+static rw_patch stick_zone(const rwedge_contact *contact)
+{
+    rw_patch patch;
+    assert_int_equal(rwedge_contact_stick_zone(contact, &patch.left, &patch.right), RWEDGE_OK);
+    return patch;
+}
+
+static rwedge_contact *with_strain(double strain)
+{
+    rwedge_contact *contact = create(0.4, F);
+    assert_int_equal(rwedge_contact_set_strain(contact, strain), RWEDGE_OK);
+    return contact;
+}
+
+/* Nowell and Hills (1987): the stick zone of a cylinder is off the centre by the strain times R/f.
+ * E = 10 and nu = 0.5 against a rigid cylinder of R = 100: (1 - nu^2)/E 0.04 R/f = 0.6. */
+static void a_soft_body_under_a_rigid_one_has_twice_the_offset(void **state)
+{
+    (void)state;
+    const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.1, 10, compliance, F, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_set_strain(contact, 0.075), RWEDGE_OK);
+    apply(contact, 1, 0, 0, 0);
+    apply(contact, 1, 0, 0.2, 0.04);
+    assert_within(rw_patch_middle(stick_zone(contact)), 0.6, 1e-14);
+    rwedge_contact_destroy(contact);
+}
+
+/* The strain alone matters to the tractions: twice the strain is half the tension. */
+static void strain_takes_the_place_of_tension(void **state)
+{
+    (void)state;
+    rwedge_contact *like = create(0.4, F), *unlike = with_strain(A / 2);
+    apply(like, 0, 0, 0, 0.02);
+    apply(unlike, 0, 0, 0, 0.01);
+    apply(like, 1, 0.1, 0, 0.02);
+    apply(unlike, 1, 0.1, 0, 0.01);
+    const double most = rwedge_contact_largest_tension_step(like, 0.2);
+    assert_close(rwedge_contact_largest_tension_step(unlike, 0.2), most / 2, 1e-15);
+    apply(like, 1, 0.1, 0.2, 0.02 + 0.9 * most);
+    apply(unlike, 1, 0.1, 0.2, 0.01 + 0.45 * most);
+    const rw_patch one = stick_zone(like), other = stick_zone(unlike);
+    assert_close(one.left, other.left, 1e-14);
+    assert_close(one.right, other.right, 1e-14);
+    double p, of_like[4], of_unlike[4];
+    const double x = one.right / 2;
+    assert_int_equal(rwedge_contact_tractions(like, 1, &x, &p, &of_like[0]), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_tractions(unlike, 1, &x, &p, &of_unlike[0]), RWEDGE_OK);
+    assert_close(of_unlike[0], of_like[0], 1e-13);
+    assert_int_equal(
+        rwedge_contact_edge_asymptotes(like, &of_like[0], &of_like[1], &of_like[2], &of_like[3]),
+        RWEDGE_OK);
+    assert_int_equal(rwedge_contact_edge_asymptotes(unlike, &of_unlike[0], &of_unlike[1],
+                                                    &of_unlike[2], &of_unlike[3]),
+                     RWEDGE_OK);
+    for (int i = 0; i < 4; i++)
+        assert_close(of_unlike[i], of_like[i], 1e-13);
+    rwedge_contact_destroy(unlike);
+    rwedge_contact_destroy(like);
+}
+
+/* A rigid half-plane does not stretch: any tension leaves no slip. */
+static void a_tension_may_stretch_nothing(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = with_strain(0);
+    apply(contact, 1, 0, 0, 0);
+    apply(contact, 1, 0, 0, 1e6);
+    assert_true(rwedge_contact_largest_tension_step(contact, 0.1) == HUGE_VAL);
+    assert_true(rwedge_contact_dissipated_energy(contact) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+static void it_is_set_while_the_bodies_are_apart(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    assert_int_equal(rwedge_contact_set_strain(NULL, 1), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_set_strain(contact, -1), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_set_strain(contact, NAN), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_set_strain(contact, HUGE_VAL), RWEDGE_EDOMAIN);
+    apply(contact, 1, 0, 0, 0);
+    assert_int_equal(rwedge_contact_set_strain(contact, A / 2), RWEDGE_EDOMAIN);
+    apply(contact, 0, 0, 0, 0.02); /* is there before the contact, and slips nothing */
+    assert_int_equal(rwedge_contact_set_strain(contact, A / 2), RWEDGE_OK);
+    apply(contact, 1, 0, 0, 0.02);
+    apply(contact, 1, 0, 0.2, 0.02);
+    assert_true(rw_patch_middle(stick_zone(contact)) == 0);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_soft_body_under_a_rigid_one_has_twice_the_offset),
+        cmocka_unit_test(strain_takes_the_place_of_tension),
+        cmocka_unit_test(a_tension_may_stretch_nothing),
+        cmocka_unit_test(it_is_set_while_the_bodies_are_apart),
+    };
+    return RUN_CLAIMS("strain", tests);
+}

@@ -2,6 +2,7 @@
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
 #include "contact/contact.h"
+#include "numerical/transform.h"
 #include "stress/batch.h"
 #include "stress/stress.h"
 
@@ -48,6 +49,8 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
         }
         p[i] = pressure; /* the last patch is the contact */
         q[i] = contact->f * shear;
+        if (contact->numerical)
+            q[i] = -rw_unit_stress(g) * rw_traction_at(&contact->numerical->now.shear.traction, at);
     }
     return RWEDGE_OK;
 }
@@ -76,6 +79,17 @@ void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *su
     add(n, weight, of_patch->H_im, sum->H_im);
 }
 
+void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
+                     const double y[], rw_fields *sum)
+{
+    for (int i = 0; i < n; i++) {
+        const rw_field t = rw_traction_field(traction, x[i], y[i]), before = rw_field_in(sum, i);
+        rw_put(sum, i,
+               (rw_field){before.G_re - t.G_re / f, before.G_im - t.G_im / f,
+                          before.H_re - t.H_re / f, before.H_im - t.H_im / f});
+    }
+}
+
 static void clear(rw_fields *fields, int n)
 {
     for (int i = 0; i < n; i++)
@@ -98,6 +112,9 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double 
         rw_patch_fields(contact->geometry.a, memory->corners[j].patch, (int)n, x, y, of_patch);
         rw_add_patch(of_patch, weight, (int)n, &fields->tangential);
     }
+    if (contact->numerical)
+        rw_add_traction(&contact->numerical->now.shear.traction, contact->f, (int)n, x, y,
+                        &fields->tangential);
 }
 
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,

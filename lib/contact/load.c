@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: whether it is allowed, and what it does. */
-#include "contact/contact.h"
+#include "contact/numerical.h"
 #include "history/dissipation.h"
 #include "history/edge_work.h"
 
@@ -256,6 +256,50 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     return RWEDGE_OK;
 }
 
+static bool ends_shear(const rw_step *step)
+{
+    return step->to.load == 0 || fabs(step->to.shear) >= step->to.load;
+}
+
+static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_step *step)
+{
+    double share;
+    if (contact->tolerance == 0)
+        return RWEDGE_EPATH;
+    const bool touches = contact->memory.count == 1;
+    const double before = contact->loads.sigma;
+    const int32_t status = rw_numerical_go(contact, step, &share);
+    if (status != RWEDGE_OK)
+        return status;
+    if (touches) {
+        contact->touched_at = before;
+        if (isnan(contact->energy_carry))
+            contact->energy_carry = 0;
+    }
+    contact->loads = to;
+    contact->slid_from = 0;
+    contact->was_off_centre = true;
+    contact->is_origin_known = contact->numerical->has_origin;
+    add_energy(contact, share);
+    return RWEDGE_OK;
+}
+
+/* Separation and full sliding leave nothing of the shear. */
+static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *step)
+{
+    const bool separates = step->to.load == 0;
+    const double work = separates ? rw_numerical_energy_to_separation(contact) : 0;
+    const rw_departure departure = {contact->memory.corners[0], 1,
+                                    separates ? 0 : step->to.shear < 0 ? -1 : 1};
+    const int32_t status = separates ? go_centred(contact, to, step, &departure)
+                                     : go_off_centre(contact, to, step, &departure);
+    if (status != RWEDGE_OK)
+        return status;
+    rw_numerical_end(contact);
+    add_energy(contact, work);
+    return RWEDGE_OK;
+}
+
 static int32_t apply(rwedge_contact *contact, rw_loads to)
 {
     int32_t status = check(contact, to);
@@ -266,9 +310,12 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
         return status;
     if (!is_tilt_possible(&step))
         return RWEDGE_EDOMAIN;
+    if (contact->numerical)
+        return ends_shear(&step) ? leave_shear(contact, to, &step)
+                                 : go_numerically(contact, to, &step);
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
-        return RWEDGE_EPATH;
+        return go_numerically(contact, to, &step);
     if (!is_off_centre(contact, &step))
         return go_centred(contact, to, &step, &departure);
     return go_off_centre(contact, to, &step, &departure);

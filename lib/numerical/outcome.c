@@ -10,7 +10,7 @@
 enum { CHECKS = 24, SLIPS = 12 };
 
 /* Of the width: breaks that are closer are one. */
-static const double SAME_BREAK = 1e-9;
+static const double SAME_BREAK = 1e-8;
 
 /* The fit of a traction, of the tolerance. */
 static const double FIT = 0.01;

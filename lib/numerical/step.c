@@ -16,7 +16,7 @@ enum { BUDGET = 400 };
 static const double ALLOWED = 0.2;
 
 /* The residual of Newton's method, over the tolerance. */
-static const double RESIDUAL = 1e-4;
+static const double RESIDUAL = 1e-5;
 
 /* ---- One problem ---- */
 
@@ -184,7 +184,7 @@ static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best
             keep_better(best, &is_known, &outcome);
         }
     }
-    if (is_known && !coarse) {
+    if (is_known && !coarse && best->violation > w->frame->tolerance) {
         rw_shear_state_destroy(&best->state);
         return false;
     }
@@ -221,7 +221,7 @@ static void set_problem(const rw_frame *frame, const rw_stance *from, rw_course 
     p->allowed = ALLOWED * frame->tolerance;
 }
 
-bool rw_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse, rw_stance *there)
+bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse, rw_stance *there)
 {
     const bool is_still = to.P == from->at.P && to.M == from->at.M;
     const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);

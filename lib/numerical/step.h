@@ -40,7 +40,7 @@ void rw_work_destroy(rw_work *work);
 
 /* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them best,
  * or the grid's answer: then false means that there is none. */
-bool rw_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse, rw_stance *there);
+bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse, rw_stance *there);
 
 /* f times the peak pressure of a contact, in theta/A. */
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);

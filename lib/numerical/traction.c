@@ -6,8 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Elements are divided at most so often. */
-enum { DEPTH = 14 };
+/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower is
+ * the noise of a front that is not exact. */
+enum { DEPTH = 12 };
+
+static const double SHORTEST = 1e-8;
 
 /* ---- Legendre polynomials ---- */
 
@@ -165,7 +168,7 @@ typedef struct {
     rw_traction *traction;
     rw_function f;
     const void *context;
-    double tolerance;
+    double tolerance, shortest;
     rule rule;
 } fit;
 
@@ -195,7 +198,8 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
 {
     rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
     expand(how, &e);
-    if (depth == 0 || is_fine(how, &e))
+    if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
+        is_fine(how, &e))
         return append(how->traction, &e, &how->rule);
     const double middle = first == 0 ? last / 3 : (first + last) / 2;
     if (scale > 0)
@@ -209,6 +213,7 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
                      const double at[], double tolerance)
 {
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance};
+    how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
     make_rule(&how.rule);
     t->count = 0;
     for (size_t i = 0; i + 1 < breaks; i++) {
@@ -222,6 +227,14 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 }
 
 /* ---- Reading ---- */
+
+/* (2k + 1)/(k + 1) and (k + 1)/(k + 2). */
+#define FOUR(F, K) F(K), F(K + 1), F(K + 2), F(K + 3)
+#define SIXTEEN(F) FOUR(F, 0), FOUR(F, 4), FOUR(F, 8), FOUR(F, 12)
+#define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
+#define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
+
+static const double RISE[RW_NODES] = {SIXTEEN(RISE_OF)}, FALL[RW_NODES] = {SIXTEEN(FALL_OF)};
 
 double rw_traction_at(const rw_traction *t, double x)
 {
@@ -242,8 +255,7 @@ double rw_traction_at(const rw_traction *t, double x)
     const double v = (2 * u - e->first - e->last) / (e->last - e->first);
     double b1 = 0, b2 = 0; /* Clenshaw */
     for (int k = RW_NODES - 1; k >= 0; k--) {
-        const double b0 =
-            e->coefficient[k] + (2 * k + 1) * v * b1 / (k + 1) - (k + 1) * b2 / (k + 2);
+        const double b0 = e->coefficient[k] + RISE[k] * v * b1 - FALL[k] * b2;
         b2 = b1;
         b1 = b0;
     }

@@ -103,8 +103,10 @@ static void note_zones(const rwedge_contact *c, rw_zones *z)
         label = end->ratio > 0 ? 1 : -1;
         stick = end[-1].patch;
     }
+    if (end[-1].load == 0 && label != 0) /* it slides */
+        stick.left = stick.right = contact.right;
     const rw_zone all[] = {{label, contact.left, stick.left},
-                           {end[-1].load == 0 && label != 0 ? label : 0, stick.left, stick.right},
+                           {0, stick.left, stick.right},
                            {label, stick.right, contact.right}};
     z->count = 0;
     for (int i = 0; i < 3; i++)

@@ -171,7 +171,10 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
     return true;
 }
 
-/* The largest difference of two tractions, over the scale. */
+/* Energies may differ by so many times what tractions may, over the square of scale and half-width. */
+static const double ENERGY = 0.1;
+
+/* The largest difference of two tractions, over the scale, or of the energies. */
 static double difference(const rw_frame *frame, const rw_stance *one, const rw_stance *other)
 {
     enum { POINTS = 61 };
@@ -182,7 +185,9 @@ static double difference(const rw_frame *frame, const rw_stance *one, const rw_s
         most = fmax(most, fabs(rw_traction_at(&one->shear.traction, x) -
                                rw_traction_at(&other->shear.traction, x)));
     }
-    return most / rw_peak_friction(frame, one->contact);
+    const double scale = rw_peak_friction(frame, one->contact);
+    const double unit = scale * rw_patch_half_width(one->contact);
+    return fmax(most / scale, ENERGY * fabs(one->energy - other->energy) / (unit * unit));
 }
 
 static rw_course half_way(rw_course from, rw_course to)

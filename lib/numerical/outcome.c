@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* Points between neighbouring breaks, for Coulomb's condition and for slip. */
-enum { CHECKS = 24, SLIPS = 12 };
+enum { CHECKS = 24, SLIPS = 10 };
 
 /* Of the width: breaks that are closer are one. */
 static const double SAME_BREAK = 1e-8;
@@ -211,8 +211,7 @@ typedef struct {
     double node[SLIPS], weight[SLIPS];
 } slipping;
 
-/* The slip and its work between two breaks. */
-static void check_slip(slipping *s, double from, double to)
+static void check_slip_part(slipping *s, double from, double to)
 {
     const rw_problem *p = s->problem;
     double begun = NAN, last = from;
@@ -238,6 +237,19 @@ static void check_slip(slipping *s, double from, double to)
     }
     if (!isnan(begun))
         add_wrong(s->outcome, 0, begun, last);
+}
+
+/* The slip and its work between two breaks: the old kinks, which slip has passed, are between. */
+static void check_slip(slipping *s, double from, double to)
+{
+    const rw_shear_state *old = s->problem->old;
+    double begun = from;
+    for (int i = 0; i < old->kinks; i++)
+        if (old->kink[i] > begun && old->kink[i] < to) {
+            check_slip_part(s, begun, old->kink[i]);
+            begun = old->kink[i];
+        }
+    check_slip_part(s, begun, to);
 }
 
 static bool check(const rw_problem *p, rw_outcome *o, int breaks, const double at[])

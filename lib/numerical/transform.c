@@ -8,12 +8,13 @@
 
 /* Legendre's functions are had by the forward recurrence, which loses digits like rho^(2k) where v
  * is on the ellipse of the half-axes' sum rho about -1 and 1. Gauss's rule is exact to rho^(-2n)
- * there. Both leave 1e-10 of the traction at this. */
+ * there. Both leave 1e-9 of the traction at this. */
 static const double NEAR = 2;
 
 /* Points as near to the end of an element, over its length, are moved beside it: the logarithms of
- * the two elements that meet there cancel, but not in numbers. */
-static const double BESIDE = 1e-13;
+ * the two elements that meet there cancel, but not in numbers. Slopes may have a root there,
+ * displacements have none. */
+static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
 
 static rw_complex sum_of(rw_complex a, rw_complex b)
 {
@@ -130,11 +131,11 @@ static pole transform(const rw_element *e, double x, double y)
 /* ---- All of them ---- */
 
 /* Off the ends of elements. */
-static double beside(const rw_traction *t, double x)
+static double beside(const rw_traction *t, double x, double part)
 {
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
-        const double least = BESIDE * (e->high - e->low);
+        const double least = part * (e->high - e->low);
         if (fabs(x - e->low) < least)
             return e->low + least;
         if (fabs(x - e->high) < least)
@@ -153,7 +154,7 @@ static double far_sum(const double x[], const double load[], double to)
 
 double rw_traction_slope(const rw_traction *t, double x)
 {
-    const double at = beside(t, x);
+    const double at = beside(t, x, BESIDE);
     double sum = 0;
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
@@ -178,7 +179,7 @@ static double element_potential(const rw_element *e, double x)
 
 double rw_traction_displacement(const rw_traction *t, double x)
 {
-    const double at = beside(t, x);
+    const double at = beside(t, x, WELL_BESIDE);
     double sum = 0;
     for (size_t i = 0; i < t->count; i++)
         sum += element_potential(&t->elements[i], at);

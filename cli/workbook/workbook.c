@@ -13,6 +13,8 @@ static const struct poptOption options[] = {
      "Write to FILE, whole or not at all; - is standard output", "FILE"},
     {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
      "Significant digits of the numbers of a CSV file", "N"},
+    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+     "The CSV files have 1,5 for 1.5, and ';' between the columns", NULL},
     {HELP_OPTION},
     POPT_TABLEEND,
 };
@@ -27,49 +29,54 @@ static void describe(FILE *stream)
         stream);
 }
 
-static int write_file(const char *path)
+static const char *const formats[] = {"xlsx", NULL};
+
+/* The comma is that of the files; the cells of a workbook have no sign. */
+static void write_sheets(const arguments *given)
+{
+    const bool comma = given->value[OPTION_DECIMAL_COMMA] != NULL;
+    csv_files files = {given->operand, comma ? ',' : '.'};
+    arguments others = *given;
+    output_options how;
+    others.value[OPTION_DECIMAL_COMMA] = NULL;
+    output_options_read_of(&others, formats, "", &how);
+    for (int i = 0; files.path[i] != NULL; i++)
+        if (i < CSV_SHEETS_MAX)
+            output_options_spare(&how, files.path[i]);
+        else
+            usage_error("%s: unexpected; allowed: up to %d files", files.path[i], CSV_SHEETS_MAX);
+    output_options_write(&how, csv_sheets_write, &files);
+}
+
+static void write_book(const arguments *given, const char *path)
 {
     output out;
+    if (given->value[OPTION_DIGITS] != NULL)
+        usage_error("--digits: the workbook has its own; allowed with: CSV files");
+    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+        usage_error("--decimal-comma: a workbook has no sign; allowed with: CSV files");
+    output_format_choose(given, formats, "");
+    if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
+        usage_error("--output -: a workbook is not for a terminal; allowed: the name of a file, or "
+                    "a redirected -");
+    if (xlsx_missing() != NULL)
+        failure("%s: %s", path, xlsx_missing());
     output_open(&out, path);
     book_write(&out);
     output_finish(&out);
-    return STATUS_DONE;
 }
 
-static const char *const formats[] = {"xlsx", NULL};
-
-static int write_sheets(const arguments *given)
-{
-    const char **path = given->operand;
-    output_options how;
-    int status = output_options_read_of(given, formats, "", &how);
-    for (int i = 0; status == STATUS_DONE && path[i] != NULL; i++)
-        status = i < CSV_SHEETS_MAX ? output_options_spare(&how, path[i])
-                                    : usage_error("%s: unexpected; allowed: up to %d files",
-                                                  path[i], CSV_SHEETS_MAX);
-    return status == STATUS_DONE ? output_options_write(&how, csv_sheets_write, &path) : status;
-}
-
-static int write_given(const arguments *given)
+static int workbook(const arguments *given)
 {
     const char *path = given->value[OPTION_OUTPUT];
     if (path == NULL || path[0] == '\0')
-        return usage_error(
+        usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
     if (given->operand != NULL && given->operand[0] != NULL)
-        return write_sheets(given);
-    if (given->value[OPTION_DIGITS] != NULL)
-        return usage_error("--digits: the workbook has its own; allowed with: CSV files");
-    const char *format;
-    const int status = output_format_choose(given, formats, "", &format);
-    if (status != STATUS_DONE)
-        return status;
-    if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
-        return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
-                           "file, or a redirected -");
-    if (xlsx_missing() != NULL)
-        return failure("%s: %s", path, xlsx_missing());
-    return write_file(path);
+        write_sheets(given);
+    else
+        write_book(given, path);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "[FILE.csv...] -o FILE", describe, 0};
@@ -79,4 +86,4 @@ const command workbook_command = {"workbook",
                                   "a spreadsheet that computes, with its tables and charts",
                                   &grammar,
                                   NULL,
-                                  write_given};
+                                  workbook};

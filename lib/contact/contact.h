@@ -33,6 +33,9 @@ struct rwedge_contact {
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
 };
 
+/* What is in the way of a straight line to the loads that is not divided into pieces. */
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
+
 /* The traction of a history is a sum of patches, one for each corner of its path: the pressure
  * of the contact under the corner's load, times f and the step that D makes there. The last
  * patch is the contact itself. */
@@ -42,6 +45,9 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
+/* At a place of a loaded contact, not the apex of the sharp wedge. */
+double rw_contact_pressure(const rwedge_contact *contact, double x);
+
 /* The stretch that a bulk tension makes, in the unit of the memory. */
 static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
 {
@@ -49,13 +55,13 @@ static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
 }
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
- * apex of the sharp wedge. */
+ * apex of the sharp wedge. Of the patches inside the contact, those from first to last - 1. */
 typedef struct {
     rw_fields normal, tangential;
 } rw_contact_fields;
 
-void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
-                          const double y[], rw_contact_fields *fields);
+void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t last, int n,
+                          const double x[], const double y[], rw_contact_fields *fields);
 
 /* A patch's own fields at n <= RW_BATCH points, and their part of the sum over the patches. */
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],

@@ -71,7 +71,8 @@ static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
     }
 }
 
-/* Differences of rounding in P and M are none. */
+/* Differences of rounding in P and M are none. The contact keeps the loads of the path's end, or
+ * many small steps could shift them unnoticed. */
 static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
 {
     const rw_corner *end = rw_memory_end(&contact->memory);
@@ -123,26 +124,22 @@ static int32_t check(const rwedge_contact *contact, rw_loads to)
     return RWEDGE_OK;
 }
 
+/* Edges that rounding puts at the same place tell no width; NaN is not known yet. */
+static bool has_width(rw_patch patch)
+{
+    return !isgreaterequal(patch.left, patch.right);
+}
+
 /* A flank that lies on the surface, to rounding, has no edge to tell. */
 static bool is_tilt_possible(const rw_step *step)
 {
     return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
-/* The energy of a step off the centre, which has led from `before` to the present memory: NaN where
- * there is no single integral for it. */
-static double share_off_centre(const rwedge_contact *contact, const rw_memory *before,
-                               const rw_step *step, int slip)
+/* Whether slip reaches all of the path. */
+static bool slides(const rw_departure *departure)
 {
-    const rw_geometry *g = &contact->geometry;
-    const rw_memory *after = &contact->memory;
-    if (slip == 0)
-        return 0;
-    const bool slides = after->count == 2;
-    if (step->to_P != step->from_P || slides)
-        return NAN;
-    return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_edge_work(before, after, g->a);
+    return departure->slip != 0 && departure->corner.load == 0;
 }
 
 static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
@@ -154,13 +151,13 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         if (isnan(contact->energy_carry))
             contact->energy_carry = 0;
     }
-    contact->loads = *to;
+    contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
     if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
     if (contact->f == 0)
         rw_memory_restart(memory, step->to, 0);
-    else if (departure->slip != 0 && departure->corner.load == 0)
-        rw_memory_restart(memory, step->to, departure->slip); /* it slides */
+    else if (slides(departure))
+        rw_memory_restart(memory, step->to, departure->slip);
     else
         rw_memory_advance(memory, departure, step->to);
     if (memory->count == 1) {
@@ -168,8 +165,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].stretch = step->to.stretch;
     }
     measure_new_corners(contact, step);
-    const bool slides = rw_memory_slides(memory);
-    contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
+    contact->slid_from = rw_memory_slides(memory) ? fmax(contact->slid_from, step->to.load) : 0;
 }
 
 /* The carry may be negative. */
@@ -178,26 +174,6 @@ static void add_energy(rwedge_contact *contact, double share)
     const double more = contact->energy_carry + share, before = contact->energy;
     contact->energy = isnan(more) ? before : fmax(before, before + more);
     contact->energy_carry = more - (contact->energy - before);
-}
-
-static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,
-                          const rw_departure *departure)
-{
-    const double load = step->to.load, shear = step->to.shear;
-    const double share = share_centred(contact, step);
-    if (isgreater(contact->energy + share, RW_LARGEST))
-        return RWEDGE_ERANGE;
-    if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
-                                 shear))
-        return RWEDGE_ENOMEM;
-    go(contact, &to, step, departure);
-    add_energy(contact, share);
-    if (load == 0) {
-        contact->was_off_centre = false;
-        contact->is_origin_known = true;
-    }
-    return RWEDGE_OK;
 }
 
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
@@ -229,43 +205,51 @@ static rw_patch common_part(rw_patch one, rw_patch other)
     return (rw_patch){fmax(one.left, other.left), fmin(one.right, other.right)};
 }
 
-static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step *step,
-                             const rw_departure *departure)
+/* The energy of a step, NaN where there is no single integral for it. */
+static double share_of(const rwedge_contact *contact, const rw_step *step,
+                       const rw_departure *departure)
 {
-    const int slip = departure->slip;
-    rw_memory before;
-    if (!rw_memory_copy(&contact->memory, &before))
-        return RWEDGE_ENOMEM;
-    const bool is_known = keeps_origin(contact, step, slip);
+    const rw_geometry *g = &contact->geometry;
+    if (step->to.load == 0 || rw_memory_is_plain(&contact->memory, step->to))
+        return share_centred(contact, step);
+    if (contact->f == 0 || departure->slip == 0)
+        return 0;
+    if (step->to_P != step->from_P || slides(departure))
+        return NAN;
+    return contact->f * g->theta * (contact->f * g->theta / g->A) *
+           rw_edge_work(&contact->memory, departure, g->a);
+}
+
+static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                     const rw_departure *departure)
+{
+    const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
+    const bool keeps = keeps_origin(contact, step, departure->slip) && !slides(departure);
     const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
                                  ? contact->settled
-                                 : rw_memory_end(&before)->patch;
+                                 : rw_memory_end(&contact->memory)->patch;
+    const double share = share_of(contact, step, departure);
+    if (isgreater(contact->energy + share, RW_LARGEST))
+        return RWEDGE_ERANGE;
     if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, slip != 0, step->to.load,
-                                 step->to.shear)) {
-        rw_memory_destroy(&before);
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0,
+                                 step->to.load, step->to.shear))
         return RWEDGE_ENOMEM;
-    }
     go(contact, &to, step, departure);
-    const bool slides = contact->memory.count == 2 && slip != 0;
-    contact->was_off_centre = true;
-    contact->settled = common_part(settled, step->patch);
-    contact->is_origin_known = is_known && !slides;
-    add_energy(contact, share_off_centre(contact, &before, step, slip));
-    rw_memory_destroy(&before);
+    add_energy(contact, share);
+    contact->was_off_centre = off_centre || (contact->was_off_centre && !is_separated);
+    if (off_centre)
+        contact->settled = common_part(settled, step->patch);
+    if (off_centre || is_separated)
+        contact->is_origin_known = keeps || is_separated;
     return RWEDGE_OK;
 }
 
-static bool ends_shear(const rw_step *step)
-{
-    return step->to.load == 0 || fabs(step->to.shear) >= step->to.load;
-}
+/* ---- Without a closed form ---- */
 
 static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_step *step)
 {
     double share;
-    if (contact->tolerance == 0)
-        return RWEDGE_EPATH;
     const bool touches = contact->memory.count == 1;
     const double before = contact->loads.sigma;
     const int32_t status = rw_numerical_go(contact, step, &share);
@@ -292,8 +276,7 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
     const double energy = contact->energy, carry = contact->energy_carry;
     const rw_departure departure = {contact->memory.corners[0], 1,
                                     separates ? 0 : step->to.shear < 0 ? -1 : 1};
-    const int32_t status = separates ? go_centred(contact, to, step, &departure)
-                                     : go_off_centre(contact, to, step, &departure);
+    const int32_t status = go_on(contact, to, step, &departure);
     if (status != RWEDGE_OK)
         return status;
     rw_numerical_end(contact);
@@ -303,7 +286,7 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
     return RWEDGE_OK;
 }
 
-static int32_t apply(rwedge_contact *contact, rw_loads to)
+static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
 {
     int32_t status = check(contact, to);
     rw_step step;
@@ -313,15 +296,90 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
         return status;
     if (!is_tilt_possible(&step))
         return RWEDGE_EDOMAIN;
-    if (contact->numerical)
-        return ends_shear(&step) ? leave_shear(contact, to, &step)
-                                 : go_numerically(contact, to, &step);
+    if (to.P > 0 && !has_width(step.patch))
+        return RWEDGE_ERANGE;
+    if (contact->numerical && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
+        return leave_shear(contact, to, &step);
+    return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
+}
+
+/* ---- With one ---- */
+
+/* In a straight line that has a closed form as it is. */
+static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
+{
+    int32_t status = check(contact, to);
+    rw_step step;
+    if (status == RWEDGE_OK)
+        status = make_step(contact, to, &step);
+    if (status != RWEDGE_OK)
+        return status;
+    if (!is_tilt_possible(&step))
+        return RWEDGE_EDOMAIN;
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
-        return go_numerically(contact, to, &step);
-    if (!is_off_centre(contact, &step))
-        return go_centred(contact, to, &step, &departure);
-    return go_off_centre(contact, to, &step, &departure);
+        return RWEDGE_EPATH;
+    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || slides(&departure) ||
+                                                has_width(departure.corner.patch))))
+        return RWEDGE_ERANGE;
+    return go_on(contact, to, &step, &departure);
+}
+
+static double at(double t, double from, double to)
+{
+    return from + t * (to - from);
+}
+
+static rw_loads loads_at(double t, rw_loads from, rw_loads to)
+{
+    return t == 1 ? to
+                  : (rw_loads){at(t, from.P, to.P), at(t, from.M, to.M), at(t, from.Q, to.Q),
+                               at(t, from.sigma, to.sigma)};
+}
+
+/* Of the pieces that a step without a closed form is divided into. */
+enum { MOST_PIECES = 40 };
+static const double SHORTEST_PIECE = 1.0 / 256;
+
+/* Each piece is as long as it may be: one may end where another may not. */
+static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
+{
+    const rw_loads from = contact->loads;
+    double t = 0, next = 0.5;
+    for (int i = 0; i < MOST_PIECES && t < 1 && next - t >= SHORTEST_PIECE; i++) {
+        if (apply_whole(contact, loads_at(next, from, to)) == RWEDGE_OK) {
+            t = next;
+            next = 1;
+        } else
+            next = t / 2 + next / 2;
+    }
+    return t == 1 ? RWEDGE_OK : RWEDGE_EPATH;
+}
+
+static void take_over(rwedge_contact *contact, rwedge_contact *other)
+{
+    const rwedge_contact before = *contact;
+    *contact = *other;
+    *other = before;
+}
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    if (contact->numerical)
+        return apply_numerically(contact, to);
+    const int32_t status = apply_whole(contact, to);
+    if (status != RWEDGE_EPATH)
+        return status;
+    if (contact->loads.P == 0)
+        return apply_numerically(contact, to);
+    rwedge_contact *trial;
+    if (rwedge_contact_copy(contact, &trial) != RWEDGE_OK)
+        return RWEDGE_ENOMEM;
+    const int32_t in_pieces = apply_in_pieces(trial, to);
+    if (in_pieces == RWEDGE_OK)
+        take_over(contact, trial);
+    rwedge_contact_destroy(trial);
+    return in_pieces == RWEDGE_EPATH ? apply_numerically(contact, to) : in_pieces;
 }
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
@@ -336,43 +394,14 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
 }
 
-#define TENSION_FROM_BEFORE                                                                        \
-    "; a tension from before the contact is a load of its own, sigma with P = M = Q = 0"
-
-static const char *text_of(rw_obstacle obstacle, bool touches)
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)
 {
-    if (obstacle == RW_GROWS_UNEVENLY && touches)
-        return "the bodies would touch under a shear that does not grow in proportion to the "
-               "contact: put a load before it with the same P and M, Q = 0, and sigma as it was";
-    switch (obstacle) {
-    case RW_EDGES_PART:
-        return "one edge of the contact would advance while the other recedes: change P with M, so "
-               "that dM/dP stays within a quarter of the contact's width from its middle";
-    case RW_SLIPS_BOTH_WAYS:
-        return "the two edges would slip in opposite directions: change sigma by less, or Q by "
-               "more, or in a load of its own at constant P and M" TENSION_FROM_BEFORE;
-    case RW_FRONTS_PART:
-        return "slip or the edges would have passed a patch of the history at one side only, or "
-               "leave a part between that sticks: go on until all has slipped, or separate the "
-               "bodies first";
-    case RW_GROWS_UNEVENLY:
-        return "the contact would grow with a shear that does not keep to its tilt: change P and M "
-               "first, under constant Q and sigma, then Q and sigma" TENSION_FROM_BEFORE;
-    default:
-        return "";
-    }
-}
-
-const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M, double Q,
-                                    double sigma)
-{
-    const rw_loads to = {P, M, Q, sigma};
     rw_step step;
     rw_departure departure;
-    if (!contact || contact->f == 0 || check(contact, to) != RWEDGE_OK ||
+    if (contact->f == 0 || check(contact, to) != RWEDGE_OK ||
         make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
-        return "";
-    return text_of(rw_path_departure(&step, &departure), step.from_P == 0);
+        return RW_NO_OBSTACLE;
+    return rw_path_departure(&step, &departure);
 }
 
 double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q)

@@ -268,7 +268,7 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 static void pass_elements(tape *t, rw_traction *traction)
 {
     const size_t count =
-        pass_count(t, traction->count, t->in ? t->size / (RW_NODES + 4) : traction->count);
+        pass_count(t, traction->count, t->in ? t->size / (RW_TERMS + 4) : traction->count);
     double end = -HUGE_VAL;
     for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
         rw_element e = {.end = 0};
@@ -276,7 +276,7 @@ static void pass_elements(tape *t, rw_traction *traction)
             e = traction->elements[i];
         double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
         pass_finite(t, 4, shape);
-        for (int k = 0; k < RW_NODES; k++) {
+        for (int k = 0; k < RW_TERMS; k++) {
             double *const coefficient[] = {&e.coefficient[k]};
             pass_finite(t, 1, coefficient);
         }

@@ -28,7 +28,7 @@ typedef struct {
     double y[RW_MOST_FRONTS]; /* angles of the fronts, then the layers */
     /* the quadrature: places, weights, changes of traction, X there */
     int order;
-    double node[RW_NODES], weight[RW_NODES];
+    double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
     rw_layers layers; /* for which the changes hold */

@@ -287,7 +287,7 @@ static bool check(const rw_problem *p, rw_outcome *o, int breaks, const double a
 static bool is_finite(const rw_outcome *o)
 {
     for (size_t i = 0; i < o->state.traction.count; i++)
-        for (int k = 0; k < RW_NODES; k++)
+        for (int k = 0; k < RW_TERMS; k++)
             if (!isfinite(o->state.traction.elements[i].coefficient[k]))
                 return false;
     return isfinite(o->violation) && isfinite(o->energy) && isfinite(o->move);

@@ -242,7 +242,7 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
 bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
-    return rw_fronts_create(&w->fronts, RW_NODES);
+    return rw_fronts_create(&w->fronts, RW_TERMS);
 }
 
 void rw_work_destroy(rw_work *w)

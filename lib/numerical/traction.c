@@ -44,18 +44,18 @@ void rw_gauss(int n, double node[], double weight[])
 
 /* The nodes of an element, and what makes coefficients of values there. */
 typedef struct {
-    double node[RW_NODES], weight[RW_NODES];
-    double legendre[RW_NODES + 2][RW_NODES]; /* [k][node] */
+    double node[RW_TERMS], weight[RW_TERMS];
+    double legendre[RW_TERMS + 2][RW_TERMS]; /* [k][node] */
 } rule;
 
 static void make_rule(rule *r)
 {
-    rw_gauss(RW_NODES, r->node, r->weight);
-    for (int i = 0; i < RW_NODES; i++) {
+    rw_gauss(RW_TERMS, r->node, r->weight);
+    for (int i = 0; i < RW_TERMS; i++) {
         const double v = 2 * r->node[i] - 1;
         r->legendre[0][i] = 1;
         r->legendre[1][i] = v;
-        for (int k = 1; k < RW_NODES + 1; k++)
+        for (int k = 1; k < RW_TERMS + 1; k++)
             r->legendre[k + 1][i] =
                 ((2 * k + 1) * v * r->legendre[k][i] - k * r->legendre[k - 1][i]) / (k + 1);
     }
@@ -77,8 +77,8 @@ static double x_of(const rw_element *e, double u)
 static void integrate(rw_element *e)
 {
     const double middle = (e->first + e->last) / 2, half = (e->last - e->first) / 2;
-    double rate[RW_NODES + 1] = {0};
-    for (int k = 0; k < RW_NODES; k++) {
+    double rate[RW_TERMS + 1] = {0};
+    for (int k = 0; k < RW_TERMS; k++) {
         const double c = e->coefficient[k] * 2 * fabs(e->scale) * half;
         rate[k] += middle * c;
         rate[k + 1] += half * c * (k + 1) / (2 * k + 1);
@@ -86,7 +86,7 @@ static void integrate(rw_element *e)
             rate[k - 1] += half * c * k / (2 * k + 1);
     }
     memset(e->primitive, 0, sizeof e->primitive);
-    for (int k = 0; k < RW_NODES + 1; k++) {
+    for (int k = 0; k < RW_TERMS + 1; k++) {
         e->primitive[k + 1] += rate[k] / (2 * k + 1);
         e->primitive[k > 0 ? k - 1 : 0] += (k > 0 ? -1 : 1) * rate[k] / (2 * k + 1);
     }
@@ -99,12 +99,12 @@ static void complete(rw_element *e, const rule *r)
     e->low = fmin(from, to);
     e->high = fmax(from, to);
     integrate(e);
-    for (int i = 0; i < RW_NODES; i++) {
+    for (int i = 0; i < RW_TERMS; i++) {
         const double u = u_of(e, r->node[i]);
         double value = 0, primitive = 0;
-        for (int k = 0; k < RW_NODES; k++)
+        for (int k = 0; k < RW_TERMS; k++)
             value += e->coefficient[k] * r->legendre[k][i];
-        for (int k = 0; k < RW_NODES + 2; k++)
+        for (int k = 0; k < RW_TERMS + 2; k++)
             primitive += e->primitive[k] * r->legendre[k][i];
         const double rate = 2 * fabs(e->scale) * u * du * r->weight[i];
         e->u[i] = u;
@@ -174,12 +174,12 @@ typedef struct {
 
 static void expand(const fit *how, rw_element *e)
 {
-    double value[RW_NODES];
-    for (int i = 0; i < RW_NODES; i++)
+    double value[RW_TERMS];
+    for (int i = 0; i < RW_TERMS; i++)
         value[i] = how->f(x_of(e, u_of(e, how->rule.node[i])), how->context);
-    for (int k = 0; k < RW_NODES; k++) {
+    for (int k = 0; k < RW_TERMS; k++) {
         double sum = 0;
-        for (int i = 0; i < RW_NODES; i++)
+        for (int i = 0; i < RW_TERMS; i++)
             sum += how->rule.weight[i] * value[i] * how->rule.legendre[k][i];
         e->coefficient[k] = (2 * k + 1) * sum;
     }
@@ -189,7 +189,7 @@ static bool is_fine(const fit *how, const rw_element *e)
 {
     const double *c = e->coefficient;
     const double last =
-        fmax(fabs(c[RW_NODES - 1]), fmax(fabs(c[RW_NODES - 2]), fabs(c[RW_NODES - 3])));
+        fmax(fabs(c[RW_TERMS - 1]), fmax(fabs(c[RW_TERMS - 2]), fabs(c[RW_TERMS - 3])));
     return !(last > how->tolerance);
 }
 
@@ -234,7 +234,7 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 #define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
 #define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
 
-static const double RISE[RW_NODES] = {SIXTEEN(RISE_OF)}, FALL[RW_NODES] = {SIXTEEN(FALL_OF)};
+static const double RISE[RW_TERMS] = {SIXTEEN(RISE_OF)}, FALL[RW_TERMS] = {SIXTEEN(FALL_OF)};
 
 double rw_traction_at(const rw_traction *t, double x)
 {
@@ -254,7 +254,7 @@ double rw_traction_at(const rw_traction *t, double x)
     const double u = sqrt(fmax(0, (x - e->end) / e->scale));
     const double v = (2 * u - e->first - e->last) / (e->last - e->first);
     double b1 = 0, b2 = 0; /* Clenshaw */
-    for (int k = RW_NODES - 1; k >= 0; k--) {
+    for (int k = RW_TERMS - 1; k >= 0; k--) {
         const double b0 = e->coefficient[k] + RISE[k] * v * b1 - FALL[k] * b2;
         b2 = b1;
         b1 = b0;
@@ -266,7 +266,7 @@ double rw_traction_total(const rw_traction *t)
 {
     double sum = 0;
     for (size_t i = 0; i < t->count; i++)
-        for (int k = 0; k < RW_NODES; k++)
+        for (int k = 0; k < RW_TERMS; k++)
             sum += t->elements[i].load[k];
     return sum;
 }

@@ -12,16 +12,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { RW_NODES = 16 };
+enum { RW_TERMS = 16 };
 
 typedef struct {
     double end, scale, first, last;
     double low, high;                  /* the ends in x, in order */
-    double coefficient[RW_NODES];      /* of the Legendre polynomials in u */
-    double u[RW_NODES], x[RW_NODES];   /* Gauss's nodes */
-    double load[RW_NODES];             /* the traction there times its weight in x */
-    double primitive[RW_NODES + 2];    /* of the load up to u: its coefficients */
-    double carried[RW_NODES];          /* the primitive at the nodes times scale d(u^2) */
+    double coefficient[RW_TERMS];      /* of the Legendre polynomials in u */
+    double u[RW_TERMS], x[RW_TERMS];   /* Gauss's nodes */
+    double load[RW_TERMS];             /* the traction there times its weight in x */
+    double primitive[RW_TERMS + 2];    /* of the load up to u: its coefficients */
+    double carried[RW_TERMS];          /* the primitive at the nodes times scale d(u^2) */
 } rw_element;
 
 typedef struct {

@@ -74,7 +74,7 @@ static pole legendre_sum(int n, const double c[], rw_complex v)
 static pole gauss_sum(const rw_element *e, const double load[], double scale, rw_complex zeta)
 {
     pole sum = {{0, 0}, {0, 0}};
-    for (int i = 0; i < RW_NODES; i++) {
+    for (int i = 0; i < RW_TERMS; i++) {
         const double d = e->u[i] - zeta.re, square = d * d + zeta.im * zeta.im;
         const double share = load[i] / (2 * scale * e->u[i] * square);
         const rw_complex value = {share * d, share * zeta.im};
@@ -123,7 +123,7 @@ static pole both_poles(const rw_element *e, int n, const double c[], const doubl
 static pole transform(const rw_element *e, double x, double y)
 {
     pole sum =
-        both_poles(e, RW_NODES, e->coefficient, e->load, fabs(e->scale), x, y);
+        both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
     const double sign = e->scale < 0 ? -1 : 1;
     return (pole){multiple(sign, sum.value), multiple(sign, sum.slope)};
 }
@@ -147,7 +147,7 @@ static double beside(const rw_traction *t, double x, double part)
 static double far_sum(const double x[], const double load[], double to)
 {
     double sum = 0;
-    for (int i = 0; i < RW_NODES; i++)
+    for (int i = 0; i < RW_TERMS; i++)
         sum += load[i] / (x[i] - to);
     return sum;
 }
@@ -167,11 +167,11 @@ double rw_traction_slope(const rw_traction *t, double x)
 static double element_potential(const rw_element *e, double x)
 {
     double whole = 0;
-    for (int k = 0; k < RW_NODES + 2; k++)
+    for (int k = 0; k < RW_TERMS + 2; k++)
         whole += e->primitive[k];
     const double end = e->scale > 0 ? e->high : e->low;
     const double rest = is_far(e, x, 0) ? far_sum(e->x, e->carried, x)
-                                        : both_poles(e, RW_NODES + 2, e->primitive, e->carried,
+                                        : both_poles(e, RW_TERMS + 2, e->primitive, e->carried,
                                                      e->scale, x, 0)
                                               .value.re;
     return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
@@ -189,7 +189,7 @@ double rw_traction_displacement(const rw_traction *t, double x)
 static pole far_transform(const rw_element *e, double x, double y)
 {
     pole sum = {{0, 0}, {0, 0}};
-    for (int i = 0; i < RW_NODES; i++) {
+    for (int i = 0; i < RW_TERMS; i++) {
         const double d = e->x[i] - x, share = 1 / (d * d + y * y);
         const rw_complex per = {d * share, y * share};
         sum.value = sum_of(sum.value, multiple(e->load[i], per));

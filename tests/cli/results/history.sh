@@ -113,11 +113,11 @@ fails() { # MESSAGE TEXT
     cannot "rwedge history: bad.csv: $1" history bad.csv $specimen -o x.csv
     same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
 }
-fails "line 3: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
-    'P,M,Q\n100,5,0\n100,40,0\n'
-fails "line 2: no closed form: the bodies would touch under a shear that does not grow in proportion to the contact: put a load before it with the same P and M, Q = 0, and sigma as it was" \
+fails "line 3: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q" \
+    'P,M,Q\n100,5,20\n100,40,20\n'
+fails "line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma" \
     'P,Q,sigma\n100,20,30\n100,-20,-30\n'
-printf 'P,M,Q\n100,5,0\n100,40,0\n' >bad.csv
+printf 'P,M,Q\n100,5,20\n100,40,20\n' >bad.csv
 run history bad.csv $specimen --until
 status_is 0
 message_has "bad.csv: line 3: no closed form: one edge"
@@ -146,7 +146,37 @@ run history comma.csv $specimen --decimal-comma
 same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
 refuses "rwedge history: --load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
 refuses "rwedge history: a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
-refuses "rwedge history: loads.csv: given together with --load; allowed: one of the two" history loads.csv $specimen --load 1,0
+
+# Loads before those of a file: as if they stood in front of them, but for their rows and the numbers of the loads.
+printf 'P,Q\n135.75,38\n135.75,-20\n' >rest.csv
+run history rest.csv $specimen --load 135.75,0
+sed 1d out | cut -d , -f 2- >apart
+printf 'P,Q\n135.75,0\n135.75,38\n135.75,-20\n' >all.csv
+run history all.csv $specimen
+same "loads before the file" "" "$(sed 1,2d out | cut -d , -f 2- | diff apart -)"
+
+# A tension that yields is said as such: P is far below P_yield = 986.
+run history --E1 74100 --nu1 0.33 --theta 0.1 --radius 178 --f 0.65 --yield-stress 324 --load 0,0,0,100 --load 488,0,0,100 --load 488,0,195,180
+message_has "a load yields the body: its stresses exceed the yield stress"
+same "no word of P_yield" "" "$(grep P_yield err)"
+
+# A second series takes other names: the old one is whole until it is replaced. Its files are removed then.
+printf 'P,Q\n135.75,0\n135.75,30\n' >two.csv
+run history two.csv $specimen --at 0,0 -o again.vtk.series
+cp again_0001.vtk first
+run history rest.csv $specimen --load 135.75,0 --at 0,0 -o again.vtk.series
+same "names of the second" "again_b0001.vtk again_b0002.vtk" "$(ls again*.vtk | paste -s -d ' ' -)"
+same "and in its list" 2 "$(grep -c '"again_b000[12].vtk"' again.vtk.series)"
+cp again_b0001.vtk first
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,50\n' >refused.csv
+status=0
+"$rwedge" history refused.csv $specimen --at 0,0 -o again.vtk.series >out 2>err || status=$?
+same "a series that fails leaves the old one" "1 again_b0001.vtk again_b0002.vtk" "$status $(ls again*.vtk | paste -s -d ' ' -)"
+same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
+run history two.csv $specimen --at 0,0 -o 'a"b\c.series'
+same "a name with quotes" '{"name": "a\"b\\c_0001.vtk", "time": 1},' "$(sed -n 2p 'a"b\c.series')"
+printf 'x,y\n0,0\n' >own_0001.vtk
+refuses "rwedge history: --output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
 refuses "rwedge history: --P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "rwedge history: missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "rwedge history: --cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0
@@ -176,6 +206,14 @@ mv out wanted
 printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
 run history loads.csv $specimen --points latin.csv --encoding windows-1252
 same "points in another encoding" "" "$(diff wanted out)"
+run history loads.csv $specimen --at '1,5;0,1;0,2'
+message_is "rwedge history: --at 1,5;0,1;0,2: two values, 0 and 1; a decimal is written 0.1"
+run history loads.csv $specimen --at '0,0;0,.1;0.5,0'
+message_is ""
+run history $specimen --load 135,02,0,0
+message_is "rwedge history: --load 135,02,0,0: P 135 and M 02; a decimal is written 135.02"
+run history $specimen --load 135,2,0,0 --load 135,0
+message_is ""
 run history loads.csv $specimen --x 0,5 --depth 0,5
 message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
 rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"

@@ -369,16 +369,16 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
-/* From now on, loads that have no closed form are computed instead of refused, to an error of q that
- * is this part of f times the peak pressure. The closed form is used wherever it holds, to the same
- * bits, and again after full sliding or separation.                                              new
+/* From now on, loads that have no closed form are computed instead of refused, to an error of q
+ * that is this part of f times the peak pressure. The closed form is used wherever it holds, to
+ * the same bits, and again after full sliding or separation.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
  * A load may then fail with RWEDGE_ENOCONV, the contact as before: go there in two loads.
  * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 
-/* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It grows
- * with the loads that the tractions still depend on, and may pass the tolerance.                  new
+/* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
+ * grows with the loads that the tractions still depend on, and may pass the tolerance.          new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 
@@ -418,7 +418,7 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
-/* How many zones rwedge_contact_zones() gives for the contact as it is; 0 for NULL.               new */
+/* How many zones rwedge_contact_zones() gives for the contact as it is; 0 for NULL.             new */
 RWEDGE_API size_t rwedge_contact_zone_count(const rwedge_contact *contact);
 
 /* The zones of the contact that stick and slip, from left to right. Without a closed form there may

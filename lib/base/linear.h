@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Systems of linear equations, in place. They are small, or symmetric and well conditioned; in plain
- * arithmetic they are the same bits on every machine, also where there is no LAPACK. */
+/* Systems of linear equations, in place. They are small, or symmetric and well conditioned; in
+ * plain arithmetic they are the same bits on every machine, also where there is no LAPACK. */
 #ifndef RW_LINEAR_H
 #define RW_LINEAR_H
 

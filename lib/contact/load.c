@@ -275,7 +275,9 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
     const double work = separates ? rw_numerical_energy_to_separation(contact) : NAN;
     const double energy = contact->energy, carry = contact->energy_carry;
     const rw_departure departure = {contact->memory.corners[0], 1,
-                                    separates ? 0 : step->to.shear < 0 ? -1 : 1};
+                                    separates            ? 0
+                                    : step->to.shear < 0 ? -1
+                                                         : 1};
     const int32_t status = go_on(contact, to, step, &departure);
     if (status != RWEDGE_OK)
         return status;

@@ -148,8 +148,7 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_stan
             at[n++] = side * frame->a;
     qsort(at, n, sizeof *at, by_size);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
-    const bool is_done =
-        rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
+    const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
     free_patches(&p);
     return is_done;
 }
@@ -216,7 +215,7 @@ static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical
 
 static int32_t status_of(rw_step_result result)
 {
-    return result == RW_STEP_DONE      ? RWEDGE_OK
+    return result == RW_STEP_DONE        ? RWEDGE_OK
            : result == RW_STEP_NO_MEMORY ? RWEDGE_ENOMEM
                                          : RWEDGE_ENOCONV;
 }
@@ -267,9 +266,9 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
     }
     const bool is_begun =
         c->numerical ? rw_numerical_copy(c->numerical, next)
-        : touches    ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch),
-                          next)
-                     : begin(c, next);
+        : touches
+            ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch), next)
+            : begin(c, next);
     if (!is_begun) {
         free(next);
         return RWEDGE_ENOMEM;
@@ -296,8 +295,8 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
         return NAN;
     const double before = n.now.energy;
     const rw_course away = {0, 0, 0, n.now.at.stretch};
-    const bool is_done = rw_numerical_step(&n, &frame, part_of(n.now.at, away, 1 - LAST_TOUCH)) ==
-                         RW_STEP_DONE;
+    const bool is_done =
+        rw_numerical_step(&n, &frame, part_of(n.now.at, away, 1 - LAST_TOUCH)) == RW_STEP_DONE;
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);
     return is_done ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
@@ -361,8 +360,8 @@ size_t rwedge_contact_zone_count(const rwedge_contact *contact)
     return (size_t)zones.count;
 }
 
-int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[],
-                             double right[], double slip[])
+int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
+                             double slip[])
 {
     if (!contact || (n > 0 && (!left || !right || !slip)))
         return RWEDGE_ENULL;

@@ -7,8 +7,8 @@
 #include "contact/contact.h"
 #include "history/path.h"
 
-/* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the contact
- * is as before. energy receives what the load dissipates. */
+/* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
+ * contact is as before. energy receives what the load dissipates. */
 int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);
 
 /* What is dissipated on the way to separation; NaN where that is not known. */

@@ -160,9 +160,8 @@ static bool is_shear_sound(const rwedge_contact *c)
     const rw_zones *z = &s->shear.zones;
     return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
            c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
-           s->contact.left == contact.left && s->contact.right == contact.right &&
-           s->at.P > 0 && z->zone[0].left == contact.left &&
-           z->zone[z->count - 1].right == contact.right;
+           s->contact.left == contact.left && s->contact.right == contact.right && s->at.P > 0 &&
+           z->zone[0].left == contact.left && z->zone[z->count - 1].right == contact.right;
 }
 
 static bool is_contact_sound(const rwedge_contact *c)
@@ -319,9 +318,9 @@ static void pass_errors(tape *t, rw_numerical *n)
 static void pass_shear(tape *t, rw_numerical *n)
 {
     rw_stance *s = &n->now;
-    double *const finite[] = {&s->at.P,         &s->at.M,         &s->at.shear, &s->at.stretch,
-                              &s->contact.left, &s->contact.right, &s->move,    &s->energy,
-                              &s->error};
+    double *const finite[] = {&s->at.P,       &s->at.M,         &s->at.shear,
+                              &s->at.stretch, &s->contact.left, &s->contact.right,
+                              &s->move,       &s->energy,       &s->error};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
     pass_zones(t, &s->shear.zones);
     s->shear.kinks = (int)pass_count(t, (size_t)s->shear.kinks, RW_MOST_KINKS);

@@ -72,8 +72,7 @@ static bool note(record *r, const rwedge_contact *contact)
     entry *e = &r->entries[r->loads++];
     *e = (entry){.sigma = contact->loads.sigma};
     r->now.count = 0;
-    if (contact->numerical &&
-        !rw_traction_copy(&contact->numerical->now.shear.traction, &e->shear))
+    if (contact->numerical && !rw_traction_copy(&contact->numerical->now.shear.traction, &e->shear))
         return false;
     if (!reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
         return false;

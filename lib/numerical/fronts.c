@@ -69,9 +69,9 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 {
     zones->count = f->zones;
     for (int i = 0; i < f->zones; i++)
-        zones->zone[i] = (rw_zone){
-            f->label[i], i == 0 ? f->problem->to.left : zones->zone[i - 1].right,
-            i == f->fronts ? f->problem->to.right : rw_place_of(f->problem, f->y[i])};
+        zones->zone[i] =
+            (rw_zone){f->label[i], i == 0 ? f->problem->to.left : zones->zone[i - 1].right,
+                      i == f->fronts ? f->problem->to.right : rw_place_of(f->problem, f->y[i])};
     const int layers = f->unknowns - f->fronts;
     return (rw_layers){layers > 0 ? f->y[f->fronts] : 0, layers > 1 ? f->y[f->fronts + 1] : 0};
 }
@@ -102,9 +102,9 @@ static double X_at(const stuck *s, double x)
     double product = 1;
     for (int i = 0; i < s->count; i++) {
         const double least = AT_FRONT * s->half;
-        const double size = sqrt(fmax(fabs(x - s->end[2 * i]), least) *
-                                 fmax(fabs(x - s->end[2 * i + 1]), least)) /
-                            s->half;
+        const double size =
+            sqrt(fmax(fabs(x - s->end[2 * i]), least) * fmax(fabs(x - s->end[2 * i + 1]), least)) /
+            s->half;
         product *= x < s->end[2 * i] ? -size : size;
     }
     return product;
@@ -180,7 +180,8 @@ static bool put_segment(rw_fronts *f, rw_segment *s, rw_layers layers)
 static bool add_segment(rw_fronts *f, const stuck *sticks, rw_layers layers, double from, double to,
                         int label, int finest)
 {
-    const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)), length = to - from;
+    const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
+                 length = to - from;
     int panels = 1;
     if (near == 0)
         panels = finest;
@@ -224,8 +225,7 @@ static int by_size(const void *a, const void *b)
 /* All places where the change is not smooth, between two others. */
 static int breaks_of(const rw_problem *p, double from, double to, double at[])
 {
-    const double other[] = {-p->a,         p->a,          p->to.left,
-                            p->to.right,   p->from.left,  p->from.right};
+    const double other[] = {-p->a, p->a, p->to.left, p->to.right, p->from.left, p->from.right};
     int n = 0;
     at[n++] = from;
     for (int i = 0; i < 6; i++)
@@ -338,8 +338,7 @@ static void conditions(const rw_fronts *f, const stuck *s, rw_layers layers, con
 {
     const rw_problem *p = f->problem;
     const int m = s->count, n = 2 * m;
-    const double shear =
-        p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
+    const double shear = p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
     const double stretch =
         p->stretch + p->f * (layers.first * p->tilt + layers.second * p->layer_tilt);
     double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
@@ -433,8 +432,7 @@ static double nearest_kink(const rw_fronts *f, double angle)
 {
     double nearest = 1;
     for (int i = 0; i < f->problem->old->kinks; i++)
-        nearest =
-            fmin(nearest, fabs(rw_angle_of(f->problem, f->problem->old->kink[i]) - angle));
+        nearest = fmin(nearest, fabs(rw_angle_of(f->problem, f->problem->old->kink[i]) - angle));
     return nearest;
 }
 
@@ -443,8 +441,8 @@ static bool jacobian(rw_fronts *f, double J[])
     const int n = f->unknowns;
     for (int j = 0; j < n; j++) {
         const double y = f->y[j];
-        const double h = j < f->fronts ? fmin(1e-5 * room(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8))
-                                       : 1e-5;
+        const double h =
+            j < f->fronts ? fmin(1e-5 * room(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8)) : 1e-5;
         double up[RW_MOST_FRONTS], down[RW_MOST_FRONTS];
         f->y[j] = y + h;
         bool is_done = residual(f, up);
@@ -589,7 +587,7 @@ static bool relax_front(rw_fronts *f, int j)
     if (!pull(f, j, a, &at_a))
         return false;
     const double direction = at_a > 0 ? inwards : -inwards;
-    const double limit = direction < 0 ? j > 0 ? f->y[j - 1] : 0
+    const double limit = direction < 0       ? j > 0 ? f->y[j - 1] : 0
                          : j + 1 < f->fronts ? f->y[j + 1]
                                              : RW_PI;
     double step = 0.02 * fmin(1, fabs(limit - start) / 0.04);

@@ -4,8 +4,8 @@
  * known where it slips, and
  *     Omega + stretch = X (1/pi) int_slip [dt/X] ds/(s - z) + p/X,
  * p a polynomial of the degree 2m - 1: from the load and the stretch at infinity, and because two
- * zones that stick do not move apart. dt is bounded where the fronts are right: then p = 0. Newton's
- * method in the angles of the fronts takes the coefficients of 1/sqrt there to 0. */
+ * zones that stick do not move apart. dt is bounded where the fronts are right: then p = 0.
+ * Newton's method in the angles of the fronts takes the coefficients of 1/sqrt there to 0. */
 #ifndef RW_FRONTS_H
 #define RW_FRONTS_H
 
@@ -24,7 +24,7 @@ typedef struct {
     const rw_problem *problem;
     int zones, fronts, sticks, unknowns;
     int label[RW_MOST_ZONES];
-    bool sticks_to_edge[2]; /* left, right: of a growing contact */
+    bool sticks_to_edge[2];   /* left, right: of a growing contact */
     double y[RW_MOST_FRONTS]; /* angles of the fronts, then the layers */
     /* the quadrature: places, weights, changes of traction, X there */
     int order;

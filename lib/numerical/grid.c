@@ -6,8 +6,8 @@
  *
  * An active set: what sticks is solved for, together with the rigid move lambda. A place that
  * passes its bound is set there, one that slips against its traction is released. Each change of
- * the set lowers the energy of a convex problem. In practice 3 to 20 are enough; sets that still change
- * are those of places at their bounds to rounding, and either will do. */
+ * the set lowers the energy of a convex problem. In practice 3 to 20 are enough; sets that still
+ * change are those of places at their bounds to rounding, and either will do. */
 #include "numerical/grid.h"
 
 #include "base/domain.h"
@@ -77,7 +77,8 @@ static int old_label(const rw_problem *p, double x)
 
 static double prepare(rw_grid *g, const rw_problem *p, rw_layers layers)
 {
-    const double stretch = p->stretch + p->f * (layers.first * p->tilt + layers.second * p->layer_tilt);
+    const double stretch =
+        p->stretch + p->f * (layers.first * p->tilt + layers.second * p->layer_tilt);
     double scale = 0;
     g->middle = rw_patch_middle(p->both);
     g->half = rw_patch_half_width(p->both);
@@ -179,8 +180,7 @@ static bool settle(rw_grid *g, double scale)
 
 bool rw_grid_solve(rw_grid *g, const rw_problem *p, rw_layers layers)
 {
-    const double load =
-        p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
+    const double load = p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
     const double scale = prepare(g, p, layers);
     for (int turn = 0; turn < TURNS; turn++) {
         if (!solve_stuck(g, load))
@@ -200,8 +200,7 @@ bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
             continue;
         if (last < 0 || g->label[last] != g->label[i]) {
             const double middle = (angle_of(g, i) + angle_of(g, last)) / 2;
-            const double from =
-                last < 0 ? p->to.left : g->middle - g->half * cos(middle);
+            const double from = last < 0 ? p->to.left : g->middle - g->half * cos(middle);
             if (zones->count == RW_MOST_ZONES)
                 return false;
             if (zones->count > 0)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The step on a grid of Chebyshev's angles: where it sticks and slips, to an angle. It always has an
- * answer. The exact fronts begin from it (fronts.h); where they cannot be found, it stands. */
+/* The step on a grid of Chebyshev's angles: where it sticks and slips, to an angle. It always has
+ * an answer. The exact fronts begin from it (fronts.h); where they cannot be found, it stands. */
 #ifndef RW_GRID_H
 #define RW_GRID_H
 

@@ -171,7 +171,8 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
     return true;
 }
 
-/* Energies may differ by so many times what tractions may, over the square of scale and half-width. */
+/* Energies may differ by so many times what tractions may, over the square of scale and
+ * half-width. */
 static const double ENERGY = 0.1;
 
 /* The largest difference of two tractions, over the scale, or of the energies. */
@@ -192,8 +193,8 @@ static double difference(const rw_frame *frame, const rw_stance *one, const rw_s
 
 static rw_course half_way(rw_course from, rw_course to)
 {
-    return (rw_course){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2,
-                       from.shear / 2 + to.shear / 2, from.stretch / 2 + to.stretch / 2};
+    return (rw_course){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2, from.shear / 2 + to.shear / 2,
+                       from.stretch / 2 + to.stretch / 2};
 }
 
 /* A step that may be there or not. */
@@ -216,8 +217,8 @@ static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
     return t;
 }
 
-/* The step as a whole, if it is known, and by way of the middle: how far these are apart is the error.
- * Both halves are divided again until it is small. */
+/* The step as a whole, if it is known, and by way of the middle: how far these are apart is the
+ * error. Both halves are divided again until it is small. */
 static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
 {
     const bool is_last = halvings == 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shear of a contact whose history has no closed form: its traction on elements, with the slip so
- * far and an estimate of the error. It is as large as the traction is complicated, not as its history
- * is long. */
+/* The shear of a contact whose history has no closed form: its traction on elements, with the slip
+ * so far and an estimate of the error. It is as large as the traction is complicated, not as its
+ * history is long. */
 #ifndef RW_NUMERICAL_H
 #define RW_NUMERICAL_H
 
@@ -24,8 +24,8 @@ typedef struct {
 
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
 
-/* Begins where `now` stands, whose traction is set; slip is what has slipped before, NULL where that is
- * not known. false where memory is short, and nothing is to be freed but `now`. */
+/* Begins where `now` stands, whose traction is set; slip is what has slipped before, NULL where
+ * that is not known. false where memory is short, and nothing is to be freed but `now`. */
 bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame, const rw_stance *now,
                         rw_function slip, const void *context);
 

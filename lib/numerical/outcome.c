@@ -127,7 +127,8 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
     double begun = NAN, before = from;
     int label = 0;
     for (int i = 0; i < CHECKS; i++) {
-        const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS), x = from + (to - from) * half * half;
+        const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS),
+                     x = from + (to - from) * half * half;
         const double t = rw_traction_at(&o->state.traction, x);
         const double excess = (fabs(t) - rw_friction_after(p, x)) / peak(p);
         o->violation = fmax(o->violation, excess);
@@ -170,7 +171,7 @@ static double attached_displacement(const rw_problem *p, const attached *a, doub
 
 static bool attach(const rw_problem *p, attached *a, double origin)
 {
-    const double inner[] = {p->both.left, p->from.left,  p->to.left, -p->a,
+    const double inner[] = {p->both.left, p->from.left,  p->to.left,  -p->a,
                             p->a,         p->from.right, p->to.right, p->both.right};
     double at[8];
     int n = 0;
@@ -217,8 +218,7 @@ static void check_slip_part(slipping *s, double from, double to)
     double begun = NAN, last = from;
     for (int i = 0; i < SLIPS; i++) {
         const double half = sin(RW_HALF_PI * s->node[i]), x = from + (to - from) * half * half;
-        const double step =
-            s->weight[i] * RW_HALF_PI * (to - from) * sin(RW_PI * s->node[i]);
+        const double step = s->weight[i] * RW_HALF_PI * (to - from) * sin(RW_PI * s->node[i]);
         double slip = change_of_displacement(p, s->outcome, x) - s->outcome->move;
         const double before = rw_friction_before(p, x), now = rw_friction_after(p, x);
         if (s->attached)

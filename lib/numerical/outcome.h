@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a step leaves, once its zones are known, and how well it keeps the conditions of the problem:
- * Coulomb's where it sticks, the sense of slip where it slips. */
+/* What a step leaves, once its zones are known, and how well it keeps the conditions of the
+ * problem: Coulomb's where it sticks, the sense of slip where it slips. */
 #ifndef RW_OUTCOME_H
 #define RW_OUTCOME_H
 
@@ -18,8 +18,8 @@ typedef struct {
 
 void rw_shear_state_destroy(rw_shear_state *state);
 
-/* From exact fronts, and from the grid where there are none. false where memory is short, or a number
- * is not finite. */
+/* From exact fronts, and from the grid where there are none. false where memory is short, or a
+ * number is not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
 bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, rw_layers layers,
                         rw_outcome *outcome);

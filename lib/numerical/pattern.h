@@ -6,13 +6,13 @@
 
 #include "numerical/problem.h"
 
-/* Neighbours of one label become one zone; two zones that slip opposite ways get a place between them
- * that sticks, of at most the width `least` to either side. false where they are too many. */
+/* Neighbours of one label become one zone; two zones that slip opposite ways get a place between
+ * them that sticks, of at most the width `least` to either side. false where they are too many. */
 bool rw_pattern_clean(rw_zones *zones, double least);
 
-/* What may be at the two edges, numbered from 0 on: slip as wide as 0.15 of an angle, one way or the
- * other, where the grid saw none; stick to the edge of a growing contact. false where there is no
- * such variant, for number < RW_VARIANTS. `angle` is the width of an angle at the edge. */
+/* What may be at the two edges, numbered from 0 on: slip as wide as 0.15 of an angle, one way or
+ * the other, where the grid saw none; stick to the edge of a growing contact. false where there is
+ * no such variant, for number < RW_VARIANTS. `angle` is the width of an angle at the edge. */
 enum { RW_VARIANTS = 16 };
 bool rw_pattern_variant(const rw_problem *problem, const rw_zones *zones, double angle, int number,
                         rw_zones *variant);

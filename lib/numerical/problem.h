@@ -6,9 +6,9 @@
  * |t + dt| <= F' = f |p'|. Where it sticks, dw is one constant; where it slips, t + dt = S F', and
  * dw less that constant has the sign -S.
  *
- * A growing contact brings new material into contact without slip. Where that sticks up to the edge,
- * the change holds D_1 (F' - F), and a layer of a second profile, ((x - x_0)/half)^2, where the two edges
- * differ. */
+ * A growing contact brings new material into contact without slip. Where that sticks up to the
+ * edge, the change holds D_1 (F' - F), and a layer of a second profile, ((x - x_0)/half)^2, where
+ * the two edges differ. */
 #ifndef RW_PROBLEM_H
 #define RW_PROBLEM_H
 
@@ -43,17 +43,17 @@ typedef struct {
 
 typedef struct {
     double a, f;
-    double scale;     /* f times the peak pressure */
-    double tolerance; /* of tractions */
-    double allowed;   /* violations, over the scale */
+    double scale;            /* f times the peak pressure */
+    double tolerance;        /* of tractions */
+    double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
     rw_eccentric from_pressure, to_pressure;
-    bool is_still;                  /* the contact is as it was */
-    bool grows[2];                  /* at the left, right edge */
-    double load, tilt;              /* by which the contact changes: lengths, theta */
-    double layer_load, layer_tilt;  /* of the second layer */
-    double middle, half;            /* of the contact after the step */
-    double shear, stretch;          /* the changes */
+    bool is_still;                 /* the contact is as it was */
+    bool grows[2];                 /* at the left, right edge */
+    double load, tilt;             /* by which the contact changes: lengths, theta */
+    double layer_load, layer_tilt; /* of the second layer */
+    double middle, half;           /* of the contact after the step */
+    double shear, stretch;         /* the changes */
     const rw_shear_state *old;
 } rw_problem;
 

@@ -74,7 +74,8 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
-/* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried again. */
+/* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
+ * again. */
 static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                         double least, rw_outcome *best)
 {
@@ -107,8 +108,8 @@ static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *othe
     *is_known = true;
 }
 
-/* What the layers of a growing contact are at first: at each edge the ratio of the rates of shear and
- * friction, as if all else stuck. */
+/* What the layers of a growing contact are at first: at each edge the ratio of the rates of shear
+ * and friction, as if all else stuck. */
 static rw_layers guess_layers(const rw_problem *p)
 {
     double ratio[2] = {0, 0};
@@ -221,7 +222,8 @@ static void set_problem(const rw_frame *frame, const rw_stance *from, rw_course 
     p->allowed = ALLOWED * frame->tolerance;
 }
 
-bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse, rw_stance *there)
+bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
+                      rw_stance *there)
 {
     const bool is_still = to.P == from->at.P && to.M == from->at.M;
     const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
@@ -231,11 +233,11 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
     if (!solve(w, &p, coarse, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,
-                                  .contact = contact,
-                                  .at = to,
-                                  .move = from->move + outcome.move,
-                                  .energy = from->energy + outcome.energy,
-                                  .error = outcome.violation};
+                         .contact = contact,
+                         .at = to,
+                         .move = from->move + outcome.move,
+                         .energy = from->energy + outcome.energy,
+                         .error = outcome.violation};
     return true;
 }
 

@@ -5,13 +5,14 @@
 
 #include "numerical/outcome.h"
 
-/* Where a step leads: P A/theta, M A/theta and Q A/theta, lengths and a square of one; the stretch. */
+/* Where a step leads: P A/theta, M A/theta and Q A/theta, lengths and a square of one; the
+ * stretch. */
 typedef struct {
     double P, M, shear, stretch;
 } rw_course;
 
-/* What does not change: rounding, friction, and the error of q over f times the peak pressure that is
- * asked for. */
+/* What does not change: rounding, friction, and the error of q over f times the peak pressure that
+ * is asked for. */
 typedef struct {
     double a, f, tolerance;
 } rw_frame;
@@ -38,9 +39,10 @@ typedef struct {
 bool rw_work_create(rw_work *work, const rw_frame *frame);
 void rw_work_destroy(rw_work *work);
 
-/* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them best,
- * or the grid's answer: then false means that there is none. */
-bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse, rw_stance *there);
+/* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them
+ * best, or the grid's answer: then false means that there is none. */
+bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse,
+                      rw_stance *there);
 
 /* f times the peak pressure of a contact, in theta/A. */
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);

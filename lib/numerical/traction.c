@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower is
- * the noise of a front that is not exact. */
+/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower
+ * is the noise of a front that is not exact. */
 enum { DEPTH = 12 };
 
 static const double SHORTEST = 1e-8;

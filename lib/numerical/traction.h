@@ -16,12 +16,12 @@ enum { RW_TERMS = 16 };
 
 typedef struct {
     double end, scale, first, last;
-    double low, high;                  /* the ends in x, in order */
-    double coefficient[RW_TERMS];      /* of the Legendre polynomials in u */
-    double u[RW_TERMS], x[RW_TERMS];   /* Gauss's nodes */
-    double load[RW_TERMS];             /* the traction there times its weight in x */
-    double primitive[RW_TERMS + 2];    /* of the load up to u: its coefficients */
-    double carried[RW_TERMS];          /* the primitive at the nodes times scale d(u^2) */
+    double low, high;                /* the ends in x, in order */
+    double coefficient[RW_TERMS];    /* of the Legendre polynomials in u */
+    double u[RW_TERMS], x[RW_TERMS]; /* Gauss's nodes */
+    double load[RW_TERMS];           /* the traction there times its weight in x */
+    double primitive[RW_TERMS + 2];  /* of the load up to u: its coefficients */
+    double carried[RW_TERMS];        /* the primitive at the nodes times scale d(u^2) */
 } rw_element;
 
 typedef struct {
@@ -35,9 +35,9 @@ void rw_gauss(int n, double node[], double weight[]);
 bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
 void rw_traction_destroy(rw_traction *traction);
 
-/* A function as a traction, between neighbours of the breaks, in order: it may be like a square root
- * there. Elements are divided until their last coefficients are below the tolerance. Replaces what
- * the traction was. false where memory is short. */
+/* A function as a traction, between neighbours of the breaks, in order: it may be like a square
+ * root there. Elements are divided until their last coefficients are below the tolerance. Replaces
+ * what the traction was. false where memory is short. */
 bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,
                      const double at[], double tolerance);
 

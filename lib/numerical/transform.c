@@ -79,13 +79,14 @@ static pole gauss_sum(const rw_element *e, const double load[], double scale, rw
         const double share = load[i] / (2 * scale * e->u[i] * square);
         const rw_complex value = {share * d, share * zeta.im};
         sum.value = sum_of(sum.value, value);
-        sum.slope = sum_of(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
+        sum.slope =
+            sum_of(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
     }
     return sum;
 }
 
-static pole pole_of(const rw_element *e, int n, const double c[], const double load[],
-                    double scale, rw_complex zeta)
+static pole pole_of(const rw_element *e, int n, const double c[], const double load[], double scale,
+                    rw_complex zeta)
 {
     const double per_half = 2 / (e->last - e->first);
     const rw_complex v = {(zeta.re - e->first) * per_half - 1, zeta.im * per_half};
@@ -115,15 +116,14 @@ static pole both_poles(const rw_element *e, int n, const double c[], const doubl
     const rw_complex zeta = zeta_of(e, x, y);
     const pole one = pole_of(e, n, c, load, scale, zeta);
     const pole other = pole_of(e, n, c, load, scale, multiple(-1, zeta));
-    return (pole){sum_of(one.value, other.value),
-                  rw_quotient(sum_of(one.slope, multiple(-1, other.slope)),
-                              multiple(2 * e->scale, zeta))};
+    return (pole){
+        sum_of(one.value, other.value),
+        rw_quotient(sum_of(one.slope, multiple(-1, other.slope)), multiple(2 * e->scale, zeta))};
 }
 
 static pole transform(const rw_element *e, double x, double y)
 {
-    pole sum =
-        both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
+    pole sum = both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
     const double sign = e->scale < 0 ? -1 : 1;
     return (pole){multiple(sign, sum.value), multiple(sign, sum.slope)};
 }
@@ -170,10 +170,10 @@ static double element_potential(const rw_element *e, double x)
     for (int k = 0; k < RW_TERMS + 2; k++)
         whole += e->primitive[k];
     const double end = e->scale > 0 ? e->high : e->low;
-    const double rest = is_far(e, x, 0) ? far_sum(e->x, e->carried, x)
-                                        : both_poles(e, RW_TERMS + 2, e->primitive, e->carried,
-                                                     e->scale, x, 0)
-                                              .value.re;
+    const double rest =
+        is_far(e, x, 0)
+            ? far_sum(e->x, e->carried, x)
+            : both_poles(e, RW_TERMS + 2, e->primitive, e->carried, e->scale, x, 0).value.re;
     return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
 }
 

@@ -2,9 +2,10 @@
 /* What a traction does to the half-plane, in closed form of its elements:
  *     Omega(z) = (1/pi) int t/(s - z) ds,   w(x) = -(1/pi) int t ln|s - x| ds,   w' = Re Omega.
  * With z = end + scale zeta^2 an element of the Legendre coefficients c_k has
- *     int t/(s - z) ds = -2 sum c_k [Q_k(v+) + Q_k(v-)],   v+- = (2 (+-zeta) - first - last)/(last - first)
- * times the sign of the scale, with Legendre's functions of the second kind. The potential is that of the
- * primitive, integrated by parts. Far from an element Gauss's rule on it is as exact. */
+ *     int t/(s - z) ds = -2 sum c_k [Q_k(v+) + Q_k(v-)],   v+- = (2 (+-zeta) - first - last)/(last
+ * - first) times the sign of the scale, with Legendre's functions of the second kind. The
+ * potential is that of the primitive, integrated by parts. Far from an element Gauss's rule on it
+ * is as exact. */
 #ifndef RW_TRANSFORM_H
 #define RW_TRANSFORM_H
 

@@ -44,7 +44,8 @@ static void nothing_is_computed_unless_it_is_allowed(void **state)
     rwedge_contact_destroy(contact);
 }
 
-/* An independent prototype of the same equations, each load in four parts (tests/data/README.md). */
+/* An independent prototype of the same equations, each load in four parts
+ * (tests/data/README.md). */
 static void reference_histories(void **state)
 {
     (void)state;
@@ -201,9 +202,9 @@ static void a_stress_history_is_that_of_its_loads(void **state)
     const double x[POINTS] = {-2, 0.3, 2.3}, y[POINTS] = {0, 0.4, 0};
     double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
     rwedge_contact *contact = allowing(1e-4), *one = allowing(1e-4);
-    assert_int_equal(rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx,
-                                                   syy, txy),
-                     RWEDGE_OK);
+    assert_int_equal(
+        rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx, syy, txy),
+        RWEDGE_OK);
     for (int i = 0; i < LOADS; i++) {
         double xx[POINTS], yy[POINTS], xy[POINTS];
         apply(one, P[i], M[i], Q[i], sigma[i]);
@@ -216,9 +217,9 @@ static void a_stress_history_is_that_of_its_loads(void **state)
     rwedge_contact_destroy(one);
 }
 
-/* In a cycle under constant P and no tension the area of the loop of Q over the rigid displacement is
- * what is dissipated; here the slip of the two ends of a straight cycle, with tension in it, gives
- * the same as the two loads' work. */
+/* In a cycle under constant P and no tension the area of the loop of Q over the rigid displacement
+ * is what is dissipated; here the slip of the two ends of a straight cycle, with tension in it,
+ * gives the same as the two loads' work. */
 static void yield_is_found_and_the_energy_grows(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steps of the shear computed numerically where the contact has a closed form, which is not used. */
+/* Steps of the shear computed numerically where the contact has a closed form, which is not
+ * used. */
 #include "claims.h"
 #include "numerical/numerical.h"
 #include "rwedge.h"
@@ -121,7 +122,7 @@ static void a_contact_that_grows_and_recedes(void **state)
     for (int i = 0; i < 3; i++) {
         pair c = begin(3, 0, TOLERANCES[i]);
         go(&c, 3, 0, 0.6, 0);
-        go(&c, 4, 0, 0.9, 0);  /* the ring sticks, at the ratio 0.6 of friction */
+        go(&c, 4, 0, 0.9, 0); /* the ring sticks, at the ratio 0.6 of friction */
         go(&c, 4, 0, 1.3, 0);
         go(&c, 3.5, 0, 1.2, 0); /* recedes and slips */
         end(&c);
@@ -147,8 +148,7 @@ static void a_step_in_parts_is_the_step_as_a_whole(void **state)
         if (k == 0)
             assert_true(rw_traction_copy(t, &first));
         for (int i = -20; i <= 20; i++)
-            assert_within(rw_traction_at(t, i / 10.0), rw_traction_at(&first, i / 10.0),
-                          F * 1e-3);
+            assert_within(rw_traction_at(t, i / 10.0), rw_traction_at(&first, i / 10.0), F * 1e-3);
         end(&c);
     }
     rw_traction_destroy(&first);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transforms of a traction, held against t = sqrt(1 - x^2) and t = x sqrt(1 - x^2), whose transforms
- * are those of Hertz: Omega = -z + X and 1/2 - z^2 + z X, X = sqrt(z^2 - 1). */
+/* Transforms of a traction, held against t = sqrt(1 - x^2) and t = x sqrt(1 - x^2), whose
+ * transforms are those of Hertz: Omega = -z + X and 1/2 - z^2 + z X, X = sqrt(z^2 - 1). */
 #include "claims.h"
 #include "base/complex.h"
 #include "numerical/transform.h"
@@ -67,7 +67,8 @@ static void the_field_of_hertz_is_its_potential(void **state)
 {
     (void)state;
     rw_traction t = fitted();
-    const double x[] = {0.3, -1.01, 0.5, 2, 0.4, 0, -0.2, 7}, y[] = {0.2, 1e-3, 1e-6, 3, 1e-12, 50, 0.1, 1};
+    const double x[] = {0.3, -1.01, 0.5, 2, 0.4, 0, -0.2, 7},
+                 y[] = {0.2, 1e-3, 1e-6, 3, 1e-12, 50, 0.1, 1};
     for (int i = 0; i < 8; i++) {
         const rw_complex X = root(x[i], y[i]);
         const rw_complex z_over_X = rw_quotient((rw_complex){x[i], y[i]}, X);

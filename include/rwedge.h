@@ -418,7 +418,7 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
 
-/* How many zones rwedge_contact_zones() gives for the contact as it is; 0 for NULL.             new */
+/* How many zones rwedge_contact_zones() gives for the contact as it is; 0 for NULL.          new */
 RWEDGE_API size_t rwedge_contact_zone_count(const rwedge_contact *contact);
 
 /* The zones of the contact that stick and slip, from left to right. Without a closed form there may

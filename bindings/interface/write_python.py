@@ -128,6 +128,7 @@ def header_py(interface: Interface) -> str:
             "sizes": {p.name: p.size for p in f.parameters if p.size},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "source": equation,
+            "reasons": {interface.statuses[status]: replaced(why, IN_GENERAL) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
@@ -272,7 +273,9 @@ from numpy.typing import NDArray
 from ._contact import Contact as Contact
 from ._contact import YieldFactor as YieldFactor
 from ._cycle import Cycle as Cycle
+from ._library import AbsentError as AbsentError
 from ._library import Error as Error
+from ._library import PathError as PathError
 from ._library import SlidingError as SlidingError
 from ._loads import Loads as Loads
 from ._series import Series as Series
@@ -327,7 +330,7 @@ def formula_type(f: Function) -> str:
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["Contact", "Cycle", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    public = ["AbsentError", "Contact", "Cycle", "Error", "Loads", "PathError", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")

@@ -8,6 +8,7 @@ from typing import Any, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
+from ._blocks import beside
 from ._general import call
 from ._library import EDOMAIN, Error, Handle, check, function, integer, real
 from ._labels import aligned
@@ -83,7 +84,7 @@ class Series(SeriesMethods, Handle):
         if places.ndim != 1 or places.shape != pressures.shape:
             raise Error(f"x has the shape {places.shape}, p {pressures.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()
-        status = _fit(places.size, places.ctypes.data, pressures.ctypes.data, terms, ctypes.byref(handle))
+        status = beside(lambda: _fit(places.size, places.ctypes.data, pressures.ctypes.data, terms, ctypes.byref(handle)))
         if status == EDOMAIN:
             first = np.argmin((abs(places) < 1) & np.isfinite(pressures))
             check("series_fit", status, {"x": places[first], "p": pressures[first]}, f"[{first}]")

@@ -167,7 +167,7 @@ def _zones(contact: Contact, ax: Any, length: float) -> None:
 
 def displacement(contact: Contact) -> float:
     """How far remote points of the half-plane have moved along the surface, relative to the wedge's, more than if the contact
-    were bonded over \\|x| < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
+    were bonded over |x| < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def displacement(contact: Contact) -> float:
     ValueError
         with a moment or a bulk tension
 
-    The centre sticks: it is A/pi times the integral of the traction -q times ln(b/(2\\|s|)). Error below 1e-5 f theta b.
+    The centre sticks: it is A/pi times the integral of the traction -q times ln(b/(2|s|)). Error below 1e-5 f theta b.
     Source: new.
     """
     if contact.M != 0 or contact.sigma != 0:
@@ -203,7 +203,7 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     contact : Contact
         loaded, without moment and bulk tension; it stays as it is
     Q : array_like
-        force/length, the turning points, \\|Q| <= f P
+        force/length, the turning points, |Q| <= f P
     ax, units
         as in ``tractions``; without units, Q/(f P) and lengths over f theta b
     **line

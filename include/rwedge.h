@@ -33,7 +33,7 @@
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
  * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _copy, _load, _apply, _stress_history, _restore and rwedge_permanent_stick() allocate.
+ * _copy, _load, _apply, _obstacle, _stress_history, _restore and rwedge_permanent_stick() allocate.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -355,9 +355,12 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
  * |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact, for a strain of A/4. It is
  * exact where both edges of the contact move outwards, or both inwards, and both slip the same way
- * or stick. Other loads have no closed form. Nor have loads that bring the front of slip between
- * two patches of the memory at one edge, and between two others at the other edge, or that leave a
- * part beyond the front that sticks: lib/README.md, "Moment and bulk tension".
+ * or stick; and where Q and sigma stay and the contact keeps what carries shear, or nothing does. A
+ * straight line may consist of such pieces. Other loads have no closed form. Nor have loads that
+ * bring the front of slip between two patches of the memory at one edge, and between two others at
+ * the other edge, or that leave a part beyond the front that sticks: lib/README.md, "Moment and
+ * bulk tension". A line may pass such loads and end where there is a closed form. P and M that
+ * differ from the last ones by rounding, 4 epsilon of P and of P |x| at the edges, are the last.
  * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
  * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
  * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
@@ -365,8 +368,9 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
-/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and what to do instead, in
- * English; empty where it would not.                                                            new
+/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and which loads lead there
+ * or near instead, in English; empty where it would not. They were tried, on a copy of the contact:
+ * it takes as long as some loads. Another way is another history.                               new
  *   arguments as for rwedge_contact_apply(); the contact stays as it is
  * Static text, never NULL. */
 RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
@@ -539,8 +543,9 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  *           apex of the sharp wedge
  *   x, y    where the maximum is, length; each may be NULL
  * The search is for the global maximum, around each remembered edge of slip, at every scale. It
- * takes as long as the stresses at about 7000 points for a first load, and at 25 000 where
- * rwedge_contact_memory() is 250. RWEDGE_EABSENT when separated: there is no stress.
+ * takes as long as the stresses at about 5000 points for a first load, at 20 000 where
+ * rwedge_contact_memory() is 250, and at 30 000 where it is 1000. RWEDGE_EABSENT when separated:
+ * there is no stress.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where the factor leaves the domain. Relative error
  * below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,

@@ -126,6 +126,18 @@ static bool read_load(const char *text, size_t length, load last, load *to)
     return count == 4 || count == 2;
 }
 
+/* A first load with decimal commas, as 135,75,0,0, is four numbers too. */
+static void say_four_values(const char *line, int length)
+{
+    static const char digits[] = "0123456789";
+    const int P = (int)strspn(line, digits);
+    const char *moment = line + P + (line[P] == ',' ? 1 : 0);
+    const int M = (int)strspn(moment, digits);
+    if (M > 1 && strncmp(moment + M, ",0,", 3) == 0)
+        notice("--load %.*s: P %.*s and M %.*s; a decimal is written %.*s.%.*s", length, line, P,
+               line, M, moment, P, line, M, moment);
+}
+
 static int read_list(const char *lines, load_table *loads)
 {
     load to = {0};
@@ -136,6 +148,8 @@ static int read_list(const char *lines, load_table *loads)
         if (!read_load(lines, length, to, &to))
             return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                                (int)(length < 60 ? length : 60), lines);
+        if (loads->count == 0)
+            say_four_values(lines, (int)length);
         if (!add(loads, to, (csv_row){0}))
             return STATUS_FAILED;
         lines += length + 1;

@@ -9,11 +9,11 @@
 #include "figures_traction.h"
 #include "picture/gnuplot.h"
 #include "text/list.h"
+#include "text/memory.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <rwedge.h>
@@ -120,66 +120,60 @@ static void describe_figures(FILE *stream)
           stream);
 }
 
-static int choose_figure(const arguments *given, const figure **which)
+static const figure *choose_figure(const arguments *given)
 {
     char allowed[120] = "";
     for (int i = 0; i < FIGURE_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", figures[i]->name);
     if (given->operand == NULL || given->operand[0] == NULL)
-        return usage_error("which figure must follow; allowed: %s", allowed);
-    for (int i = 0; i < FIGURE_COUNT; i++)
-        if (strcmp(given->operand[0], figures[i]->name) == 0)
-            *which = figures[i];
-    if (*which == NULL)
-        return usage_error("%s: unknown figure; allowed: %s", given->operand[0], allowed);
+        usage_error("which figure must follow; allowed: %s", allowed);
+    int i = 0;
+    while (i < FIGURE_COUNT && strcmp(given->operand[0], figures[i]->name) != 0)
+        i++;
+    if (i == FIGURE_COUNT)
+        usage_error("%s: unknown figure; allowed: %s", given->operand[0], allowed);
     if (given->operand[1] != NULL)
-        return usage_error("%s: unexpected; allowed: one figure, and options", given->operand[1]);
-    return STATUS_DONE;
+        usage_error("%s: unexpected; allowed: one figure, and options", given->operand[1]);
+    return figures[i];
 }
 
-static int refuse_variable(const figure *which, int variable, const char *text)
+NO_RETURN static void refuse_variable(const figure *which, int variable, const char *text)
 {
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (which->use[i].usual != NULL)
             list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
-    return usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
-                       variable_of(variable)->option, text, which->name,
-                       allowed[0] != '\0' ? allowed : "none of the variables");
+    usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
+                variable_of(variable)->option, text, which->name,
+                allowed[0] != '\0' ? allowed : "none of the variables");
 }
 
-static int read_variable(const figure *which, int i, const char *text, range *values)
+static void read_variable(const figure *which, int i, const char *text, range *values)
 {
     const int most = which->use[i].most;
     if (text == NULL && which->use[i].usual[0] == '\0')
-        return STATUS_DONE;
-    const int status =
-        variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
-    if (status != STATUS_DONE || values->count <= most)
-        return status;
-    if (most == 1)
-        return usage_error("--%s %s: must be one number", variable_of(i)->option, text);
-    return usage_error("--%s %s: must not have more than %d values, a curve each",
-                       variable_of(i)->option, text, most);
+        return;
+    variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    if (values->count > most && most == 1)
+        usage_error("--%s %s: must be one number", variable_of(i)->option, text);
+    if (values->count > most)
+        usage_error("--%s %s: must not have more than %d values, a curve each",
+                    variable_of(i)->option, text, most);
 }
 
-static int read_case(const arguments *given, const figure *which, figure_case *of)
+static void read_case(const arguments *given, const figure *which, figure_case *of)
 {
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = given->value[OPTION_FIGURE_VARIABLE + i];
-        int status = STATUS_DONE;
         if (which->use[i].usual != NULL)
-            status = read_variable(which, i, text, &of->value[i]);
+            read_variable(which, i, text, &of->value[i]);
         else if (text != NULL)
-            status = refuse_variable(which, i, text);
-        if (status != STATUS_DONE)
-            return status;
+            refuse_variable(which, i, text);
     }
     if (of->value[C_OVER_B].count > 0 && of->value[Q_OVER_FP].count > 0)
-        return usage_error(
+        usage_error(
             "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
             given->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
-    return STATUS_DONE;
 }
 
 /* ---- A contact and its loads ---- */
@@ -190,15 +184,13 @@ static bool has_loads(const arguments *given)
 }
 
 /* Without a table of loads there is nothing for its options to say. */
-static int refuse_course(const arguments *given, const figure *which)
+static void refuse_course(const arguments *given, const figure *which)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
         if (given->value[i] != NULL)
-            return usage_error(
-                "figure %s: a contact and its loads are for history, fretting, and loop with "
-                "--history or --load",
-                which->name);
-    return STATUS_DONE;
+            usage_error("figure %s: a contact and its loads are for history, fretting, and loop "
+                        "with --history or --load",
+                        which->name);
 }
 
 static double largest_half_width(const course *whole)
@@ -220,25 +212,21 @@ static arguments with_bodies(const arguments *given)
     return as;
 }
 
-static int read_course(const arguments *given, const figure *which, char decimal_sign,
-                       course *whole, places *at, figure_case *of)
+static void read_course(const arguments *given, const figure *which, char decimal_sign,
+                        course *whole, places *at, figure_case *of)
 {
     const arguments as = with_bodies(given);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (i != FRICTION && i != NU && given->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            return refuse_variable(which, i, given->value[OPTION_FIGURE_VARIABLE + i]);
+            refuse_variable(which, i, given->value[OPTION_FIGURE_VARIABLE + i]);
     if (which->needs_point && as.value[OPTION_AT] == NULL)
-        return usage_error("--at: missing; figure %s needs a point x,y", which->name);
-    int status = places_read(&as, decimal_sign, at);
-    if (status == STATUS_DONE && at->count > 1)
-        status = usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    if (status == STATUS_DONE)
-        status = course_read(&as, decimal_sign,
-                             (course_usage){.cycles = which->cycles, .loads_before = true}, whole);
-    if (status != STATUS_DONE)
-        return status;
+        usage_error("--at: missing; figure %s needs a point x,y", which->name);
+    places_read(&as, decimal_sign, at);
+    if (at->count > 1)
+        usage_error("--at %s: must be one point", as.value[OPTION_AT]);
+    course_read(&as, decimal_sign, (course_usage){.cycles = which->cycles, .loads_before = true},
+                whole);
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
-    return STATUS_DONE;
 }
 
 static const picture_format *format_named(const char *name)
@@ -249,19 +237,16 @@ static const picture_format *format_named(const char *name)
     return NULL;
 }
 
-static int read_picture_format(const arguments *given, const picture_format **format,
-                               output_options *how)
+static const picture_format *read_picture_format(const arguments *given, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
     if (given->value[OPTION_DIGITS] != NULL)
-        return usage_error("--digits %s: not for a picture; allowed with: --data",
-                           given->value[OPTION_DIGITS]);
+        usage_error("--digits %s: not for a picture; allowed with: --data",
+                    given->value[OPTION_DIGITS]);
     if (given->value[OPTION_DECIMAL_COMMA] != NULL)
-        return usage_error("--decimal-comma: not for a picture; allowed with: --data");
-    const int status =
-        output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
-    *format = status == STATUS_DONE ? format_named(how->format_name) : NULL;
-    return status;
+        usage_error("--decimal-comma: not for a picture; allowed with: --data");
+    output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
+    return format_named(how->format_name);
 }
 
 /* ---- What is written ---- */
@@ -276,84 +261,56 @@ typedef struct {
     dataset rows;
 } work;
 
-static bool compute(work *what)
+static void compute(work *to_do)
 {
-    what->rows.column = what->which->column;
-    what->rows.text_column = what->which->text_column;
-    const int32_t status = what->which->compute(&what->of, &what->rows);
+    to_do->rows.column = to_do->which->column;
+    to_do->rows.text_column = to_do->which->text_column;
+    const int32_t status = to_do->which->compute(&to_do->of, &to_do->rows);
     if (status != RWEDGE_OK)
-        failure("figure %s: %s", what->which->name, rwedge_strerror(status));
-    else if (what->rows.failed)
-        failure("out of memory");
-    return status == RWEDGE_OK && !what->rows.failed;
+        failure("figure %s: %s", to_do->which->name, rwedge_strerror(status));
 }
 
-static bool draw(const work *what, output *out)
+static void draw(const work *to_do, output *out)
 {
-    drawing *on = calloc(1, sizeof *on);
-    bool drawn = false;
-    if (on == NULL)
-        failure("out of memory");
-    else {
-        const char *nothing = what->which->draw(&what->of, &what->rows, on);
-        if (what->no_title)
-            on->title[0] = '\0';
-        if (on->outlines.failed)
-            failure("out of memory");
-        else if (nothing != NULL)
-            failure("figure %s: nothing to draw: %s", what->which->name, nothing);
-        else
-            drawn = gnuplot_draw(on, what->format, out);
-    }
-    drawing_free(on);
-    return drawn;
+    drawing *on = memory_zeroed(1, sizeof *on);
+    const char *nothing = to_do->which->draw(&to_do->of, &to_do->rows, on);
+    if (nothing != NULL)
+        failure("figure %s: nothing to draw: %s", to_do->which->name, nothing);
+    if (to_do->no_title)
+        on->title[0] = '\0';
+    gnuplot_draw(on, to_do->format, out);
 }
 
 /* A rows_writer: a picture goes where rows would. */
 static bool write_figure(void *of_work, records *rows, bool show_progress)
 {
-    work *what = of_work;
-    if (!compute(what))
-        return false;
-    return what->format != NULL ? draw(what, rows->out)
-                                : dataset_write(&what->rows, rows, show_progress);
-}
-
-static int write_work(const arguments *given, work *what)
-{
-    output_options how;
-    int status = choose_figure(given, &what->which);
-    if (status == STATUS_DONE && what->which == &figure_loop && has_loads(given))
-        what->which = &figure_any_loop;
-    if (status == STATUS_DONE)
-        status = given->value[OPTION_DATA] != NULL
-                     ? output_options_read(given, &how)
-                     : read_picture_format(given, &what->format, &how);
-    if (status == STATUS_DONE && what->which->of_course)
-        status =
-            read_course(given, what->which, how.decimal_sign, &what->whole, &what->at, &what->of);
-    else if (status == STATUS_DONE) {
-        status = refuse_course(given, what->which);
-        if (status == STATUS_DONE)
-            status = read_case(given, what->which, &what->of);
-    }
-    if (status == STATUS_DONE)
-        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, write_figure, what);
-    return status;
+    work *to_do = of_work;
+    compute(to_do);
+    if (to_do->format == NULL)
+        return dataset_write(&to_do->rows, rows, show_progress);
+    draw(to_do, rows->out);
+    return true;
 }
 
 static int write_command(const arguments *given)
 {
-    work what = {.no_title = given->value[OPTION_NO_TITLE] != NULL};
-    const int status = write_work(given, &what);
-    dataset_free(&what.rows);
-    course_free(&what.whole);
-    places_free(&what.at);
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        range_free(&what.of.value[i]);
-    return status;
+    work to_do = {.which = choose_figure(given), .no_title = given->value[OPTION_NO_TITLE] != NULL};
+    output_options how;
+    if (to_do.which == &figure_loop && has_loads(given))
+        to_do.which = &figure_any_loop;
+    if (given->value[OPTION_DATA] != NULL)
+        output_options_read(given, &how);
+    else
+        to_do.format = read_picture_format(given, &how);
+    if (to_do.which->of_course)
+        read_course(given, to_do.which, how.decimal_sign, &to_do.whole, &to_do.at, &to_do.of);
+    else {
+        refuse_course(given, to_do.which);
+        read_case(given, to_do.which, &to_do.of);
+    }
+    output_options_spare(&how, given->value[OPTION_HISTORY]);
+    output_options_write(&how, write_figure, &to_do);
+    return STATUS_DONE;
 }
 
 static const char *figure_name(int i)

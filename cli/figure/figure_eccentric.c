@@ -32,22 +32,26 @@ static int32_t add_point(const case_of_tension *of, double x)
     return x == 0 && status == RWEDGE_EDOMAIN ? RWEDGE_OK : status;
 }
 
-/* Dense at the edges; the edges of the stick zone are points of their own, as there is a kink. */
+/* Dense at both ends, where the traction is steep; the last point is left out. */
+static int32_t add_zone(const case_of_tension *of, double from, double to)
+{
+    enum { STEPS = 100 };
+    int32_t status = RWEDGE_OK;
+    for (int i = -STEPS; i < STEPS && status == RWEDGE_OK; i++)
+        status = add_point(of, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
+    return status;
+}
+
+/* The slip zones, and the stick zone where there is one: the edges are kinks. */
 static int32_t add_points(const case_of_tension *of)
 {
-    enum { STEPS = 200 };
-    const double kink[] = {of->left, of->right};
-    int next = 0;
-    int32_t status = RWEDGE_OK;
-    for (int i = -STEPS; i <= STEPS && status == RWEDGE_OK; i++) {
-        const double x = i == 0 ? 0 : sin(0.5 * PI * i / STEPS);
-        for (; next < 2 && kink[next] < x && status == RWEDGE_OK; next++)
-            if (kink[next] > -1)
-                status = add_point(of, kink[next]);
-        if (status == RWEDGE_OK)
-            status = add_point(of, x);
-    }
-    return status;
+    const bool sticks = isfinite(of->left) && of->left > -1 && of->right > of->left;
+    int32_t status = add_zone(of, -1, sticks ? of->left : 0);
+    if (status == RWEDGE_OK && sticks)
+        status = add_zone(of, of->left, of->right);
+    if (status == RWEDGE_OK)
+        status = add_zone(of, sticks ? of->right : 0, 1);
+    return status == RWEDGE_OK ? add_point(of, 1) : status;
 }
 
 /* Under constant P, Q and sigma together. */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of von Mises' stress below the contact. */
 #include "model/loads.h"
-#include "picture/contour.h"
-#include "picture/names.h"
 #include "figure_field.h"
+#include "text/message.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <rwedge.h>
 
@@ -68,70 +68,8 @@ static double step_of_levels(double top)
 
 /* ---- Contours ---- */
 
-enum { AREA_CURVE, LINE_CURVE, KINDS };
-
-/* Whether a point can be left out: it is on the straight line between its neighbours, as far as
- * an eye can see. */
-static bool is_needless(const contour_point *before, const contour_point *p,
-                        const contour_point *after)
-{
-    static const double SEEN = 3e-4;
-    const double dx = after->x - before->x, dy = after->y - before->y, length = hypot(dx, dy);
-    const double off = dx * (p->y - before->y) - dy * (p->x - before->x);
-    return before->on_border == p->on_border && p->on_border == after->on_border &&
-           fabs(off) < SEEN * length;
-}
-
-static void simplify(contour_loop *one)
-{
-    size_t kept = 1;
-    for (size_t i = 1; i < one->count; i++)
-        if (!is_needless(&one->point[kept - 1], &one->point[i], &one->point[(i + 1) % one->count]))
-            one->point[kept++] = one->point[i];
-    one->count = kept;
-}
-
-static void add_loop(const contour_loop *one, int number, dataset *points)
-{
-    for (size_t i = 0; i <= one->count; i++) {
-        const contour_point *p = &one->point[i % one->count];
-        dataset_add(points,
-                    (data_row){.curve = KINDS * number + AREA_CURVE, .number = {p->x, p->y}});
-    }
-    bool border = false;
-    /* no line along the border: a gap between its points */
-    for (size_t i = 0; i <= one->count; i++) {
-        const contour_point *p = &one->point[i % one->count];
-        if (border && p->on_border)
-            dataset_add(points,
-                        (data_row){.curve = KINDS * number + LINE_CURVE, .number = {NAN, NAN}});
-        dataset_add(points,
-                    (data_row){.curve = KINDS * number + LINE_CURVE, .number = {p->x, p->y}});
-        border = p->on_border;
-    }
-}
-
-static double grey_of(int level, int levels)
-{
-    return 1 - 0.55 * (level + 1) / (levels + 1);
-}
-
-static void draw_loops(contour_loops *loops, double step, int levels, drawing *on)
-{
-    for (size_t i = 0; i < loops->count; i++) {
-        simplify(&loops->loop[i]);
-        add_loop(&loops->loop[i], (int)i, &on->outlines);
-    }
-    for (size_t i = 0; i < loops->count; i++) {
-        const contour_loop *one = &loops->loop[i];
-        curve *area = drawing_curve(on, &on->outlines, KINDS * (int)i + AREA_CURVE, 0, 1);
-        area->style = STYLE_AREA;
-        area->grey = grey_of(one->hole ? one->level - 1 : one->level, levels);
-        curve *line = drawing_curve(on, &on->outlines, KINDS * (int)i + LINE_CURVE, 0, 1);
-        line->width = 0.6;
-        number_write((one->level + 1) * step, DRAWING_DIGITS, '.', line->legend);
-    }
-}
+/* Of the grid: no number stands on the edges of the picture. */
+enum { MARGIN = 14, FIRST_ROW = 18 };
 
 static double highest(const dataset *rows)
 {
@@ -142,26 +80,40 @@ static double highest(const dataset *rows)
     return top;
 }
 
-/* The contours of step, 2 step, ... below top. */
-static void draw_contours(const dataset *rows, double step, double top, drawing *on)
+/* The number of a level where the way from one place of the grid to the next crosses it, unless
+ * another number is next to it, or the same one near. */
+static void name_level(const data_row *from, const data_row *to, double step, drawing *on)
 {
-    static double x[FIELD_COLUMNS], y[FIELD_ROWS], value[FIELD_COLUMNS * FIELD_ROWS];
-    for (int i = 0; i < FIELD_COLUMNS; i++)
-        x[i] = field_x(i);
-    for (int j = 0; j < FIELD_ROWS; j++)
-        y[j] = field_y(j);
-    for (size_t i = 0; i < rows->count; i++)
-        value[i] = isfinite(rows->row[i].number[5]) ? rows->row[i].number[5] : 2 * top;
-    const contour_grid grid = {FIELD_COLUMNS, FIELD_ROWS, x, y, value};
-    contour_loops loops = {NULL, 0};
-    const int levels = (int)floor(top / step * (1 - 1e-12));
-    bool sound = true;
-    for (int level = 0; level < levels && sound; level++)
-        sound = contour_trace(&grid, (level + 1) * step, level, &loops);
-    contour_sort(&loops);
-    on->outlines.failed = on->outlines.failed || !sound;
-    draw_loops(&loops, step, levels, on);
-    contour_free(&loops);
+    const double a = from->number[5], b = to->number[5];
+    const double level = step * ceil(fmin(a, b) / step), part = (level - a) / (b - a);
+    char text[NUMBER_SIZE];
+    if (!(level <= fmax(a, b)) || !(level > 0) || a == b)
+        return;
+    const double x = from->number[0] + part * (to->number[0] - from->number[0]),
+                 y = from->number[1] + part * (to->number[1] - from->number[1]);
+    number_write(level, DRAWING_DIGITS, '.', text);
+    for (int i = 0; i < on->label_count; i++)
+        if (fabs(x - on->label[i].x) < 0.32 &&
+            fabs(y - on->label[i].y) < (strcmp(text, on->label[i].text) == 0 ? 0.6 : 0.12))
+            return;
+    label *one = drawing_label(on, x, y, "%s", text);
+    one->align = ALIGN_CENTRE;
+    one->boxed = true;
+}
+
+/* Downwards from the place nearest to x, and along a row both ways from there. */
+static void name_levels(const dataset *rows, double x, double step, drawing *on)
+{
+    enum { ROW = FIELD_ROWS - 12 };
+    const double nearest = (FIELD_COLUMNS - 1) * (0.5 + 0.5 * x / FIELD_HALF_WIDTH);
+    const int column = (int)fmin(fmax(nearest, MARGIN), FIELD_COLUMNS - 1 - MARGIN);
+    const data_row *top = &rows->row[column], *row = &rows->row[ROW * FIELD_COLUMNS];
+    for (int j = FIRST_ROW; j < ROW; j++)
+        name_level(&top[j * FIELD_COLUMNS], &top[(j + 1) * FIELD_COLUMNS], step, on);
+    for (int i = column; i > MARGIN; i--)
+        name_level(&row[i], &row[i - 1], step, on);
+    for (int i = column; i < FIELD_COLUMNS - 1 - MARGIN; i++)
+        name_level(&row[i], &row[i + 1], step, on);
 }
 
 /* ---- What stands on them ---- */
@@ -174,9 +126,8 @@ static void draw_zones(double c, drawing *on)
     drawing_bar(on, -1, 1, -0.09, -0.03)->width = 0.8;
 }
 
-/* Where it yields first, and sqrt(J2) there; false where the stress is infinite, or memory
- * short. */
-static bool find_yield(const figure_case *of, double *x, double *y, double *top, drawing *on)
+/* Where it yields first, and sqrt(J2) there; false where the stress is infinite. */
+static bool find_yield(const figure_case *of, double *x, double *y, double *top)
 {
     const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
                  c = stick_width(of);
@@ -189,7 +140,8 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top,
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);
-    on->outlines.failed = on->outlines.failed || status == RWEDGE_ENOMEM;
+    if (status == RWEDGE_ENOMEM)
+        failure("out of memory");
     *top = factor > 0 ? 1 / factor : 0;
     return status == RWEDGE_OK && factor > 0;
 }
@@ -247,17 +199,17 @@ static const char *draw_field(const figure_case *of, const dataset *rows, drawin
 {
     const double seen = highest(rows), step = step_of_levels(seen);
     double x = 0, y = 0, top = 0;
-    const bool found = find_yield(of, &x, &y, &top, on);
+    const bool found = find_yield(of, &x, &y, &top);
     write_title(of, on);
     write_caption(of, step, found, top, on);
     on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
     on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
-    draw_contours(rows, step, seen, on);
+    on->field = (contours){rows, FIELD_COLUMNS, 0, 1, 5, step, seen};
+    name_levels(rows, found ? x : 0, step, on);
     draw_zones(stick_width(of), on);
     draw_surface(on);
     if (found)
         mark_yield(x, y, on);
-    names_where_free(on);
     return NULL;
 }
 

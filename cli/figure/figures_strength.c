@@ -2,9 +2,6 @@
 /* Figs. 3 to 5: the elastic limit, and where it yields. */
 #include "figures_strength.h"
 
-#include "picture/names.h"
-#include "picture/page.h"
-#include "picture/words.h"
 #include "text/list.h"
 
 #include <math.h>
@@ -282,62 +279,30 @@ static int32_t compute_yield_point(const figure_case *of, dataset *rows)
     return status;
 }
 
-/* Lines from the names to the paths, in em. */
-static const double LEADER = 1.5;
-
-/* What the marks are is said once. */
-static void draw_path(const dataset *rows, int n, bool explain, drawing *on)
+/* The line has the name. What the marks are is said once. */
+static void draw_path(const figure_case *of, const dataset *rows, int n, bool explain, drawing *on)
 {
     curve *line = drawing_curve(on, rows, n, 3, 4);
-    line->width = 0.6;
-    line->colour = SKY;
+    char text[NUMBER_SIZE];
+    style_of_family(line, n);
+    case_text(of, A_OVER_B, n, text);
+    snprintf(line->legend, sizeof line->legend, "%s", text);
     curve *crosses = drawing_curve(on, rows, n, 3, 4);
     crosses->style = STYLE_CROSSES;
+    crosses->colour = line->colour;
     crosses->count--;
     curve *end = drawing_curve(on, rows, n, 3, 4);
     end->style = STYLE_CIRCLES;
     end->colour = VERMILLION;
     end->first += end->count - 1;
     end->count = 1;
-    if (explain) {
-        snprintf(crosses->legend, sizeof crosses->legend, "every 0.0125 in *f*");
-        snprintf(end->legend, sizeof end->legend, "jump to the surface");
-    }
+    if (explain)
+        snprintf(on->caption, sizeof on->caption,
+                 "crosses: every 0.0125 in *f*; circles: jump to the surface");
 }
 
-/* The names stand in a column left of the paths' starts. */
-static void name_paths(const figure_case *of, const dataset *rows, drawing *on)
-{
-    const page at = page_of(on);
-    const double em = (on->x.to - on->x.from) / (at.right - at.left);
-    const int before = on->label_count;
-    char text[NUMBER_SIZE];
-    size_t first;
-    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
-        if (dataset_curve(rows, n, &first) == 0)
-            continue;
-        case_text(of, A_OVER_B, n, text);
-        label *one = drawing_label(on, -LEADER * em, rows->row[first].number[4], "%s", text);
-        one->align = ALIGN_RIGHT;
-        one->colour = BLUE;
-    }
-    names_beside(on, before, 0);
-}
-
-/* How much of the plot's width the names need, in em: at least so much that the axis has room. */
-static double names_width(const figure_case *of)
-{
-    double widest = 3;
-    char text[NUMBER_SIZE];
-    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
-        case_text(of, A_OVER_B, n, text);
-        widest = fmax(widest, words_width(text));
-    }
-    return widest + LEADER + 1;
-}
-
-/* The deepest and the rightmost point, and room for the names left of x = 0. */
-static void set_axes(const figure_case *of, const dataset *rows, drawing *on)
+/* The deepest and the rightmost point. */
+static void set_axes(const dataset *rows, drawing *on)
 {
     double right = 0, down = 0;
     for (size_t i = 0; i < rows->count; i++) {
@@ -348,9 +313,6 @@ static void set_axes(const figure_case *of, const dataset *rows, drawing *on)
     on->y.from = on->y.to;
     on->y.to = 0;
     on->x = drawing_axis(fmax(1.05 * right, on->y.from), "*x*/*b*");
-    const page at = page_of(on);
-    const double part = fmin(names_width(of) / (at.right - at.left), 0.5);
-    on->x.from = -on->x.to * part / (1 - part);
 }
 
 /* Values of a/b that have no path; all texts fit, or the last is cut. */
@@ -358,11 +320,12 @@ static void name_missing(const figure_case *of, const dataset *rows, drawing *on
 {
     char text[NUMBER_SIZE];
     size_t first;
+    int missing = 0;
     for (int n = 0; n < of->value[A_OVER_B].count; n++)
         if (dataset_curve(rows, n, &first) == 0) {
             case_text(of, A_OVER_B, n, text);
             list_add(on->caption, sizeof on->caption, ", ", "%s%s",
-                     on->caption[0] == '\0' ? "always at the surface: *a*/*b* = " : "", text);
+                     missing++ == 0 ? "always at the surface: *a*/*b* = " : "", text);
         }
 }
 
@@ -373,17 +336,16 @@ static const char *draw_yield_point(const figure_case *of, const dataset *rows, 
         return "it yields at the surface, whatever f is";
     case_text(of, NU, 0, text);
     snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", text);
-    set_axes(of, rows, on);
-    name_missing(of, rows, on);
+    set_axes(rows, on);
     bool explain = true;
     for (int n = 0; n < of->value[A_OVER_B].count; n++) {
         size_t first;
         if (dataset_curve(rows, n, &first) == 0)
             continue;
-        draw_path(rows, n, explain, on);
+        draw_path(of, rows, n, explain, on);
         explain = false;
     }
-    name_paths(of, rows, on);
+    name_missing(of, rows, on);
     return NULL;
 }
 

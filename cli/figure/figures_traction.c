@@ -2,7 +2,6 @@
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
 #include "figures_traction.h"
 
-#include "picture/names.h"
 #include "text/pi.h"
 
 #include <math.h>
@@ -192,7 +191,6 @@ static const char *draw_shear(const figure_case *of, const dataset *rows, drawin
             snprintf(on->caption, sizeof on->caption,
                      "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
     }
-    names_on_curves(on);
     return NULL;
 }
 

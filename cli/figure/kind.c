@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "kind.h"
 
-#include "picture/names.h"
-
 #include <stdio.h>
 #include <string.h>
 
@@ -49,5 +47,4 @@ void draw_family(const figure_case *of, int variable, const dataset *rows, int x
         case_text(of, variable, n, text);
         snprintf(one->legend, sizeof one->legend, "%s", text);
     }
-    names_on_curves(on);
 }

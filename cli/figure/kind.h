@@ -49,7 +49,7 @@ typedef struct {
  * neighbours apart. */
 void style_of_family(curve *one, int i);
 
-/* The curves of a family over the columns x and y, each with the value of its variable on it. */
+/* The curves of a family over the columns x and y, each named by the value of its variable. */
 void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
                  drawing *on);
 

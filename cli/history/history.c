@@ -23,6 +23,7 @@ static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, "Its loads:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
      "Stresses at points in place of a row for each load:", NULL},
+    {NO_FORMULAS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };

@@ -76,15 +76,19 @@ static bool read_pair(const char **text, double *x, double *y)
 static int read_at(const char *text, places *found)
 {
     const char *rest = text;
+    bool said = false;
     for (bool last = false; !last;) {
         double x, y;
         rest += strspn(rest, " ");
+        const char *pair = rest;
         if (!read_pair(&rest, &x, &y) || (*rest != ';' && *rest != '\0'))
             return usage_error("--at %s: must be points x,y separated by semicolons", text);
         if (complaint_about(x, y) != NULL)
             return usage_error("--at %s: %s", text, complaint_about(x, y));
         if (!add(found, x, y))
             return STATUS_FAILED;
+        if (y > 0 && !said)
+            said = range_say_pair("at", text, pair, (size_t)(rest - pair));
         last = *rest++ == '\0';
     }
     return STATUS_DONE;
@@ -141,7 +145,7 @@ static int read_row(csv_input *in, columns *of, char decimal_sign, places *found
     double value[2];
     char complaint[COMPLAINT_SIZE];
     const char *const *cells = csv_input_cells(in);
-    if (!header_fits(&of->names, csv_input_count(in), csv_input_separator(in), complaint))
+    if (!header_fits(of->names.count, csv_input_count(in), csv_input_separator(in), complaint))
         return refuse_row(in, complaint);
     for (int i = 0; i < 2; i++) {
         const char *text = cells[of->column[i]];

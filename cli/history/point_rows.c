@@ -36,9 +36,8 @@ void passed_names(const load_table *loads, records *rows)
 static cell passed_cell(const char *text, char decimal_sign)
 {
     double number;
-    return number_read_cell(text, decimal_sign, &number) && number_is_exact(text)
-               ? cell_typed(text, number)
-               : cell_text(text);
+    return number_survives(text, decimal_sign, &number) ? cell_typed(text, number)
+                                                        : cell_text(text);
 }
 
 void passed_cells(const load_table *loads, size_t row, records *rows)

@@ -122,10 +122,19 @@ static void fill(const double value[INPUT_COUNT], contact_case *setup)
     setup->after = NULL;
 }
 
+/* How much a tension stretches body 1. Of two bodies of one material it is the library's A/4. */
+static double own_strain(const contact_case *setup)
+{
+    return (1 - setup->nu1 * setup->nu1) / setup->E1;
+}
+
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
 {
     *contact = NULL;
-    return rwedge_contact_create(setup->theta, setup->a, setup->A, setup->f, contact);
+    int32_t status = rwedge_contact_create(setup->theta, setup->a, setup->A, setup->f, contact);
+    if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
+        status = rwedge_contact_set_strain(*contact, own_strain(setup));
+    return status;
 }
 
 load case_load(const contact_case *setup)
@@ -142,7 +151,7 @@ int32_t case_loaded(const contact_case *setup, rwedge_contact **contact)
 }
 
 /* The library is asked to apply the loads, and so its tolerance counts. */
-static load_fault fault_of_loads(const contact_case *setup)
+load_fault case_fault(const contact_case *setup)
 {
     rwedge_contact *contact = NULL;
     load_fault fault = {.input = INPUT_COUNT};
@@ -159,7 +168,7 @@ static load_fault fault_of_loads(const contact_case *setup)
 static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
                             char complaint[COMPLAINT_SIZE])
 {
-    const load_fault fault = fault_of_loads(setup);
+    const load_fault fault = case_fault(setup);
     if (fault.input == INPUT_COUNT)
         return true;
     char name[INPUT_NAME_SIZE];

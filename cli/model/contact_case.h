@@ -37,6 +37,9 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
 /* The same under its loads. */
 int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
 
+/* What is wrong with its loads; with none of them where they can be applied. */
+load_fault case_fault(const contact_case *setup);
+
 load case_load(const contact_case *setup);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */

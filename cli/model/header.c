@@ -233,31 +233,27 @@ void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS],
 
 /* ---- Rows ---- */
 
-const char *header_surplus_hint(size_t cells, size_t wanted, char separator)
+bool header_fits(size_t columns, size_t cells, char separator, char complaint[COMPLAINT_SIZE])
 {
-    return cells > wanted && separator == ','
-               ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
-               : "";
-}
-
-bool header_fits(const header *names, size_t cells, char separator, char complaint[COMPLAINT_SIZE])
-{
-    if (cells == names->count)
+    if (cells == columns)
         return true;
     snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header%s", cells,
-             names->count, header_surplus_hint(cells, names->count, separator));
+             columns,
+             cells > columns && separator == ','
+                 ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
+                 : "");
     return false;
 }
 
-const char *header_separator_hint(const header *names)
+const char *header_separator_hint(const char *const name[], size_t count)
 {
-    if (names->count != 1)
+    if (count != 1)
         return "";
-    if (strchr(names->name[0], ';') != NULL)
+    if (strchr(name[0], ';') != NULL)
         return "; the columns seem to be separated by ';': --decimal-comma reads that";
-    if (strchr(names->name[0], ',') != NULL)
+    if (strchr(name[0], ',') != NULL)
         return "; the columns seem to be separated by ',': leave --decimal-comma out";
-    return strchr(names->name[0], '\t') != NULL
+    return strchr(name[0], '\t') != NULL
                ? "; the columns seem to be separated by tabs; allowed: commas"
                : "";
 }

@@ -30,8 +30,8 @@ bool header_has_input(const header *names, int input);
 bool header_is_input(const header *names, size_t column);
 bool header_has(const header *names, const char *name);
 
-/* Whether a row of so many cells has as many as the header; the complaint says so if not. */
-bool header_fits(const header *names, size_t cells, char separator, char complaint[COMPLAINT_SIZE]);
+/* Whether a row has as many cells as the header; the complaint says so if not. */
+bool header_fits(size_t columns, size_t cells, char separator, char complaint[COMPLAINT_SIZE]);
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
@@ -41,12 +41,8 @@ void header_note_unused(const header *names, const char *const cell[], bool unus
 void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,
                          size_t size);
 
-/* "; the columns seem to be separated by ';': ..." where the wrong separator explains that a column
- * is missing; or nothing. */
-const char *header_separator_hint(const header *names);
-
-/* A hint for a row with more cells than wanted, where commas separate: decimal commas may be the
- * reason. Otherwise an empty text. */
-const char *header_surplus_hint(size_t cells, size_t wanted, char separator);
+/* "; the columns seem to be separated by ';': ..." of the names of a header where the wrong
+ * separator may be why it has one only; or nothing. */
+const char *header_separator_hint(const char *const name[], size_t count);
 
 #endif

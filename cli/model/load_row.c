@@ -16,7 +16,7 @@ bool load_header_find(const char *const name[], size_t count, header *names,
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;
     snprintf(complaint, COMPLAINT_SIZE, "column %s: missing; a history needs P and Q%s",
-             header_has_input(names, INPUT_P) ? "Q" : "P", header_separator_hint(names));
+             header_has_input(names, INPUT_P) ? "Q" : "P", header_separator_hint(name, count));
     return false;
 }
 
@@ -39,7 +39,7 @@ bool load_row_read(const header *names, const char *const cell[], size_t count, 
                    char decimal_sign, load *to, char complaint[COMPLAINT_SIZE])
 {
     double value[INPUT_COUNT] = {0};
-    if (!header_fits(names, count, separator, complaint))
+    if (!header_fits(names->count, count, separator, complaint))
         return false;
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         if (header_has_input(names, i) &&

@@ -54,9 +54,10 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     load level = to;
     level.M = 0;
     if (to.P < 0)
-        fault = (load_fault){INPUT_P, "must not be below 0, and Q must be 0 where P is"};
+        fault = (load_fault){.input = INPUT_P,
+                             .why = "must not be below 0, and Q must be 0 where P is"};
     else if (to.P == 0 && to.M != 0)
-        fault = (load_fault){INPUT_M, "must be 0 where P is"};
+        fault = (load_fault){.input = INPUT_M, .why = "must be 0 where P is"};
     else if (is_in_domain(level, contact)) {
         fault.input = INPUT_M;
         const double most = largest_moment(to, contact);
@@ -86,7 +87,7 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
     return fault;
 }
 
-load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+static load_fault fault_of(int32_t status, load to, double f, const rwedge_contact *contact)
 {
     load_fault fault = {.input = INPUT_Q};
     char limit[NUMBER_SIZE];
@@ -102,6 +103,13 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
     }
     fault.input = INPUT_COUNT;
     snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(status));
+    return fault;
+}
+
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
+{
+    load_fault fault = fault_of(status, to, f, contact);
+    fault.status = status;
     return fault;
 }
 

@@ -1,30 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dataset.h"
 
-#include <stdint.h>
-#include <stdlib.h>
+#include "text/memory.h"
 
 void dataset_add(dataset *to, data_row row)
 {
     if (to->count == to->room) {
-        const size_t room = 2 * to->room + 256;
-        data_row *longer =
-            room < SIZE_MAX / sizeof row ? realloc(to->row, room * sizeof row) : NULL;
-        to->failed = to->failed || longer == NULL;
-        if (longer == NULL)
-            return;
-        to->row = longer;
-        to->room = room;
+        to->room = 2 * to->room + 256;
+        to->row = memory_resized(to->row, to->room * sizeof row);
     }
-    if (!to->failed)
-        to->row[to->count++] = row;
-}
-
-void dataset_free(dataset *what)
-{
-    free(what->row);
-    what->row = NULL;
-    what->count = what->room = 0;
+    to->row[to->count++] = row;
 }
 
 size_t dataset_curve(const dataset *of, int curve, size_t *first)

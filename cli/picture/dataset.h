@@ -15,17 +15,15 @@ typedef struct {
     double number[DATA_COLUMNS_MAX];
 } data_row;
 
-/* All zero is empty. Once memory runs out, no more rows are added and failed stays true. */
+/* All zero is empty. */
 typedef struct {
     const char *const *column; /* the names of the numbers; NULL after the last */
     const char *text_column;   /* the name of the text column, the last; NULL where there is none */
     data_row *row;
     size_t count, room;
-    bool failed;
 } dataset;
 
 void dataset_add(dataset *to, data_row row);
-void dataset_free(dataset *what);
 
 /* The rows of a curve: where they start, and how many. */
 size_t dataset_curve(const dataset *of, int curve, size_t *first);

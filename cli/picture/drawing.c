@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
 {
@@ -52,13 +51,6 @@ axis drawing_axis(double largest, const char *text)
     from_0.to = largest > 0 ? half * ceil(largest / half - 1e-9) : 1;
     snprintf(from_0.text, sizeof from_0.text, "%s", text);
     return from_0;
-}
-
-void drawing_free(drawing *on)
-{
-    if (on != NULL)
-        dataset_free(&on->outlines);
-    free(on);
 }
 
 void drawing_number(double value, int digits, char text[NUMBER_SIZE])

@@ -9,7 +9,7 @@
 
 #include "text/printf_like.h"
 
-enum { DRAWING_CURVES_MAX = 400, DRAWING_LABELS_MAX = 200, DRAWING_TEXT = 200 };
+enum { DRAWING_CURVES_MAX = 60, DRAWING_LABELS_MAX = 60, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
 
@@ -48,14 +48,23 @@ typedef struct {
     double tic, tic_end; /* tics from 0 on up to there; tic_end 0 for the whole axis */
 } axis;
 
+/* Lines of equal height over a grid: rows of so many columns, the columns of the dataset with the
+ * places and the heights, and the step from line to line up to the top. */
+typedef struct {
+    const dataset *from; /* NULL for none */
+    int columns, x, y, height;
+    double step, top;
+} contours;
+
 typedef struct {
     char title[DRAWING_TEXT];
     axis x, y, second;          /* the second is there where its text is */
     double height;              /* of the plot over its width; 0 for the same scale on both axes */
     char caption[DRAWING_TEXT]; /* below the x axis */
+    contours field;             /* below the curves */
     curve curve[DRAWING_CURVES_MAX];
     int curve_count;
-    dataset outlines; /* points of what is drawn that are no data: contours, zones */
+    dataset outlines; /* points of what is drawn that are no data: limits, zones */
     label label[DRAWING_LABELS_MAX];
     int label_count;
 } drawing;
@@ -75,9 +84,6 @@ axis drawing_axis(double largest, const char *text);
 
 /* A round distance between tics: four to seven of them in the span of an axis, mostly. */
 double drawing_tic(double span);
-
-/* NULL is allowed. */
-void drawing_free(drawing *on);
 
 /* A number for a text: as many digits as it has, at most so many, and 1/6 for a sixth. */
 enum { DRAWING_DIGITS = 6 };

@@ -3,6 +3,7 @@
 
 #include "system/program.h"
 #include "system/streams.h"
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <errno.h>
@@ -19,16 +20,15 @@ static const char *const words[] = {"gnuplot", "--default-settings", "-", NULL};
 static const char *const variables[] = {"LC_ALL=C", "GNUTERM=dumb",      "SOURCE_DATE_EPOCH=0",
                                         "TZ=UTC0",  "CAIRO_DEBUG_PDF=1", NULL};
 
-/* What a file holds, with a 0 after it. NULL with errno. Free it. */
+/* What a file holds, with a 0 after it. */
 static char *read_whole(FILE *file, size_t *length)
 {
     const long end = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    char *text = end >= 0 ? malloc((size_t)end + 1) : NULL;
-    if (text == NULL)
-        return NULL;
+    if (end < 0)
+        failure("gnuplot: %s", strerror(errno));
+    char *text = memory_zeroed((size_t)end + 1, 1);
     rewind(file);
     *length = fread(text, 1, (size_t)end, file);
-    text[*length] = '\0';
     return text;
 }
 
@@ -45,16 +45,13 @@ static const char *last_line(char *text)
     return line + strspn(line, " \t\r");
 }
 
-static bool refuse(FILE *complaints, const char *what, int number)
+NO_RETURN static void refuse(FILE *complaints, const char *what, int number)
 {
     size_t length;
-    char *text = read_whole(complaints, &length);
-    const char *said = text != NULL ? last_line(text) : "";
+    const char *said = last_line(read_whole(complaints, &length));
     failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo "
             "(package gnuplot-nox)",
             what, number, said[0] != '\0' ? ": " : "", said);
-    free(text);
-    return false;
 }
 
 /* ---- The picture ---- */
@@ -96,67 +93,53 @@ static void write_picture(const char *picture, size_t length, bool needs_spaces,
     output_write(out, picture + before, length - before);
 }
 
-static bool take_picture(FILE *const stream[], const picture_format *format, output *out)
+static void take_picture(FILE *const stream[], const picture_format *format, output *out)
 {
     size_t length;
     char *picture = read_whole(stream[PICTURE], &length);
-    if (picture == NULL) {
-        failure("gnuplot: %s", strerror(errno));
-        return false;
-    }
-    const bool whole = is_whole(picture, length, format);
-    remove_date(picture, length);
-    if (whole)
-        write_picture(picture, length, format->needs_spaces, out);
-    else
+    if (!is_whole(picture, length, format))
         refuse(stream[COMPLAINTS], "gave no whole picture, but bytes:", (int)(length % 1000000000));
+    remove_date(picture, length);
+    write_picture(picture, length, format->needs_spaces, out);
     free(picture);
-    return whole;
 }
 
 /* ---- gnuplot ---- */
 
-static bool put_script(const drawing *what, const picture_format *format, FILE *script)
+static void put_script(const drawing *what, const picture_format *format, FILE *script)
 {
     gnuplot_script(what, format, script);
-    if (fflush(script) != 0 || ferror(script)) {
+    if (fflush(script) != 0 || ferror(script))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
-        return false;
-    }
     rewind(script);
-    return true;
 }
 
-static bool run(FILE *const stream[])
+static void run(FILE *const stream[])
 {
     program_end end;
     const int error = program_run(words, variables, stream, &end);
     if (error == ENOENT)
         failure("gnuplot: not found on PATH; it draws the figures: install it (on Debian and "
                 "Ubuntu the package gnuplot-nox), or use --data");
-    else if (error != 0)
+    if (error != 0)
         failure("gnuplot: %s", strerror(error));
-    else if (end.by_signal || end.number != 0)
+    if (end.by_signal || end.number != 0)
         refuse(stream[COMPLAINTS], end.by_signal ? "was ended by signal" : "ended with status",
                end.number);
-    return error == 0 && !end.by_signal && end.number == 0;
 }
 
 /* Files, not pipes: neither side waits for the other. */
-bool gnuplot_draw(const drawing *what, const picture_format *format, output *out)
+void gnuplot_draw(const drawing *what, const picture_format *format, output *out)
 {
     FILE *stream[STREAMS];
-    bool going = true;
     for (int i = 0; i < STREAMS; i++) {
-        stream[i] = going ? stream_temporary() : NULL;
-        if (going && stream[i] == NULL)
+        stream[i] = stream_temporary();
+        if (stream[i] == NULL)
             failure("gnuplot: a temporary file cannot be made: %s", strerror(errno));
-        going = stream[i] != NULL;
     }
-    going = going && put_script(what, format, stream[SCRIPT]) && run(stream) &&
-            take_picture(stream, format, out);
+    put_script(what, format, stream[SCRIPT]);
+    run(stream);
+    take_picture(stream, format, out);
     for (int i = 0; i < STREAMS; i++)
-        if (stream[i] != NULL)
-            fclose(stream[i]);
-    return going;
+        fclose(stream[i]);
 }

@@ -8,8 +8,7 @@
 
 #include "system/output.h"
 
-/* Has gnuplot draw the picture into the output. False, with the reason said and nothing written,
- * where gnuplot is missing or fails. */
-bool gnuplot_draw(const drawing *what, const picture_format *format, output *out);
+/* Has gnuplot draw the picture into the output. */
+void gnuplot_draw(const drawing *what, const picture_format *format, output *out);
 
 #endif

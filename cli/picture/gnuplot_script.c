@@ -106,7 +106,7 @@ static void put_frame(FILE *script, const drawing *what, const page *on)
     put_margins(script, on);
     fputs("set title ", script);
     put_text(script, on->title);
-    fputs("\nunset key\n", script);
+    fputs("\n", script);
 }
 
 static void put_label(FILE *script, const label *one)
@@ -170,12 +170,28 @@ static void put_style(FILE *script, const curve *one)
     }
 }
 
-static void put_curve(FILE *script, const curve *one, int number)
+static void put_curve(FILE *script, const curve *one, int number, const char *before)
 {
-    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", number > 0 ? ", \\\n    " : "plot ",
-            number, one->second_axis ? 2 : 1);
+    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", before, number, one->second_axis ? 2 : 1);
     put_style(script, one);
     fputs(" notitle", script);
+}
+
+/* gnuplot finds the lines, in a table, which is drawn. What is infinite is high. */
+static void put_contours(FILE *script, const contours *field)
+{
+    fputs("$field << EOD\n", script);
+    for (size_t i = 0; i < field->from->count; i++) {
+        const double *row = field->from->row[i].number, height = row[field->height];
+        fprintf(script, "%s%.7g %.7g %.7g\n", i > 0 && i % (size_t)field->columns == 0 ? "\n" : "",
+                row[field->x], row[field->y], isfinite(height) ? height : 2 * field->top);
+    }
+    fprintf(
+        script,
+        "EOD\nset contour base\nunset surface\nset cntrparam levels incremental %.7g,%.7g,%.7g\n"
+        "set table $lines\nsplot $field using 1:2:3 with lines\nunset table\n"
+        "set palette defined (0 '#9ecae1', 0.5 '#2171b5', 1 '#08306b')\nunset colorbox\n",
+        field->step, field->step, field->top);
 }
 
 /* A sample, and the name to its right. */
@@ -209,6 +225,16 @@ static void put_legend(FILE *script, const drawing *what, const page *on)
         }
 }
 
+static void put_plot(FILE *script, const drawing *what)
+{
+    if (what->field.from != NULL)
+        fputs("plot $lines using 1:2:3 with lines linewidth 0.9 linecolor palette notitle", script);
+    for (int i = 0; i < what->curve_count; i++)
+        put_curve(script, &what->curve[i], i,
+                  i == 0 && what->field.from == NULL ? "plot " : ", \\\n    ");
+    fputs("\nunset output\n", script);
+}
+
 void gnuplot_script(const drawing *what, const picture_format *format, FILE *script)
 {
     const page on = page_of(what);
@@ -222,7 +248,7 @@ void gnuplot_script(const drawing *what, const picture_format *format, FILE *scr
         put_label(script, &what->label[i]);
     for (int i = 0; i < what->curve_count; i++)
         put_data(script, &what->curve[i], i);
-    for (int i = 0; i < what->curve_count; i++)
-        put_curve(script, &what->curve[i], i);
-    fputs("\nunset output\n", script);
+    if (what->field.from != NULL)
+        put_contours(script, &what->field);
+    put_plot(script, what);
 }

@@ -79,16 +79,6 @@ page page_of(const drawing *what)
     return on;
 }
 
-double page_x(const page *on, const axis *which, double value)
-{
-    return on->left + (on->right - on->left) * (value - which->from) / (which->to - which->from);
-}
-
-double page_y(const page *on, const axis *which, double value)
-{
-    return on->bottom + (on->top - on->bottom) * (value - which->from) / (which->to - which->from);
-}
-
 double page_legend_x(const page *on, int i)
 {
     const double all = on->legend_columns * on->legend_step - BETWEEN;

@@ -20,10 +20,6 @@ static const double PAGE_GAP = 0.4;    /* from there to its name */
 
 page page_of(const drawing *what);
 
-/* Of a point of the first axes. */
-double page_x(const page *on, const axis *which, double value);
-double page_y(const page *on, const axis *which, double value);
-
 /* Where the text of the legend's entry i starts; its sample is to the left. */
 double page_legend_x(const page *on, int i);
 double page_legend_y(const page *on, int i, int entries);

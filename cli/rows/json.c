@@ -5,9 +5,13 @@
  * in JSON too. */
 #include "json.h"
 
+#include "text/memory.h"
+#include "text/message.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <jansson.h>
 
@@ -29,10 +33,26 @@ static void begin(records *rows)
     output_text(rows->out, "[");
 }
 
-static void ignore_name(records *rows, const char *name)
+static bool is_taken(const records *rows, const char *name)
 {
-    (void)rows;
-    (void)name;
+    for (size_t i = 0; i < rows->key_count; i++)
+        if (strcmp(rows->key[i], name) == 0)
+            return true;
+    return false;
+}
+
+/* Of two values with one name, readers of JSON take the last. */
+static void keep_name(records *rows, const char *name)
+{
+    const size_t size = strlen(name) + 24;
+    char *key = memory_zeroed(size, 1);
+    snprintf(key, size, "%s", name);
+    for (int n = 2; is_taken(rows, key); n++)
+        snprintf(key, size, "%s_%d", name, n);
+    if (strcmp(key, name) != 0)
+        notice("column '%.60s': there again; in JSON it is '%.70s'", name, key);
+    rows->key = memory_resized(rows->key, (rows->key_count + 1) * sizeof *rows->key);
+    rows->key[rows->key_count++] = key;
 }
 
 static void nothing(records *rows)
@@ -53,7 +73,7 @@ static void put_key(records *rows, const char *name)
 
 static void put_value(records *rows, const char *name, cell value)
 {
-    put_key(rows, name);
+    put_key(rows, rows->next_key < rows->key_count ? rows->key[rows->next_key++] : name);
     char text[NUMBER_SIZE];
     const int digits = value.text != NULL ? NUMBER_DIGITS : rows->digits;
     if (isfinite(value.number))
@@ -68,6 +88,7 @@ static void end_row(records *rows)
 {
     output_text(rows->out, "}");
     rows->row_begun = false;
+    rows->next_key = 0;
 }
 
 static void end(records *rows)
@@ -75,4 +96,4 @@ static void end(records *rows)
     output_text(rows->out, "\n]\n");
 }
 
-const record_format json_format = {begin, ignore_name, nothing, put_value, end_row, end};
+const record_format json_format = {begin, keep_name, nothing, put_value, end_row, end};

@@ -145,6 +145,7 @@ int output_options_read_of(const arguments *given, const char *const formats[], 
                            output_options *how)
 {
     *how = (output_options){.quiet = given->value[OPTION_QUIET] != NULL,
+                            .no_formulas = given->value[OPTION_NO_FORMULAS] != NULL,
                             .path = given->value[OPTION_OUTPUT]};
     if (how->path != NULL && how->path[0] == '\0')
         return usage_error("--output '': must be the name of a file, or - for standard output");

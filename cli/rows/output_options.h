@@ -25,6 +25,11 @@ extern struct poptOption output_option_table[], other_output_option_table[];
     "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \
         formats
 
+/* For a command whose rows have texts of a file in them. */
+#define NO_FORMULAS_OPTION                                                                         \
+    "no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,                                  \
+        "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL
+
 /* STATUS_DONE, or what to leave with. */
 int output_options_read(const arguments *given, output_options *how);
 

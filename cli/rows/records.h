@@ -30,6 +30,8 @@ struct records {
     const column_kind *kinds; /* for a format that has room to say it; NULL for none */
     int kind_count;
     bool row_begun, any_row;
+    char **key; /* of json_format: the names, none of them twice */
+    size_t key_count, next_key;
     const char *problem;       /* what a format could not write */
     struct xlsx *book;         /* of xlsx_format: a file that is written when it is whole */
     const char *const *sheets; /* the names of several, ending with NULL; NULL for one */

@@ -31,7 +31,7 @@ static bool creation_date(time_t *date)
     int64_t seconds = fixed;
     const bool sound = text == NULL || text[0] == '\0' ||
                        number_read_whole(text, 0, INT64_C(253402300799), &seconds);
-    *date = seconds != 0 ? (time_t)seconds : fixed; /* 0 is the clock for the library */
+    *date = (time_t)(seconds > 0 ? seconds : 1); /* 0 is the clock for the library */
     return sound && (*date == seconds || seconds == 0);
 }
 

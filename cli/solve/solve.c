@@ -13,12 +13,7 @@
 
 #include <string.h>
 
-enum {
-    OPTION_INPUT_FILE = OPTION_AFTER_LOADS,
-    OPTION_LAYOUT,
-    OPTION_YIELD_FACTOR,
-    OPTION_NO_FORMULAS
-};
+enum { OPTION_INPUT_FILE = OPTION_AFTER_LOADS, OPTION_LAYOUT, OPTION_YIELD_FACTOR };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
@@ -30,8 +25,7 @@ static const struct poptOption options[] = {
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
-    {"no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,
-     "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL},
+    {NO_FORMULAS_OPTION},
     {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
@@ -232,7 +226,6 @@ static int solve(const arguments *given)
     one.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
                        input_is_given(&many.constants, INPUT_SIGMA);
     many.wanted = one.wanted;
-    how.no_formulas = given->value[OPTION_NO_FORMULAS] != NULL;
     return solve_given(&many, &from, &one, &how);
 }
 

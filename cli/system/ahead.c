@@ -74,9 +74,7 @@ static int64_t take_block(ahead *work)
 
 static void *run_thread(void *context)
 {
-    char stack[SIGNALS_STACK];
     ahead *work = context;
-    signals_in_thread(stack);
     pthread_mutex_lock(&work->lock);
     for (int64_t block = take_block(work); block >= 0; block = take_block(work)) {
         pthread_mutex_unlock(&work->lock);
@@ -91,11 +89,11 @@ static void *run_thread(void *context)
 
 static void start_threads(ahead *work, int threads)
 {
-    signals_before_threads();
+    signals_hold();
     while (work->threads < threads &&
            pthread_create(&work->thread[work->threads], NULL, run_thread, work) == 0)
         work->threads++;
-    signals_after_threads();
+    signals_release();
 }
 
 /* The one whose threads run; NULL for none. */

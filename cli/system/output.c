@@ -33,7 +33,7 @@ static void open_beside(output *out, const char *path)
     if (out->target == NULL)
         refuse(out, errno);
     signals_hold();
-    out->descriptor = target_open_beside(out->target, &out->unfinished, &out->lost);
+    out->descriptor = target_open_beside(out->target, &out->unfinished);
     const int reason = errno;
     if (out->descriptor >= 0)
         signals_on_end(out->unfinished, "; the output file is as it was before");
@@ -72,7 +72,6 @@ void output_open(output *out, const char *path)
         failure("out of memory");
     is_prepared = true;
     out->target = out->unfinished = NULL;
-    out->lost = "";
     out->error = 0;
     out->used = 0;
     if (path == NULL || strcmp(path, "-") == 0) {
@@ -177,6 +176,4 @@ void output_finish(output *out)
     unsettled = NULL;
     if (out->error != 0)
         refuse(out, out->error);
-    if (out->lost[0] != '\0')
-        notice("%s: %s", out->name, out->lost);
 }

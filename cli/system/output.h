@@ -15,7 +15,6 @@ typedef struct {
     const char *name; /* as the user knows it */
     char *target;     /* the file to replace, links followed; NULL where written to directly */
     char *unfinished; /* the file beside it */
-    const char *lost; /* what it does not keep of the old file, "" for nothing */
     int descriptor;
     int error; /* errno of the first failure; nothing is written after it */
     size_t used;

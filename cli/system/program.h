@@ -11,8 +11,8 @@ typedef struct {
     int number; /* of the signal, or the exit status */
 } program_end;
 
-/* Runs words[0], looked for on PATH, with the three files as its standard streams. Its environment
- * is the user's, with these variables, "NAME=value", in it. Lists end with NULL. 0; or errno where
+/* Runs words[0], looked for on PATH, with the three files as its standard streams. These
+ * variables, "NAME=value", become part of the environment. Lists end with NULL. 0; or errno where
  * it could not be run. */
 int program_run(const char *const words[], const char *const variables[], FILE *const streams[3],
                 program_end *end);

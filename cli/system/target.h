@@ -13,9 +13,9 @@ char *target_of_links(const char *path);
 bool target_is_input(const char *output, const char *input);
 
 /* Opens a new file in the folder of target, with the permissions that opening target would give, or
- * that target has; its name is in *unfinished, and what of the old file it does not keep in *lost,
- * "" for nothing. Returns the descriptor; -1 with errno, and nothing left behind. */
-int target_open_beside(const char *target, char **unfinished, const char **lost);
+ * that target has; its name is in *unfinished. Returns the descriptor; -1 with errno, and nothing
+ * left behind. */
+int target_open_beside(const char *target, char **unfinished);
 
 /* Writes what the file holds to the disk. 0, or errno. */
 int target_sync(int descriptor);

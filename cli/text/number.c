@@ -75,15 +75,6 @@ bool number_read_cell(const char *text, char decimal_sign, double *value)
     return number_read(plain, value);
 }
 
-bool number_is_exact(const char *text)
-{
-    enum { DIGITS_KEPT = 15 };
-    text += strspn(text, " \t");
-    const size_t sign = text[0] == '-' ? 1 : 0;
-    const bool padded = text[sign] == '0' && digits_length(text + sign) > 1;
-    return text[0] != '+' && !padded && strcspn(text, "eE \t") - sign <= DIGITS_KEPT + 1;
-}
-
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
 {
     const size_t length = digits_length(text);
@@ -123,4 +114,14 @@ size_t number_write(double value, int digits, char decimal_sign, char text[NUMBE
     if (point != NULL)
         *point = decimal_sign;
     return strlen(text);
+}
+
+bool number_survives(const char *text, char decimal_sign, double *value)
+{
+    char again[NUMBER_SIZE];
+    text += strspn(text, " \t");
+    if (!number_read_cell(text, decimal_sign, value))
+        return false;
+    const size_t length = number_write(*value, NUMBER_DIGITS, decimal_sign, again);
+    return strncmp(text, again, length) == 0 && text[length + strspn(text + length, " \t")] == '\0';
 }

@@ -19,9 +19,9 @@ bool number_read(const char *text, double *value);
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */
 bool number_read_cell(const char *text, char decimal_sign, double *value);
 
-/* Whether a cell that is a number stays the same as one: "007", "+49" and twenty digits are
- * meant as they stand. */
-bool number_is_exact(const char *text);
+/* Whether a cell is a number that is written as it stands: "007", "0.10", "1E5", "+49" and twenty
+ * digits are meant as texts. */
+bool number_survives(const char *text, char decimal_sign, double *value);
 
 /* The same as number_read() for the first length characters, which number_length() has found. */
 bool number_read_part(const char *text, size_t length, double *value);

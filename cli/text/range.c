@@ -126,17 +126,30 @@ const char *range_read(const char *text, range *values)
     return complaint;
 }
 
-void range_say_two_values(const char *option, const char *text)
+/* 0,5 and 1,05: a zero is in front of digits. */
+static bool may_be_decimal(const char *text, size_t length)
 {
     static const char digits[] = "0123456789";
     const size_t sign = text[0] == '-' || text[0] == '+' ? 1 : 0;
-    const size_t whole = strspn(text + sign, digits), first = sign + whole;
-    const char *second = text + first + (text[first] == ',' ? 1 : 0);
-    const size_t length = strspn(second, digits);
-    if (text[first] == ',' && whole > 0 && length > 0 && second[length] == '\0' &&
-        ((whole == 1 && text[sign] == '0') || (length > 1 && second[0] == '0')))
-        notice("--%s %s: two values, %.*s and %s; a decimal is written %.*s.%s", option, text,
-               (int)first, text, second, (int)first, text, second);
+    const size_t whole = strspn(text + sign, digits), comma = sign + whole;
+    const size_t fraction = text[comma] == ',' ? strspn(text + comma + 1, digits) : 0;
+    return whole > 0 && fraction > 0 && comma + 1 + fraction == length &&
+           ((whole == 1 && text[sign] == '0') || (fraction > 1 && text[comma + 1] == '0'));
+}
+
+bool range_say_pair(const char *option, const char *all, const char *text, size_t length)
+{
+    const int first = (int)strcspn(text, ","), second = (int)length - first - 1;
+    if (!may_be_decimal(text, length))
+        return false;
+    notice("--%s %s: two values, %.*s and %.*s; a decimal is written %.*s.%.*s", option, all, first,
+           text, second, text + first + 1, first, text, second, text + first + 1);
+    return true;
+}
+
+void range_say_two_values(const char *option, const char *text)
+{
+    range_say_pair(option, text, text, strlen(text));
 }
 
 range range_between(double first, double last, int64_t count)

@@ -6,6 +6,7 @@
 #define CLI_RANGE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define RANGE_VALUES_MAX INT64_C(1000000000)
@@ -26,6 +27,9 @@ const char *range_read(const char *text, range *values);
 /* Says on stderr how a list was understood that may have been meant for one number: 0,5. Such are
  * two whole numbers of which the first is 0, or the second begins with it. */
 void range_say_two_values(const char *option, const char *text);
+
+/* The same of a pair that is a part of an option's value. Whether it was said. */
+bool range_say_pair(const char *option, const char *all, const char *text, size_t length);
 
 /* So many values, at least 2, in equal steps. Between -x and x they are exact mirror images, 0
  * among them if their number is odd. */

@@ -1,113 +1,179 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "csv_sheets.h"
 
-#include "text/message.h"
 #include "input/csv_input.h"
+#include "model/header.h"
 #include "rows/spreadsheet.h"
 #include "table/tables.h"
+#include "text/memory.h"
+#include "text/message.h"
+#include "text/utf8.h"
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* A sheet's name has up to 31 letters, and none of these. */
 enum { NAME_BYTES = 31, NAME_SIZE };
 static const char not_in_names[] = "[]:*?\\'";
 
-static bool is_inside_letter(char byte)
+/* ---- Names of sheets ---- */
+
+static bool fits_in_name(uint32_t code)
 {
-    return ((unsigned char)byte & 0xC0) == 0x80; /* UTF-8 */
+    return utf8_is_text(code) && !utf8_is_command(code) &&
+           (code > 0x7f || strchr(not_in_names, (int)code) == NULL);
 }
 
-/* The file's, without folder and ending. */
-static void name_sheet(const char *path, char name[NAME_SIZE])
+/* Small letters of European alphabets, by their codes. */
+static uint32_t small_letter(uint32_t code)
+{
+    const bool has_small = (code >= 'A' && code <= 'Z') || (code >= 0xc0 && code <= 0xde) ||
+                           (code >= 0x391 && code <= 0x3a9) || (code >= 0x410 && code <= 0x42f);
+    return has_small ? code + 32 : code;
+}
+
+/* Spreadsheets do not tell capitals from small letters in names. */
+static bool is_same_name(const char *a, const char *b)
+{
+    while (*a != '\0' && *b != '\0') {
+        uint32_t first, second;
+        const size_t length = utf8_length(a, strlen(a), &first);
+        b += utf8_length(b, strlen(b), &second);
+        a += length;
+        if (small_letter(first) != small_letter(second))
+            return false;
+    }
+    return *a == *b;
+}
+
+/* The workbook has sheets of its own, and Excel keeps one name for itself. */
+static bool is_taken(const char *name, const char *const names[], int count)
+{
+    static const char *const kept[] = {"Columns", "About", "History"};
+    for (int i = 0; i < (int)(sizeof kept / sizeof kept[0]); i++)
+        if (is_same_name(name, kept[i]))
+            return true;
+    for (int i = 0; i < count; i++)
+        if (is_same_name(name, names[i]))
+            return true;
+    return false;
+}
+
+/* The file's name without folder and ending, as far as a sheet may have it. */
+static void name_sheet(const char *path, const char *const names[], int count, char name[NAME_SIZE])
 {
     const char *slash = strrchr(path, '/');
     const char *base = slash != NULL ? slash + 1 : path;
     const char *point = strrchr(base, '.');
-    size_t length = point != NULL && point != base ? (size_t)(point - base) : strlen(base);
-    if (length > NAME_BYTES)
-        for (length = NAME_BYTES; is_inside_letter(base[length]);)
-            length--;
-    snprintf(name, NAME_SIZE, "%.*s", (int)length, base);
-    for (char *bad = name; (bad = strpbrk(bad, not_in_names)) != NULL;)
-        *bad = '_';
+    const size_t whole = strlen(base);
+    const int length = (int)(point != NULL && point != base ? (size_t)(point - base) : whole);
+    char *own = memory_zeroed((size_t)length + 1, 1), plain[NAME_SIZE];
+    snprintf(own, (size_t)length + 1, "%.*s", length, base);
+    utf8_copy(own, fits_in_name, "_", plain, NAME_SIZE);
+    snprintf(name, NAME_SIZE, "%s", plain);
+    for (int n = 2; is_taken(name, names, count); n++) {
+        char number[12];
+        const int digits = snprintf(number, sizeof number, "_%d", n);
+        utf8_copy(plain, fits_in_name, "_", name, NAME_SIZE - (size_t)digits);
+        strcat(name, number);
+    }
+    if (strcmp(name, own) != 0)
+        notice("%s: its sheet is called %s", path, name);
+    free(own);
 }
 
-/* Spreadsheets do not tell capitals from small letters in names. */
-static bool is_new(const char *path, const char *const names[], int count)
+/* ---- Rows ---- */
+
+typedef struct {
+    csv_input *in;
+    char decimal_sign;
+    size_t columns;
+} sheet;
+
+static void refuse(const sheet *from, const char *complaint)
 {
-    for (int i = 0; i < count; i++)
-        if (strcasecmp(names[i], names[count]) == 0) {
-            failure("%s: a second sheet of the name %s; allowed: files with different names", path,
-                    names[i]);
-            return false;
-        }
-    return true;
+    failure("%s: line %" PRId64 ": %s", csv_input_name(from->in), csv_input_line(from->in),
+            complaint);
 }
 
-/* "007" and twenty digits are meant as they stand; a fraction of 17 digits is a number. */
-static cell cell_of(const char *text)
+/* A text of digits around a comma is a number that nobody meant as a text, unless commas separate
+ * the cells. */
+static cell cell_of(const sheet *from, const char *text)
 {
     double number;
-    const bool exact = number_is_exact(text) || strpbrk(text, ".e") != NULL;
-    return exact && number_read(text, &number) ? cell_number(number) : cell_text(text);
+    if (number_survives(text, from->decimal_sign, &number))
+        return cell_number(number);
+    char complaint[100];
+    snprintf(complaint, sizeof complaint, "%.40s: a decimal comma; --decimal-comma reads it", text);
+    if (from->decimal_sign == '.' && csv_input_separator(from->in) != ',' &&
+        number_survives(text, ',', &number))
+        refuse(from, complaint);
+    return cell_text(text);
 }
 
-static void write_row(const csv_input *in, bool header, records *rows)
+static void write_header(sheet *from, records *rows)
 {
-    for (size_t i = 0; i < csv_input_count(in); i++)
-        if (header)
-            rows->format->name(rows, csv_input_cells(in)[i]);
-        else
-            rows->format->value(rows, NULL, cell_of(csv_input_cells(in)[i]));
-    (header ? rows->format->end_header : rows->format->end_row)(rows);
+    const char *const *cells = csv_input_cells(from->in);
+    from->columns = csv_input_count(from->in);
+    const char *hint = header_separator_hint(cells, from->columns);
+    if (hint[0] != '\0')
+        failure("%s: one column%s", csv_input_name(from->in), hint);
+    for (size_t i = 0; i < from->columns; i++)
+        rows->format->name(rows, cells[i]);
+    rows->format->end_header(rows);
 }
 
-static bool write_rows(csv_input *in, records *rows)
+static void write_row(const sheet *from, records *rows)
 {
-    bool header = true;
+    char complaint[COMPLAINT_SIZE];
+    const size_t count = csv_input_count(from->in);
+    if (!header_fits(from->columns, count, csv_input_separator(from->in), complaint))
+        refuse(from, complaint);
+    for (size_t i = 0; i < count; i++)
+        rows->format->value(rows, NULL, cell_of(from, csv_input_cells(from->in)[i]));
+    rows->format->end_row(rows);
+}
+
+static void write_rows(sheet *from, records *rows)
+{
     csv_event event = CSV_END;
-    while (records_go_on(rows) && (event = csv_input_next(in)) == CSV_ROW) {
-        write_row(in, header, rows);
-        header = false;
-    }
+    while (records_go_on(rows) && (event = csv_input_next(from->in)) == CSV_ROW)
+        if (from->columns == 0)
+            write_header(from, rows);
+        else
+            write_row(from, rows);
     if (event == CSV_MALFORMED || event == CSV_FAILED)
-        csv_input_fail(in);
-    if (event == CSV_END && header)
-        failure("%s: no rows", csv_input_name(in));
-    return event == CSV_END && !header;
+        csv_input_fail(from->in);
+    if (from->columns == 0)
+        failure("%s: no rows", csv_input_name(from->in));
 }
 
-static bool write_file(const char *path, records *rows)
+static void write_file(const char *path, char decimal_sign, records *rows)
 {
-    csv_input *in = csv_input_open(path, ',', NULL);
-    const bool done = in != NULL && write_rows(in, rows);
-    csv_input_close(in);
-    return done;
+    sheet from = {csv_input_open(path, decimal_sign == ',' ? ';' : ',', NULL), decimal_sign, 0};
+    write_rows(&from, rows);
+    csv_input_close(from.in);
 }
 
-bool csv_sheets_write(void *paths, records *rows, bool show_progress)
+bool csv_sheets_write(void *of_files, records *rows, bool show_progress)
 {
-    const char *const *path = *(const char *const **)paths;
+    const csv_files *files = of_files;
     char text[CSV_SHEETS_MAX][NAME_SIZE];
     const char *names[CSV_SHEETS_MAX + 1] = {NULL};
     (void)show_progress;
-    for (int i = 0; path[i] != NULL; i++) {
-        name_sheet(path[i], text[i]);
+    for (int i = 0; files->path[i] != NULL; i++) {
+        name_sheet(files->path[i], names, i, text[i]);
         names[i] = text[i];
-        if (!is_new(path[i], names, i))
-            return false;
     }
     records_describe(rows, table_columns, COLUMN_KINDS);
     rows->sheets = names;
     rows->format->begin(rows);
-    for (int i = 0; path[i] != NULL && records_go_on(rows); i++) {
+    for (int i = 0; files->path[i] != NULL && records_go_on(rows); i++) {
         if (i > 0)
             spreadsheet_next_sheet(rows);
-        if (!write_file(path[i], rows))
-            return false;
+        write_file(files->path[i], files->decimal_sign, rows);
     }
     rows->format->end(rows);
     return records_are_sound(rows);

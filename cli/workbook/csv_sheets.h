@@ -9,8 +9,13 @@
 
 enum { CSV_SHEETS_MAX = 10 };
 
-/* Writes the files, whose list ends with NULL, a sheet each, named as the file. False, with the
- * reason said, where one cannot be read or written. */
-bool csv_sheets_write(void *paths, records *rows, bool show_progress);
+typedef struct {
+    const char **path; /* a list that ends with NULL */
+    char decimal_sign;
+} csv_files;
+
+/* Writes a sheet for each file. It is named as the file, or what is nearest to that, which is said.
+ * Ends where a file cannot be read. */
+bool csv_sheets_write(void *of_files, records *rows, bool show_progress);
 
 #endif

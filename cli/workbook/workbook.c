@@ -13,6 +13,8 @@ static const struct poptOption options[] = {
      "Write to FILE, whole or not at all; - is standard output", "FILE"},
     {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
      "Significant digits of the numbers of a CSV file", "N"},
+    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+     "The CSV files have 1,5 for 1.5, and ';' between the columns", NULL},
     {HELP_OPTION},
     POPT_TABLEEND,
 };
@@ -38,16 +40,21 @@ static int write_file(const char *path)
 
 static const char *const formats[] = {"xlsx", NULL};
 
+/* The comma is that of the files; the cells of a workbook have no sign. */
 static int write_sheets(const arguments *given)
 {
-    const char **path = given->operand;
+    const bool comma = given->value[OPTION_DECIMAL_COMMA] != NULL;
+    csv_files files = {given->operand, comma ? ',' : '.'};
+    arguments others = *given;
     output_options how;
-    int status = output_options_read_of(given, formats, "", &how);
-    for (int i = 0; status == STATUS_DONE && path[i] != NULL; i++)
-        status = i < CSV_SHEETS_MAX ? output_options_spare(&how, path[i])
-                                    : usage_error("%s: unexpected; allowed: up to %d files",
-                                                  path[i], CSV_SHEETS_MAX);
-    return status == STATUS_DONE ? output_options_write(&how, csv_sheets_write, &path) : status;
+    others.value[OPTION_DECIMAL_COMMA] = NULL;
+    output_options_read_of(&others, formats, "", &how);
+    for (int i = 0; files.path[i] != NULL; i++)
+        if (i < CSV_SHEETS_MAX)
+            output_options_spare(&how, files.path[i]);
+        else
+            usage_error("%s: unexpected; allowed: up to %d files", files.path[i], CSV_SHEETS_MAX);
+    return output_options_write(&how, csv_sheets_write, &files);
 }
 
 static int write_given(const arguments *given)
@@ -60,6 +67,8 @@ static int write_given(const arguments *given)
         return write_sheets(given);
     if (given->value[OPTION_DIGITS] != NULL)
         return usage_error("--digits: the workbook has its own; allowed with: CSV files");
+    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+        return usage_error("--decimal-comma: a workbook has no sign; allowed with: CSV files");
     const char *format;
     const int status = output_format_choose(given, formats, "", &format);
     if (status != STATUS_DONE)

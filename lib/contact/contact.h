@@ -30,6 +30,9 @@ struct rwedge_contact {
     rw_slip_origins origins;
 };
 
+/* What is in the way of a straight line to the loads that is not divided into pieces. */
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
+
 /* The traction of a history is a sum of patches, one for each corner of its path: the pressure
  * of the contact under the corner's load, times f and the step that D makes there. The last
  * patch is the contact itself. */
@@ -46,13 +49,13 @@ static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
 }
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
- * apex of the sharp wedge. */
+ * apex of the sharp wedge. Of the patches inside the contact, those from first to last - 1. */
 typedef struct {
     rw_fields normal, tangential;
 } rw_contact_fields;
 
-void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
-                          const double y[], rw_contact_fields *fields);
+void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t last, int n,
+                          const double x[], const double y[], rw_contact_fields *fields);
 
 /* A patch's own fields at n <= RW_BATCH points, and their part of the sum over the patches. */
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],

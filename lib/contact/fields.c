@@ -82,22 +82,27 @@ static void clear(rw_fields *fields, int n)
         rw_put(fields, i, (rw_field){0, 0, 0, 0});
 }
 
-/* The last patch is the contact. */
-void rw_contact_fields_at(const rwedge_contact *contact, size_t n, const double x[],
-                          const double y[], rw_contact_fields *fields)
+static void add_corner(const rwedge_contact *contact, size_t corner, int n, const double x[],
+                       const double y[], rw_fields *of_patch, rw_fields *sum)
 {
     const rw_memory *memory = &contact->memory;
-    clear(&fields->normal, (int)n);
-    clear(&fields->tangential, (int)n);
-    for (size_t j = 1; j < memory->count; j++) {
-        const double weight = rw_patch_weight(memory, j);
-        const bool is_whole = j + 1 == memory->count;
-        if (weight == 0 && !is_whole)
-            continue;
-        rw_fields other, *of_patch = is_whole ? &fields->normal : &other;
-        rw_patch_fields(contact->geometry.a, memory->corners[j].patch, (int)n, x, y, of_patch);
-        rw_add_patch(of_patch, weight, (int)n, &fields->tangential);
+    rw_patch_fields(contact->geometry.a, memory->corners[corner].patch, n, x, y, of_patch);
+    rw_add_patch(of_patch, rw_patch_weight(memory, corner), n, sum);
+}
+
+void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t last, int n,
+                          const double x[], const double y[], rw_contact_fields *fields)
+{
+    const size_t end = contact->memory.count - 1; /* its patch is the contact */
+    clear(&fields->normal, n);
+    clear(&fields->tangential, n);
+    for (size_t j = first; j < last && j < end; j++) {
+        rw_fields of_patch;
+        if (rw_patch_weight(&contact->memory, j) != 0)
+            add_corner(contact, j, n, x, y, &of_patch, &fields->tangential);
     }
+    if (end > 0)
+        add_corner(contact, end, n, x, y, &fields->normal, &fields->tangential);
 }
 
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,
@@ -125,11 +130,12 @@ int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t n, const d
         if (!rw_contact_has_stress(contact, x[i], y[i]))
             return RWEDGE_EDOMAIN;
     for (size_t start = 0; start < n; start += RW_BATCH) {
-        const size_t block = n - start < RW_BATCH ? n - start : RW_BATCH;
+        const int block = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
         rw_contact_fields fields;
-        rw_contact_fields_at(contact, block, x + start, y + start, &fields);
+        rw_contact_fields_at(contact, 1, contact->memory.count, block, x + start, y + start,
+                             &fields);
         rw_contact_stresses_from(contact, contact->loads.sigma, &fields.normal, &fields.tangential,
-                                 (int)block, sxx + start, syy + start, txy + start);
+                                 block, sxx + start, syy + start, txy + start);
     }
     return RWEDGE_OK;
 }

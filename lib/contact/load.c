@@ -71,7 +71,8 @@ static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
     }
 }
 
-/* Differences of rounding in P and M are none. */
+/* Differences of rounding in P and M are none. The contact keeps the loads of the path's end, or
+ * many small steps could shift them unnoticed. */
 static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
 {
     const rw_corner *end = rw_memory_end(&contact->memory);
@@ -123,6 +124,12 @@ static int32_t check(const rwedge_contact *contact, rw_loads to)
     return RWEDGE_OK;
 }
 
+/* Edges that rounding puts at the same place tell no width; NaN is not known yet. */
+static bool has_width(rw_patch patch)
+{
+    return !isgreaterequal(patch.left, patch.right);
+}
+
 /* A flank that lies on the surface, to rounding, has no edge to tell. */
 static bool is_tilt_possible(const rw_step *step)
 {
@@ -154,7 +161,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         if (isnan(contact->energy_carry))
             contact->energy_carry = 0;
     }
-    contact->loads = *to;
+    contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
     if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
     if (contact->f == 0)
@@ -256,7 +263,8 @@ static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step
     return RWEDGE_OK;
 }
 
-static int32_t apply(rwedge_contact *contact, rw_loads to)
+/* In a straight line that has a closed form as it is. */
+static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 {
     int32_t status = check(contact, to);
     rw_step step;
@@ -269,9 +277,65 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
+    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || departure.corner.load == 0 ||
+                                                has_width(departure.corner.patch))))
+        return RWEDGE_ERANGE;
     if (!is_off_centre(contact, &step))
         return go_centred(contact, to, &step, &departure);
     return go_off_centre(contact, to, &step, &departure);
+}
+
+static double at(double t, double from, double to)
+{
+    return from + t * (to - from);
+}
+
+static rw_loads loads_at(double t, rw_loads from, rw_loads to)
+{
+    return t == 1 ? to
+                  : (rw_loads){at(t, from.P, to.P), at(t, from.M, to.M), at(t, from.Q, to.Q),
+                               at(t, from.sigma, to.sigma)};
+}
+
+/* Of the pieces that a step without a closed form is divided into. */
+enum { MOST_PIECES = 40 };
+static const double SHORTEST_PIECE = 1.0 / 256;
+
+/* Each piece is as long as it may be: one may end where another may not. */
+static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
+{
+    const rw_loads from = contact->loads;
+    double t = 0, next = 0.5;
+    for (int i = 0; i < MOST_PIECES && t < 1 && next - t >= SHORTEST_PIECE; i++) {
+        if (apply_whole(contact, loads_at(next, from, to)) == RWEDGE_OK) {
+            t = next;
+            next = 1;
+        } else
+            next = t / 2 + next / 2;
+    }
+    return t == 1 ? RWEDGE_OK : RWEDGE_EPATH;
+}
+
+static void take_over(rwedge_contact *contact, rwedge_contact *other)
+{
+    const rwedge_contact before = *contact;
+    *contact = *other;
+    *other = before;
+}
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    const int32_t status = apply_whole(contact, to);
+    if (status != RWEDGE_EPATH || contact->loads.P == 0)
+        return status;
+    rwedge_contact *trial;
+    if (rwedge_contact_copy(contact, &trial) != RWEDGE_OK)
+        return RWEDGE_ENOMEM;
+    const int32_t in_pieces = apply_in_pieces(trial, to);
+    if (in_pieces == RWEDGE_OK)
+        take_over(contact, trial);
+    rwedge_contact_destroy(trial);
+    return in_pieces;
 }
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
@@ -286,43 +350,14 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
 }
 
-#define TENSION_FROM_BEFORE                                                                        \
-    "; a tension from before the contact is a load of its own, sigma with P = M = Q = 0"
-
-static const char *text_of(rw_obstacle obstacle, bool touches)
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)
 {
-    if (obstacle == RW_GROWS_UNEVENLY && touches)
-        return "the bodies would touch under a shear that does not grow in proportion to the "
-               "contact: put a load before it with the same P and M, Q = 0, and sigma as it was";
-    switch (obstacle) {
-    case RW_EDGES_PART:
-        return "one edge of the contact would advance while the other recedes: change P with M, so "
-               "that dM/dP stays within a quarter of the contact's width from its middle";
-    case RW_SLIPS_BOTH_WAYS:
-        return "the two edges would slip in opposite directions: change sigma by less, or Q by "
-               "more, or in a load of its own at constant P and M" TENSION_FROM_BEFORE;
-    case RW_FRONTS_PART:
-        return "slip or the edges would have passed a patch of the history at one side only, or "
-               "leave a part between that sticks: go on until all has slipped, or separate the "
-               "bodies first";
-    case RW_GROWS_UNEVENLY:
-        return "the contact would grow with a shear that does not keep to its tilt: change P and M "
-               "first, under constant Q and sigma, then Q and sigma" TENSION_FROM_BEFORE;
-    default:
-        return "";
-    }
-}
-
-const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M, double Q,
-                                    double sigma)
-{
-    const rw_loads to = {P, M, Q, sigma};
     rw_step step;
     rw_departure departure;
-    if (!contact || contact->f == 0 || check(contact, to) != RWEDGE_OK ||
+    if (contact->f == 0 || check(contact, to) != RWEDGE_OK ||
         make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
-        return "";
-    return text_of(rw_path_departure(&step, &departure), step.from_P == 0);
+        return RW_NO_OBSTACLE;
+    return rw_path_departure(&step, &departure);
 }
 
 double rwedge_contact_largest_tension_step(const rwedge_contact *contact, double Q)

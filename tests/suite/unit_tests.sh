@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# For coverage/ and mutation/: which programs are the unit tests of lib/.    . unit_tests.sh
+# For coverage/: which programs are the unit tests of lib/.    . unit_tests.sh
 
 # unit_tests SOURCE - their names: the tests of the rooms, and those of calls with bad arguments or too little memory.
 # Those that go along with the boundary-element solver are left out, because they take longer than all others.

@@ -58,7 +58,7 @@ def fit_alone(run):
 @pytest.mark.parametrize("first, then", [("", ""), (", numpy, numpy.linalg", ""), ("", ", numpy.linalg")])
 def test_other_libraries_do_not_change_its_bits(compiled, run, fit_alone, first, then):
     """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""
-    foreign = compiled("foreign.so", TOP / "tests/host/hostile/foreign.c", "-shared", "-fPIC")
+    foreign = compiled("foreign.so", PACKAGE / "tests/foreign.c", "-shared", "-fPIC")
     assert run("-c", FIT.format(first=first, then=then), LD_PRELOAD=str(foreign)) == fit_alone
 
 

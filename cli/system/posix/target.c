@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system/target.h"
 
-#include "attributes.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -66,23 +64,27 @@ bool target_is_input(const char *output, const char *input)
            out.st_dev == in.st_dev && out.st_ino == in.st_ino;
 }
 
-/* A new file with a name of its own: mkstemp() finds the name, but only open() gives a file the
- * permissions that the mask and the folder's access list ask for. */
-static int open_new(char *name, mode_t mode)
+/* What open() would give a new file. */
+static mode_t usual_mode(void)
 {
-    const int found = mkstemp(name);
-    if (found < 0)
-        return -1;
-    close(found);
-    if (unlink(name) != 0) {
-        unlink(name);
-        return -1;
-    }
-    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
 }
 
-static int give_up(char *name, int descriptor, int reason)
+/* Nobody gets more access than before. Where the group cannot be kept, its members are the others
+ * now, and another group gets none. */
+static mode_t mode_like(int descriptor, const struct stat *existing)
 {
+    const mode_t mode = existing->st_mode & 0777;
+    const bool kept = fchown(descriptor, existing->st_uid, existing->st_gid) == 0 ||
+                      fchown(descriptor, (uid_t)-1, existing->st_gid) == 0;
+    return kept ? mode : (mode & 0700) | (mode & 07 & (mode >> 3));
+}
+
+static int give_up(char *name, int descriptor)
+{
+    const int reason = errno;
     if (descriptor >= 0) {
         close(descriptor);
         unlink(name);
@@ -92,24 +94,17 @@ static int give_up(char *name, int descriptor, int reason)
     return -1;
 }
 
-int target_open_beside(const char *target, char **unfinished, const char **lost)
+int target_open_beside(const char *target, char **unfinished)
 {
     struct stat existing;
     const bool exists = stat(target, &existing) == 0;
-    *lost = "";
     if ((!exists && errno != ENOENT) || (exists && access(target, W_OK) != 0))
         return -1; /* renaming would replace a file that is protected from writing */
     char *name = in_folder_of(target, ".rwedge-XXXXXX");
-    if (name == NULL)
-        return -1;
-    const int descriptor = open_new(name, exists ? 0600 : 0666);
-    int reason = descriptor < 0 ? errno : 0;
-    if (reason == 0 && exists)
-        reason = attributes_keep(descriptor, target, &existing);
-    if (reason != 0)
-        return give_up(name, descriptor, reason);
-    if (exists)
-        *lost = attributes_lost(descriptor, &existing);
+    const int descriptor = name != NULL ? mkstemp(name) : -1;
+    if (descriptor < 0 || fcntl(descriptor, F_SETFD, FD_CLOEXEC) != 0 ||
+        fchmod(descriptor, exists ? mode_like(descriptor, &existing) : usual_mode()) != 0)
+        return give_up(name, descriptor);
     *unfinished = name;
     return descriptor;
 }

@@ -1,29 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system/files.h"
 
-#include "wide.h"
+#include "shared.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <io.h>
-#include <stdlib.h>
+#include <stdbool.h>
 #include <string.h>
-
-/* Also a folder, and what may not be read. */
-static HANDLE look(const char *path)
-{
-    wchar_t *name = wide_of(path);
-    if (name == NULL)
-        return INVALID_HANDLE_VALUE;
-    const HANDLE file = open_shared(name, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
-    free(name);
-    return file;
-}
 
 file_kind file_kind_of(const char *path)
 {
     BY_HANDLE_FILE_INFORMATION known;
-    const HANDLE file = look(path);
+    const HANDLE file = open_shared(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
     if (file == INVALID_HANDLE_VALUE)
         return errno == ENOENT ? FILE_ABSENT : FILE_UNKNOWN;
     const bool on_disk = GetFileType(file) == FILE_TYPE_DISK;
@@ -39,11 +28,7 @@ static int open_by_name(const char *path, DWORD access, int mode)
         errno = EISDIR;
         return -1;
     }
-    wchar_t *name = wide_of(path);
-    if (name == NULL)
-        return -1;
-    const HANDLE file = open_shared(name, access, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL);
-    free(name);
+    const HANDLE file = open_shared(path, access, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL);
     return file != INVALID_HANDLE_VALUE ? _open_osfhandle((intptr_t)file, mode | _O_BINARY) : -1;
 }
 

@@ -1,20 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Windows tells a program in a thread of its own that it is to end. A crash is an exception that
- * nobody caught. */
+/* Windows tells a program in a thread of its own that it is to end. */
 #include "system/signals.h"
 
 #include "system/progress.h"
 #include "text/message.h"
 
-#include "wide.h"
-
 #include <io.h>
-#include <signal.h>
-#include <stdlib.h>
 #include <string.h>
+#include <windows.h>
 
 /* Changed only while signals are held back. */
-static wchar_t *file_to_remove;
+static const char *file_to_remove;
 static const char *last_words;
 static CRITICAL_SECTION held;
 
@@ -27,7 +23,7 @@ static void say(const char *text)
 static void end(const char *why)
 {
     if (file_to_remove != NULL)
-        DeleteFileW(file_to_remove);
+        DeleteFileA(file_to_remove);
     progress_erase();
     say(message_speaker());
     say(": stopped by ");
@@ -48,32 +44,16 @@ static BOOL WINAPI end_by_console(DWORD event)
     return FALSE;
 }
 
-static LONG WINAPI end_by_exception(EXCEPTION_POINTERS *what)
-{
-    (void)what;
-    end("a crash");
-    return EXCEPTION_CONTINUE_SEARCH;
-}
-
-static void end_by_abort(int number)
-{
-    (void)number;
-    end("abort()");
-}
-
 void signals_install(void)
 {
     InitializeCriticalSection(&held);
     SetErrorMode(SEM_FAILCRITICALERRORS); /* no window that asks for a disk */
     SetConsoleCtrlHandler(end_by_console, TRUE);
-    SetUnhandledExceptionFilter(end_by_exception);
-    signal(SIGABRT, end_by_abort);
 }
 
 void signals_on_end(const char *unfinished_file, const char *message)
 {
-    free(file_to_remove);
-    file_to_remove = unfinished_file != NULL ? wide_of(unfinished_file) : NULL;
+    file_to_remove = unfinished_file;
     last_words = message;
 }
 
@@ -85,18 +65,4 @@ void signals_hold(void)
 void signals_release(void)
 {
     LeaveCriticalSection(&held);
-}
-
-/* Nothing is delivered to a thread. */
-void signals_in_thread(char stack[SIGNALS_STACK])
-{
-    (void)stack;
-}
-
-void signals_before_threads(void)
-{
-}
-
-void signals_after_threads(void)
-{
 }

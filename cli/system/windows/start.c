@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system/start.h"
 
-#include "wide.h"
-
 #include <fcntl.h>
 #include <io.h>
-#include <shellapi.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <windows.h>
 
 /* No byte changes on its way: a line ends as it was written. */
 static bool fill_closed(void)
@@ -42,31 +40,17 @@ static void prepare_console(void)
         SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 
-/* ---- Arguments ---- */
-
-/* C's start-up gives them in the machine's code page, and replaces * and ? by names of files. */
-static bool read_arguments(int *count, const char ***words)
-{
-    wchar_t **given = CommandLineToArgvW(GetCommandLineW(), count);
-    const char **all = given != NULL ? calloc((size_t)*count + 1, sizeof *all) : NULL;
-    for (int i = 0; all != NULL && i < *count; i++) {
-        all[i] = utf8_of(given[i]);
-        if (all[i] == NULL) {
-            fputs("rwedge: an argument is no text in Unicode\n", stderr);
-            return false;
-        }
-    }
-    LocalFree(given);
-    *words = all;
-    return all != NULL;
-}
+/* C's start-up does not replace * and ? in arguments by names of files. */
+int _dowildcard = 0;
 
 bool start(int *count, const char ***words)
 {
+    (void)count;
+    (void)words;
     if (!fill_closed())
         return false;
     prepare_console();
     _putenv("POSIXLY_CORRECT=");
     _putenv("POSIX_ME_HARDER=");
-    return read_arguments(count, words);
+    return true;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system/target.h"
 
-#include "wide.h"
+#include "shared.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -14,31 +14,25 @@
 /* ---- Links ---- */
 
 /* The name of what a symbolic link leads to. */
-static char *name_of_file(const wchar_t *path)
+static char *name_of_file(const char *path)
 {
     enum { LONGEST = 32768 }; /* of a name in Windows */
     const HANDLE file = open_shared(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
-    wchar_t *name = file != INVALID_HANDLE_VALUE ? malloc(LONGEST * sizeof *name) : NULL;
-    char *target = NULL;
-    if (name != NULL && GetFinalPathNameByHandleW(file, name, LONGEST, 0) != 0)
-        target = utf8_of(name);
-    free(name);
-    if (file != INVALID_HANDLE_VALUE)
-        CloseHandle(file);
-    return target;
+    if (file == INVALID_HANDLE_VALUE)
+        return NULL;
+    char *name = malloc(LONGEST);
+    if (name != NULL && GetFinalPathNameByHandleA(file, name, LONGEST, 0) == 0)
+        name[0] = '\0';
+    CloseHandle(file);
+    return name;
 }
 
 char *target_of_links(const char *path)
 {
-    wchar_t *wide = wide_of(path);
-    if (wide == NULL)
-        return NULL;
-    const DWORD attributes = GetFileAttributesW(wide);
+    const DWORD attributes = GetFileAttributesA(path);
     const bool is_link =
         attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0;
-    char *target = is_link ? name_of_file(wide) : strdup(path);
-    free(wide);
-    return target;
+    return is_link ? name_of_file(path) : strdup(path);
 }
 
 /* ---- The same file ---- */
@@ -46,11 +40,8 @@ char *target_of_links(const char *path)
 static bool look_at(const char *path, DWORD standard_stream, BY_HANDLE_FILE_INFORMATION *file)
 {
     const bool standard = strcmp(path, "-") == 0;
-    wchar_t *name = standard ? NULL : wide_of(path);
-    const HANDLE handle = standard       ? GetStdHandle(standard_stream)
-                          : name != NULL ? open_shared(name, 0, OPEN_EXISTING, 0)
-                                         : INVALID_HANDLE_VALUE;
-    free(name);
+    const HANDLE handle =
+        standard ? GetStdHandle(standard_stream) : open_shared(path, 0, OPEN_EXISTING, 0);
     if (handle == INVALID_HANDLE_VALUE)
         return false;
     const bool known =
@@ -89,11 +80,7 @@ static HANDLE open_new(const char *target, char **name)
     *name = malloc(size);
     for (DWORD i = 0; *name != NULL && i < TRIES && file == INVALID_HANDLE_VALUE; i++) {
         snprintf(*name, size, "%.*s.rwedge-%08lX", (int)folder, target, first + i);
-        wchar_t *wide = wide_of(*name);
-        if (wide == NULL)
-            break;
-        file = open_shared(wide, GENERIC_WRITE, CREATE_NEW, FILE_ATTRIBUTE_NORMAL);
-        free(wide);
+        file = open_shared(*name, GENERIC_WRITE, CREATE_NEW, FILE_ATTRIBUTE_NORMAL);
         if (errno != EEXIST)
             break;
     }
@@ -102,37 +89,22 @@ static HANDLE open_new(const char *target, char **name)
 
 /* Renaming would replace a file that is protected from writing, or in use: it is opened as if to be
  * written to. */
-static bool may_be_written(const char *target, bool *other_names)
+static bool may_be_written(const char *target)
 {
-    BY_HANDLE_FILE_INFORMATION known;
-    wchar_t *name = wide_of(target);
-    if (name == NULL)
-        return false;
-    const HANDLE file = open_shared(name, GENERIC_WRITE | DELETE, OPEN_EXISTING, 0);
-    free(name);
-    *other_names = false;
+    const HANDLE file = open_shared(target, GENERIC_WRITE | DELETE, OPEN_EXISTING, 0);
     if (file == INVALID_HANDLE_VALUE)
         return errno == ENOENT;
-    *other_names = GetFileInformationByHandle(file, &known) != 0 && known.nNumberOfLinks > 1;
     CloseHandle(file);
     return true;
 }
 
-int target_open_beside(const char *target, char **unfinished, const char **lost)
+int target_open_beside(const char *target, char **unfinished)
 {
-    bool other_names;
-    if (!may_be_written(target, &other_names))
+    if (!may_be_written(target))
         return -1;
     const HANDLE file = open_new(target, unfinished);
-    if (file == INVALID_HANDLE_VALUE) {
-        const int reason = errno;
-        free(*unfinished);
-        *unfinished = NULL;
-        errno = reason;
-        return -1;
-    }
-    *lost = other_names ? "it had other names (hard links), which keep the old content" : "";
-    return _open_osfhandle((intptr_t)file, _O_WRONLY | _O_BINARY);
+    return file != INVALID_HANDLE_VALUE ? _open_osfhandle((intptr_t)file, _O_WRONLY | _O_BINARY)
+                                        : -1;
 }
 
 int target_sync(int descriptor)
@@ -142,29 +114,17 @@ int target_sync(int descriptor)
 
 void target_remove(const char *unfinished)
 {
-    wchar_t *name = wide_of(unfinished);
-    if (name != NULL)
-        DeleteFileW(name);
-    free(name);
+    DeleteFileA(unfinished);
 }
 
-/* ReplaceFile() keeps the attributes, access lists and streams of the file that was there. It does
- * not work where there is none, nor on every file system; moving does. */
-static int replace(const wchar_t *target, const wchar_t *unfinished)
-{
-    if (ReplaceFileW(target, unfinished, NULL, REPLACEFILE_WRITE_THROUGH, NULL, NULL) ||
-        MoveFileExW(unfinished, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
-        return 0;
-    return errno_of(GetLastError());
-}
-
+/* ReplaceFile() keeps the attributes of the file that was there. It does not work where there is
+ * none, nor on every file system; moving does. */
 int target_replace(const char *target, const char *unfinished)
 {
-    wchar_t *to = wide_of(target), *from = wide_of(unfinished);
-    const int reason = to != NULL && from != NULL ? replace(to, from) : ENOMEM;
-    free(to);
-    free(from);
-    if (reason != 0)
-        target_remove(unfinished);
+    if (ReplaceFileA(target, unfinished, NULL, REPLACEFILE_WRITE_THROUGH, NULL, NULL) ||
+        MoveFileExA(unfinished, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
+        return 0;
+    const int reason = errno_of(GetLastError());
+    target_remove(unfinished);
     return reason;
 }

@@ -52,7 +52,7 @@ fails_with "ended with status 1: line 0: unknown or ambiguous terminal type; typ
     echo >&2; exit 1'
 fails_with "ended with status 3" 'cat >/dev/null; exit 3'
 fails_with "was ended by signal 9" 'kill -9 $$'
-fails_with "was ended by signal 13" 'kill -PIPE $$' # which the tool itself ignores
+fails_with "was ended by signal 15" 'kill -TERM $$'
 fails_with "gave no whole picture, but bytes: 8" 'echo garbage'
 fails_with "gave no whole picture, but bytes: 0" 'cat >/dev/null'
 fails_with "gave no whole picture, but bytes: 15: trouble" 'cat >/dev/null; printf "<?xml?><svg><g>"; echo trouble >&2'

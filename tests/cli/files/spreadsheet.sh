@@ -89,13 +89,13 @@ compare table stick-zone --digits 4
 # CSV files as sheets: numbers are numbers, what is none stays a text.
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 -o law.csv
 "$rwedge" table elastic-limit --a-over-b 0.1,1 -o limits.csv
-printf 'name,P\n007,1e3\n,x\n' >"a[1].csv"
+printf 'name,P\n007,1000\n0.10,1E5\n,x\n' >"a[1].csv"
 run workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
 status_is 0
-message_is ""
+message_is "rwedge workbook: a[1].csv: its sheet is called a_1_"
 same_cells 1 law.csv
 same_cells 2 limits.csv
-same "another sheet" 'name,P;007,1000.0;,x;' "$(python3 cells.py book.xlsx 3 | tr '\n' ';')"
+same "another sheet" 'name,P;007,1000.0;0.10,1E5;,x;' "$(python3 cells.py book.xlsx 3 | tr '\n' ';')"
 same "names of sheets" "law limits a_1_ Columns About " "$(python3 -c 'import re, zipfile
 print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode()), "")')"
 run workbook law.csv --digits 3 -o book.xlsx
@@ -113,7 +113,43 @@ printf 'a,b\n1,"2\n' >quote.csv
 fails "rwedge workbook: nowhere.csv: No such file or directory" nowhere.csv
 fails "rwedge workbook: empty.csv: no rows" law.csv empty.csv
 fails "rwedge workbook: quote.csv: line 2: a quote that is not closed" quote.csv
-fails "rwedge workbook: LAW.csv: a second sheet of the name law; allowed: files with different names" law.csv LAW.csv
+printf 'a,b\n1,2\n\n3\n' >ragged.csv
+fails "rwedge workbook: ragged.csv: line 4: 1 cells in this row, 2 in the header" ragged.csv
+
+# The tool's own files with a decimal comma: read by the option, and refused without it.
+"$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.csv
+"$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.tsv
+for file in comma.csv comma.tsv; do
+    run workbook $file --decimal-comma -o book.xlsx
+    status_is 0
+    same_cells 1 law.csv
+done
+fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': --decimal-comma reads that" comma.csv
+fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave --decimal-comma out" law.csv --decimal-comma
+fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
+refuses "rwedge workbook: --decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
+
+# Names that no sheet can have, or that are taken, whatever their capitals: what they are instead is said.
+sheets() { # NAMES MESSAGE FILE...
+    names=$1 expected=$2
+    shift 2
+    for file in "$@"; do
+        [ -e "$file" ] || cp law.csv "$file"
+    done
+    run workbook "$@" -o book.xlsx
+    status_is 0
+    message_is "$expected"
+    same "names" "$names" "$(python3 -c 'import re, zipfile
+print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode())[:-2])')"
+}
+mkdir capitals
+sheets "law LAW_2" "rwedge workbook: capitals/LAW.csv: its sheet is called LAW_2" law.csv capitals/LAW.csv
+sheets "ärger ÄRGER_2" "rwedge workbook: capitals/ÄRGER.csv: its sheet is called ÄRGER_2" ärger.csv capitals/ÄRGER.csv
+sheets "about_2 history_2" "rwedge workbook: about.csv: its sheet is called about_2
+rwedge workbook: history.csv: its sheet is called history_2" about.csv history.csv
+sheets "a__b" "rwedge workbook: a??b.csv: its sheet is called a__b" "$(printf 'a\001\374b.csv')"
+sheets "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" "rwedge workbook: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv: its sheet is called \
+aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv
 refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
 
 # The header stays, a page is as wide as the table, another sheet says how it was made.

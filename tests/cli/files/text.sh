@@ -125,11 +125,20 @@ echo "$rows" | tr ';' , | sed 's/100,/1e2,/' >numbers.csv
 run solve -i numbers.csv $fixed --format json --digits 2
 same "numbers in JSON, with all their digits" '{"case": "007", "a": 2, "P": 2000, "f": 0.3,|{"case": 8, "a": 1, "P": 100, "f": 0.1,' \
     "$(sed -n 2,3p out | cut -d ' ' -f 1-8 | paste -s -d '|' -)"
-printf 'a,P,f,n\n1,100,0.1234,+49\n1,100,0.1234,12345678901234567890\n1,100,0.1234,-0.5\n1,100,0.1234,1e-5\n' >numbers.csv
+printf 'a,P,f,n\n1,100,0.1234,+49\n1,100,0.1234,12345678901234567890\n1,100,0.1234,-0.5\n1,100,0.1234,1e-05\n' >numbers.csv
+for label in 0.10 1E5 1e5 .5 5. -0; do
+    printf '1,100,0.1234,%s\n' $label >>numbers.csv
+done
 run solve -i numbers.csv $fixed --format json --digits 2
-same "what a number would not keep" '"n": "+49"|"n": "12345678901234567890"|"n": -0.5|"n": 1e-05' \
-    "$(sed -n 's/.*\("n": [^,]*\).*/\1/p' out | paste -s -d '|' -)"
-same "with all its digits" 4 "$(grep -c '"f": 0.1234,' out)"
+same "what a number would not keep" \
+    '"+49" "12345678901234567890" -0.5 1e-05 "0.10" "1E5" "1e5" ".5" "5." "-0"' \
+    "$(sed -n 's/.*"n": \([^,]*\).*/\1/p' out | paste -s -d ' ' -)"
+printf 'P,Q\n0.10,0\n' | "$rwedge" history - $fixed --a 1 --f 0.3 --format json >out
+same "a load is a number as it is" 1 "$(grep -c '"P": 0.1,' out)"
+printf 'P,Q,label\n100,0,0.10\n' | "$rwedge" history - $fixed --a 1 --f 0.3 --format json >out
+same "and a label a text" 1 "$(grep -c '"label": "0.10",' out)"
+run solve -i numbers.csv $fixed --format json --digits 2
+same "with all its digits" 10 "$(grep -c '"f": 0.1234,' out)"
 
 # A text that a spreadsheet would compute gets a ' in front, if that is wished for. Numbers are not texts.
 printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n' >formulas.csv
@@ -138,6 +147,20 @@ same "as they are" "$(cat formulas.csv)" "$(sed 's/,A,dundurs.*//; s/,1.82.*//' 
 same "guarded" "a,P,f,'=n|1,100,0.1,'=1+1|1,100,0.1,\"'@a|1,100,0.1,-5|1,100,0.1,+49|1,100,0.1,'-x" \
     "$(solved formulas.csv --no-formulas | paste -s -d '|' -)"
 columns=
+printf 'P,Q,=n\n100,10,=1+1\n100,-10,-5\n' >formulas.csv
+run history formulas.csv $fixed --a 1 --f 0.3 --no-formulas
+same "guarded in a history" "'=n|'=1+1|-5" "$(cut -d , -f 1 out | paste -s -d '|' -)"
+
+# Names that are there twice get a number in JSON: its readers take the last of equal ones.
+printf 'note,P,a,f,note,,,note_2\nx,100,1,0.1,y,z,w,v\n' >twice.csv
+run solve -i twice.csv $fixed --format json
+message_is "rwedge solve: column 'note': there again; in JSON it is 'note_2'
+rwedge solve: column '': there again; in JSON it is '_2'
+rwedge solve: column 'note_2': there again; in JSON it is 'note_2_2'"
+same "every cell has a key" '"note": "x" "note_2": "y" "": "z" "_2": "w" "note_2_2": "v"' \
+    "$(grep -o '"[a-z_2]*": "[v-z]"' out | paste -s -d ' ' -)"
+run solve -i twice.csv $fixed
+same "in CSV they stay" "note,P,a,f,note,,,note_2" "$(head -n 1 out | cut -d , -f 1-8)"
 
 # Messages: neither control characters of two bytes, nor marks of direction, nor broken characters reach the terminal.
 for bytes in '\302\233' '\342\200\256' '\342\201\246' '\033' '\377' '\303'; do
@@ -191,6 +214,10 @@ for command in "workbook" "table contact-law --format xlsx"; do
     same "date" 1 "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' |
         grep -c 9999-12-31T23:59:59Z)"
 done
+SOURCE_DATE_EPOCH=0
+run workbook -o dated.xlsx
+same "the first date is not the usual one" 1 \
+    "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' | grep -c 1970-01-01T)"
 for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
     for command in "workbook" "table contact-law --format xlsx"; do
         cannot "rwedge ${command%% *}: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \

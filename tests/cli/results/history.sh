@@ -113,11 +113,11 @@ fails() { # MESSAGE TEXT
     cannot "rwedge history: bad.csv: $1" history bad.csv $specimen -o x.csv
     same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
 }
-fails "line 3: no closed form: one edge of the contact would advance while the other recedes: change P with M, so that dM/dP stays within a quarter of the contact's width from its middle" \
-    'P,M,Q\n100,5,0\n100,40,0\n'
-fails "line 2: no closed form: the bodies would touch under a shear that does not grow in proportion to the contact: put a load before it with the same P and M, Q = 0, and sigma as it was" \
+fails "line 3: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q" \
+    'P,M,Q\n100,5,20\n100,40,20\n'
+fails "line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma" \
     'P,Q,sigma\n100,20,30\n100,-20,-30\n'
-printf 'P,M,Q\n100,5,0\n100,40,0\n' >bad.csv
+printf 'P,M,Q\n100,5,20\n100,40,20\n' >bad.csv
 run history bad.csv $specimen --until
 status_is 0
 message_has "bad.csv: line 3: no closed form: one edge"
@@ -176,6 +176,14 @@ mv out wanted
 printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
 run history loads.csv $specimen --points latin.csv --encoding windows-1252
 same "points in another encoding" "" "$(diff wanted out)"
+run history loads.csv $specimen --at '1,5;0,1;0,2'
+message_is "rwedge history: --at 1,5;0,1;0,2: two values, 0 and 1; a decimal is written 0.1"
+run history loads.csv $specimen --at '0,0;0,.1;0.5,0'
+message_is ""
+run history $specimen --load 135,02,0,0
+message_is "rwedge history: --load 135,02,0,0: P 135 and M 02; a decimal is written 135.02"
+run history $specimen --load 135,2,0,0 --load 135,0
+message_is ""
 run history loads.csv $specimen --x 0,5 --depth 0,5
 message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
 rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far a contact with a history is from yield. */
+#include "contact/marks.h"
+#include "contact/neighbourhood.h"
 #include "histories.h"
 
 #include <fenv.h>
@@ -330,6 +332,63 @@ static void a_factor_beyond_the_domain_is_refused(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* Many corners, off the centre where M is not 0: the patches that end far away count together. */
+static rwedge_contact *worn(double a, double M, int corners)
+{
+    rwedge_contact *contact = create(a, 0.5);
+    assert_int_equal(rwedge_contact_apply(contact, 0.5, M, 0, 0), RWEDGE_OK);
+    for (int i = 1; i < corners; i++)
+        assert_int_equal(rwedge_contact_apply(contact, 0.5, M,
+                                              (i % 2 ? 0.2 : -0.2) * (1 - i / (corners + 1.0)), 0),
+                         RWEDGE_OK);
+    return contact;
+}
+
+static void assert_same_fields(const rwedge_contact *contact, const rw_neighbourhood *n,
+                               double centre, double radius, uint64_t *seed)
+{
+    double x[RW_BATCH], y[RW_BATCH];
+    for (int i = 0; i < RW_BATCH; i++) {
+        const double angle = PI * random_fraction(seed), r = radius * random_fraction(seed);
+        x[i] = centre + r * cos(angle);
+        y[i] = i % 4 ? r * sin(angle) : 0;
+    }
+    rw_contact_fields fast, all;
+    rw_neighbourhood_fields(contact, n, RW_BATCH, x, y, &fast);
+    rw_contact_fields_at(contact, 1, contact->memory.count, RW_BATCH, x, y, &all);
+    for (int i = 0; i < RW_BATCH; i++) {
+        assert_within(fast.tangential.G_re[i], all.tangential.G_re[i], 1e-9);
+        assert_within(fast.tangential.G_im[i], all.tangential.G_im[i], 1e-9);
+        assert_within(fast.tangential.H_re[i], all.tangential.H_re[i], 1e-9);
+        assert_within(fast.tangential.H_im[i], all.tangential.H_im[i], 1e-9);
+    }
+}
+
+static void a_neighbourhood_has_the_fields_of_all_patches(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    static const double CASES[][2] = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, -0.1}, {9, 0.2}};
+    for (int k = 0; k < 5; k++) {
+        rwedge_contact *contact = worn(CASES[k][0], CASES[k][1], 60);
+        const rw_neighbourhood whole = rw_neighbourhood_whole(contact);
+        size_t fewest = contact->memory.count;
+        for (size_t i = 1; i + 1 < contact->memory.count; i++) {
+            const double at = rw_mark_edge(contact->memory.corners[i].patch, i % 2 ? 1 : -1);
+            rw_neighbourhood n = whole;
+            for (double r = 0.3; r > 1e-6; r *= 0.4) {
+                n = rw_neighbourhood_within(contact, &n, at, r);
+                assert_same_fields(contact, &n, at, r, &seed);
+            }
+            fewest = n.last - n.first < fewest ? n.last - n.first : fewest;
+            n = rw_neighbourhood_within(contact, &n, at + 1, 0.1); /* it is not inside */
+            assert_int_equal(n.last - n.first, whole.last - whole.first);
+        }
+        assert_int_equal(fewest, 1);
+        rwedge_contact_destroy(contact);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -347,6 +406,7 @@ int main(void)
         cmocka_unit_test(a_grid_that_meets_the_apex_raises_nothing),
         cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
         cmocka_unit_test(a_factor_beyond_the_domain_is_refused),
+        cmocka_unit_test(a_neighbourhood_has_the_fields_of_all_patches),
     };
     return RUN_CLAIMS("yield_factor", tests);
 }

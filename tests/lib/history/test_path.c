@@ -358,14 +358,14 @@ static void what_has_no_closed_form_is_refused(void **state)
     const double largest = rwedge_contact_largest_tension_step(contact, 0.1);
     refuse(contact, 0.5, 0.1, 0.1, 1.001 * largest, RWEDGE_EPATH); /* slips both ways */
     refuse(contact, 0.5, 0.1, 0, 1e-6, RWEDGE_EPATH);
-    refuse(contact, 0.5, 0.2, 0, 0, RWEDGE_EPATH);     /* one edge recedes */
     refuse(contact, 0.6, 0.12, 0.05, 0, RWEDGE_EPATH); /* grows with shear and tilts */
     refuse(contact, 0.5, 0.1, 0.3, 0, RWEDGE_ESLIDING);
     refuse(contact, 0, 0.1, 0, 0, RWEDGE_EDOMAIN);
     refuse(contact, 0.5, NAN, 0, 0, RWEDGE_EDOMAIN);
     refuse(contact, 0.5, 0.1, 0, HUGE_VAL, RWEDGE_EDOMAIN);
-    refuse(contact, 0.5, 1e15, 0, 0, RWEDGE_EDOMAIN); /* a flank on the surface */
-    apply(contact, 0.5, 0.1, 0.1, largest);           /* at the limit */
+    refuse(contact, 0.5, 1e15, 0, 0, RWEDGE_EDOMAIN);      /* a flank on the surface */
+    apply(contact, 0.5, 0.1, 0.1, largest);                /* at the limit */
+    refuse(contact, 0.5, 0.2, 0.1, largest, RWEDGE_EPATH); /* one edge recedes */
     apply(contact, 0.6, 0.12, 0.1, largest);
     assert_string_equal(rwedge_contact_obstacle(contact, 0.6, 0.12, 0.1, largest), "");
     rwedge_contact_destroy(contact);

@@ -1,40 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "wide.h"
+#include "shared.h"
 
 #include <errno.h>
-#include <stdlib.h>
-
-static int reason_of_failure(void)
-{
-    return GetLastError() == ERROR_NO_UNICODE_TRANSLATION ? EILSEQ : EINVAL;
-}
-
-wchar_t *wide_of(const char *utf8)
-{
-    const int size = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, utf8, -1, NULL, 0);
-    if (size == 0) {
-        errno = reason_of_failure();
-        return NULL;
-    }
-    wchar_t *wide = malloc((size_t)size * sizeof *wide);
-    if (wide != NULL)
-        MultiByteToWideChar(CP_UTF8, 0, utf8, -1, wide, size);
-    return wide;
-}
-
-char *utf8_of(const wchar_t *wide)
-{
-    const int size =
-        WideCharToMultiByte(CP_UTF8, WC_ERR_INVALID_CHARS, wide, -1, NULL, 0, NULL, NULL);
-    if (size == 0) {
-        errno = reason_of_failure();
-        return NULL;
-    }
-    char *utf8 = malloc((size_t)size);
-    if (utf8 != NULL)
-        WideCharToMultiByte(CP_UTF8, 0, wide, -1, utf8, size, NULL, NULL);
-    return utf8;
-}
 
 int errno_of(DWORD error)
 {
@@ -60,10 +27,10 @@ int errno_of(DWORD error)
     return EIO;
 }
 
-HANDLE open_shared(const wchar_t *path, DWORD access, DWORD disposition, DWORD flags)
+HANDLE open_shared(const char *path, DWORD access, DWORD disposition, DWORD flags)
 {
     const DWORD shared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-    const HANDLE file = CreateFileW(path, access, shared, NULL, disposition, flags, NULL);
+    const HANDLE file = CreateFileA(path, access, shared, NULL, disposition, flags, NULL);
     if (file == INVALID_HANDLE_VALUE)
         errno = errno_of(GetLastError());
     return file;

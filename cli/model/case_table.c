@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case_table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const char case_table_error[] = "error";
+
+/* ---- Columns ---- */
+
+/* The inputs of a row: constants, and its cells. */
+static input_texts texts_of(const case_table *table, const char *const text[INPUT_COUNT])
+{
+    input_texts texts = table->constants;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (table->constants.text[i] == NULL) {
+            texts.text[i] = text[i];
+            texts.is_cell[i] = true;
+        }
+    return texts;
+}
+
+/* A second body may be rigid in every row. */
+static bool is_complete(const case_table *table, char complaint[COMPLAINT_SIZE])
+{
+    const char *present[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        present[i] = header_has_input(&table->names, i) ? "(a column)" : NULL;
+    if (header_has_input(&table->names, INPUT_E2))
+        present[INPUT_E2] = "inf";
+    const input_texts texts = texts_of(table, present);
+    if (case_is_complete(&texts, CASE_OF_SOLVE, complaint))
+        return true;
+    const size_t used = strlen(complaint);
+    snprintf(complaint + used, COMPLAINT_SIZE - used, "%s",
+             header_separator_hint(table->names.name, table->names.count));
+    return false;
+}
+
+static bool is_free(const case_table *table, const char *name, char complaint[COMPLAINT_SIZE])
+{
+    if (!header_has(&table->names, name))
+        return true;
+    snprintf(complaint, COMPLAINT_SIZE, "column %s: a result has that name; allowed: any other",
+             name);
+    return false;
+}
+
+/* A result that the table has as an input is not repeated; another column of its name would be
+ * mistaken for it. */
+static bool choose_results(case_table *table, char complaint[COMPLAINT_SIZE])
+{
+    const header *names = &table->names;
+    results_wanted wanted = table->wanted;
+    wanted.edges =
+        wanted.edges || header_has_input(names, INPUT_M) || header_has_input(names, INPUT_SIGMA);
+    for (int i = 0; i < RESULT_COUNT; i++) {
+        const bool is_input = (i == RESULT_ROUNDING && header_has_input(names, INPUT_A)) ||
+                              (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS));
+        table->shown[i] = !is_input && results_include(wanted, i);
+        if (table->shown[i] && !is_free(table, result_kinds[i].name, complaint))
+            return false;
+    }
+    return is_free(table, case_table_error, complaint);
+}
+
+bool case_table_begin(case_table *table, char complaint[COMPLAINT_SIZE])
+{
+    return is_complete(table, complaint) && choose_results(table, complaint);
+}
+
+/* ---- A row ---- */
+
+static bool is_rigid(const input_texts *texts)
+{
+    char complaint[COMPLAINT_SIZE];
+    double E2;
+    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) &&
+           isinf(E2);
+}
+
+/* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has
+ * no Poisson's ratio. */
+static bool has_no_gap(const case_table *table, const input_texts *texts,
+                       char complaint[COMPLAINT_SIZE])
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        if (!header_has_input(&table->names, i) || input_is_given(texts, i) ||
+            (i == INPUT_NU2 && is_rigid(texts)))
+            continue;
+        char name[INPUT_NAME_SIZE];
+        snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
+        return false;
+    }
+    return true;
+}
+
+static void warn_of_unused(const case_table *table, const char *const row[], results *answer)
+{
+    bool unused[HEADER_COLUMNS] = {false};
+    header_note_unused(&table->names, row, unused);
+    header_write_unused(&table->names, unused, answer->warnings, sizeof answer->warnings);
+}
+
+bool case_table_solve(const case_table *table, const char *const row[], size_t count,
+                      results *answer, char complaint[COMPLAINT_SIZE])
+{
+    if (!header_fits(table->names.count, count, table->separator, complaint))
+        return false;
+    const char *text[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
+    const input_texts texts = texts_of(table, text);
+    contact_case setup;
+    if (!has_no_gap(table, &texts, complaint) ||
+        !case_read(&texts, CASE_OF_SOLVE, &setup, complaint) ||
+        !results_compute(&setup, table->wanted, answer, complaint))
+        return false;
+    if (texts.text[INPUT_F] == NULL)
+        results_warn(answer, "no friction given");
+    warn_of_unused(table, row, answer);
+    return true;
+}

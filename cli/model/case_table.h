@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Many cases: the rows of a table, and what all of them have in common. */
+#ifndef CLI_CASE_TABLE_H
+#define CLI_CASE_TABLE_H
+
+#include "header.h"
+#include "results.h"
+
+typedef struct {
+    header names;
+    input_texts constants; /* for the columns that the table does not have */
+    results_wanted wanted; /* the edges too where a column needs them */
+    char separator;
+    bool shown[RESULT_COUNT]; /* the results that become columns */
+} case_table;
+
+/* The column behind the results, for why a row has none. */
+extern const char case_table_error[];
+
+/* Before any row: chooses the results that are shown, the other members being there. False, with
+ * the complaint, where columns and constants cannot give a contact, or where a column has the name
+ * of a result. */
+bool case_table_begin(case_table *table, char complaint[COMPLAINT_SIZE]);
+
+/* Solves a row of so many cells. False, with the complaint. Threads may call it at a time. */
+bool case_table_solve(const case_table *table, const char *const row[], size_t count,
+                      results *answer, char complaint[COMPLAINT_SIZE]);
+
+#endif

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Files as other programs may have them open too, and errors of Windows in C's words. */
+#ifndef CLI_SHARED_H
+#define CLI_SHARED_H
+
+#include <windows.h>
+
+/* errno for an error of Windows. */
+int errno_of(DWORD error);
+
+/* As CreateFile(), for anyone else to read, write and remove the file too. Not inherited. It sets
+ * errno. */
+HANDLE open_shared(const char *path, DWORD access, DWORD disposition, DWORD flags);
+
+#endif

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which loads are taken, and which are not: at the edges of what has a closed form. */
+#include "histories.h"
+
+static const double F = 0.5;
+
+static rwedge_contact *example(void)
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.01, 1, 1e-5, 0.3, &contact), RWEDGE_OK);
+    return contact;
+}
+
+static int32_t try(rwedge_contact *contact, rw_loads to)
+{
+    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+}
+
+static void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), RWEDGE_OK);
+}
+
+static void assert_same_tractions(const rwedge_contact *one, const rwedge_contact *other,
+                                  double tolerance)
+{
+    const rw_patch patch = rw_memory_end(&one->memory)->patch;
+    for (double t = 0.005; t < 1; t += 0.0173) {
+        const double x = patch.left + t * (patch.right - patch.left);
+        assert_within(shear(one, x), shear(other, x), tolerance * fabs(pressure(one, x)));
+    }
+}
+
+/* ---- Nothing slips without a change of shear ---- */
+
+static void a_contact_without_shear_may_rock(void **state)
+{
+    (void)state;
+    rwedge_contact *rocked = example(), *fresh = example();
+    const double moments[] = {300, -500, 0, 250};
+    apply(rocked, 2000, 0, 0, 0);
+    for (int i = 0; i < 4; i++)
+        apply(rocked, 2000 - 100 * i, moments[i], 0, 0);
+    assert_true(rwedge_contact_dissipated_energy(rocked) == 0);
+    apply(fresh, 1700, 250, 0, 0);
+    apply(rocked, 1700, 250, 150, 0);
+    apply(fresh, 1700, 250, 150, 0);
+    assert_same_tractions(rocked, fresh, 1e-14);
+    const double x = 0.99 * rw_memory_end(&fresh->memory)->patch.right;
+    assert_close(slip(rocked, x), slip(fresh, x), 1e-13);
+    rwedge_contact_destroy(rocked);
+    rwedge_contact_destroy(fresh);
+}
+
+/* The shear stays what it was, point by point, as long as the contact keeps the patch of 2000. */
+static void a_contact_may_move_around_its_last_sheared_patch(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = example(), *before;
+    apply(contact, 2000, 0, 0, 0);
+    apply(contact, 2000, 0, 200, 0);
+    assert_int_equal(rwedge_contact_copy(contact, &before), RWEDGE_OK);
+    apply(contact, 6000, 0, 200, 0);
+    const double loads[][2] = {{6000, 1500}, {5000, -3000}, {5600, 2500}, {3500, 500}};
+    for (int i = 0; i < 4; i++) {
+        apply(contact, loads[i][0], loads[i][1], 200, 0);
+        assert_same_tractions(contact, before, 1e-13);
+    }
+    assert_true(rwedge_contact_dissipated_energy(contact) ==
+                rwedge_contact_dissipated_energy(before));
+    assert_int_equal(rwedge_contact_apply(contact, 2500, 1800, 200, 0), RWEDGE_EPATH);
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(before);
+}
+
+/* Both ends of the step have an edge outside of the patch, what is between has not. */
+static void an_edge_may_not_come_inside_on_the_way(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = example(), *one, *two;
+    apply(contact, 2000, 0, 0, 0);
+    apply(contact, 2000, 0, 200, 0);
+    apply(contact, 12000, 0, 200, 0);
+    apply(contact, 2001, 0, 200, 0);
+    const rw_patch sheared = contact->memory.corners[2].patch;
+    const double P = 12000;
+    double kept = 0, lost = 12000; /* the moment that lets the left edge be where it was */
+    while (lost - kept > 1e-6) {
+        const double M = (kept + lost) / 2;
+        const rw_patch patch = rw_patch_under_moment(&contact->geometry, P, M);
+        *(patch.left < sheared.left ? &kept : &lost) = M;
+    }
+    assert_int_equal(rwedge_contact_copy(contact, &one), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_copy(contact, &two), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(one, P, 0.999999 * kept, 200, 0), RWEDGE_EPATH);
+    apply(two, P, 0, 200, 0);
+    apply(two, P, 0.999999 * kept, 200, 0);
+    rwedge_contact_destroy(one);
+    rwedge_contact_destroy(two);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Rounding ---- */
+
+/* Each load is within rounding of the one before, not of the first. */
+static void small_steps_of_p_do_not_get_lost(void **state)
+{
+    (void)state;
+    rwedge_contact *many = example(), *one = example();
+    const double last = 1000 + 100 * 7 * 1.1369e-13;
+    apply(many, 1000, 100, 0, 0);
+    apply(one, 1000, 100, 0, 0);
+    for (int n = 1; n <= 100; n++)
+        apply(many, 1000 + n * 7 * 1.1369e-13, 100, 0, 0);
+    apply(one, last, 100, 0, 0);
+    const rw_patch of_many = rw_memory_end(&many->memory)->patch,
+                   of_one = rw_memory_end(&one->memory)->patch;
+    assert_within(of_many.right, of_one.right, 1e-15);
+    assert_within(of_many.left, of_one.left, 1e-15);
+    assert_true(of_one.right - 0.8978845608028654 > 1e-14);
+    rwedge_contact_destroy(many);
+    rwedge_contact_destroy(one);
+}
+
+static void rounding_of_q_under_a_moment_is_taken(void **state)
+{
+    (void)state;
+    static const double Q[] = {0, 200, 200.00000000001762, 199.99999999999085, 199.99999999999022};
+    for (double M = 50; M < 500; M += 50) {
+        rwedge_contact *contact = example();
+        for (int i = 0; i < 5; i++)
+            apply(contact, 2000, M, Q[i], 0);
+        rwedge_contact_destroy(contact);
+    }
+}
+
+/* The same history at any size of the contact beside the rounding. Hertz' contact has no other
+ * length. */
+static void tiny_contacts_are_refused_what_small_ones_are(void **state)
+{
+    (void)state;
+    static const double Q[] = {0, -2.340588563211545, -3.5136028594429534, -3.9963298589392195},
+                        sigma[] = {0, 22.465807666218144, 23.38291026065916, 34.496387747296794};
+    int32_t last[2];
+    for (int i = 0; i < 2; i++) {
+        const double k = i == 0 ? 1 : 9e-13;
+        rwedge_contact *contact = example();
+        apply(contact, 15.707963267948966 * k * k, 0, 0, 0);
+        for (int j = 1; j < 4; j++)
+            last[i] = rwedge_contact_apply(contact, 15.707963267948966 * k * k, 0, Q[j] * k * k,
+                                           sigma[j] * k);
+        rwedge_contact_destroy(contact);
+    }
+    assert_int_equal(last[0], RWEDGE_EPATH);
+    assert_int_equal(last[1], RWEDGE_EPATH);
+}
+
+static void assert_out_of_range(rwedge_contact *contact, rw_loads to)
+{
+    double before[100], after[100];
+    const size_t n = rwedge_contact_state_size(contact);
+    assert_true(n < 100);
+    assert_int_equal(rwedge_contact_state(contact, n, before), RWEDGE_OK);
+    assert_int_equal(try(contact, to), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_state_size(contact), n);
+    assert_int_equal(rwedge_contact_state(contact, n, after), RWEDGE_OK);
+    assert_memory_equal(before, after, n * sizeof *before);
+    rwedge_contact_destroy(contact);
+}
+
+/* Beside the distance from the centre rounding leaves no width: of the contact, and of what
+ * sticks. */
+static void patches_without_a_width_are_out_of_range(void **state)
+{
+    (void)state;
+    rwedge_contact *contact;
+    assert_int_equal(
+        rwedge_contact_create(.015781919866758993, 1, 7.660340870436608e-06, .3, &contact),
+        RWEDGE_OK);
+    assert_out_of_range(contact, (rw_loads){4.268686012845966e-30, 3.761515666081952e-30, 0, 0});
+    const double P = 1.5707963267948967e-17, M = 7.853981633974484e-18;
+    contact = example();
+    apply(contact, P, M, 0, 0);
+    assert_out_of_range(contact, (rw_loads){P, M, 4.712388980384643e-18, 0});
+}
+
+/* ---- Parts of a step ---- */
+
+static double signed_fraction(uint64_t *seed)
+{
+    return 2 * random_fraction(seed) - 1;
+}
+
+static rw_loads part_of(double t, rw_loads from, rw_loads to)
+{
+    return (rw_loads){from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
+                      from.Q + t * (to.Q - from.Q), from.sigma + t * (to.sigma - from.sigma)};
+}
+
+static rw_loads random_loads(const rwedge_contact *contact, uint64_t *seed)
+{
+    rw_loads to = contact->loads;
+    const double kind = random_fraction(seed), P = to.P;
+    if (kind < 0.6) {
+        const double times = kind < 0.3 ? 1 + 0.2 * random_fraction(seed) : 0.7 + kind / 2;
+        to.P *= times;
+        to.M = to.M * times + (random_fraction(seed) < 0.3 ? 0.05 * P * signed_fraction(seed) : 0);
+    }
+    if (kind < 0.15) {
+        to.Q += F * (to.P - P) * signed_fraction(seed);
+        return to;
+    }
+    to.Q = 0.95 * F * to.P * signed_fraction(seed);
+    to.sigma += rwedge_contact_largest_tension_step(contact, to.Q) * signed_fraction(seed);
+    return to;
+}
+
+/* What a straight step leads to in n parts, a piece of the step leads to as well. NULL where a part
+ * is refused. */
+static rwedge_contact *in_parts(const rwedge_contact *contact, int n, rw_loads to)
+{
+    rwedge_contact *copy;
+    assert_int_equal(rwedge_contact_copy(contact, &copy), RWEDGE_OK);
+    for (int i = 1; i <= n; i++)
+        if (try(copy, i == n ? to : part_of((double)i / n, contact->loads, to)) != RWEDGE_OK) {
+            rwedge_contact_destroy(copy);
+            return NULL;
+        }
+    return copy;
+}
+
+/* Along random histories, a step that goes in parts goes in one, to the same tractions. */
+static void a_step_that_goes_in_parts_goes_in_one(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    int compared = 0;
+    for (int number = 0; number < 120; number++) {
+        rwedge_contact *contact = create(0.4 * (number % 4), F);
+        const double P = 0.05 + random_fraction(&seed);
+        apply(contact, P, 0.3 * P * signed_fraction(&seed), 0, 0);
+        for (int i = 0; i < 8; i++) {
+            const rw_loads to = random_loads(contact, &seed);
+            rwedge_contact *parts = in_parts(contact, 2 + number % 3, to);
+            const int32_t status = try(contact, to);
+            if (parts) {
+                assert_int_equal(status, RWEDGE_OK);
+                assert_same_tractions(contact, parts, 1e-9);
+                compared++;
+                rwedge_contact_destroy(parts);
+            }
+        }
+        rwedge_contact_destroy(contact);
+    }
+    assert_true(compared > 200);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_contact_without_shear_may_rock),
+        cmocka_unit_test(a_contact_may_move_around_its_last_sheared_patch),
+        cmocka_unit_test(an_edge_may_not_come_inside_on_the_way),
+        cmocka_unit_test(small_steps_of_p_do_not_get_lost),
+        cmocka_unit_test(rounding_of_q_under_a_moment_is_taken),
+        cmocka_unit_test(tiny_contacts_are_refused_what_small_ones_are),
+        cmocka_unit_test(patches_without_a_width_are_out_of_range),
+        cmocka_unit_test(a_step_that_goes_in_parts_goes_in_one),
+    };
+    return RUN_CLAIMS("load", tests);
+}

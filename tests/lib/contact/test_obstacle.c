@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the contact says of a load that it refuses. */
+#include "histories.h"
+
+#include <string.h>
+
+/* What the text may advise, and the loads that do it. */
+static const struct {
+    const char *words;
+    enum { PRESSING, SHEAR, TENSION, FARTHER, ANEW } way;
+} ADVICE[] = {
+    {"apply it as two loads: first P and M, then Q and sigma", PRESSING},
+    {"apply it as two loads: first Q and sigma, then P and M", SHEAR},
+    {"change sigma by less", TENSION},
+    {"go twice as far along the same straight line", FARTHER},
+    {"then apply sigma with P = 0, then P and M, then Q", ANEW},
+};
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+}
+
+static int32_t follow(rwedge_contact *contact, int way, rw_loads to)
+{
+    const rw_loads now = contact->loads;
+    const double most = rwedge_contact_largest_tension_step(contact, to.Q);
+    int32_t status = RWEDGE_OK;
+    if (way == PRESSING)
+        status = apply(contact, (rw_loads){to.P, to.M, now.Q, now.sigma});
+    else if (way == SHEAR)
+        status = apply(contact, (rw_loads){now.P, now.M, to.Q, to.sigma});
+    else if (way == TENSION) {
+        const double change = to.sigma - now.sigma;
+        assert_true(fabs(change) > 0);
+        to.sigma = now.sigma + copysign(fmin(0.99 * most, fabs(change)), change);
+    } else if (way == FARTHER)
+        to = (rw_loads){2 * to.P - now.P, 2 * to.M - now.M, 2 * to.Q - now.Q,
+                        2 * to.sigma - now.sigma};
+    else {
+        status = apply(contact, (rw_loads){0, 0, 0, to.sigma});
+        assert_int_equal(apply(contact, (rw_loads){to.P, to.M, 0, to.sigma}), RWEDGE_OK);
+    }
+    return status == RWEDGE_OK ? apply(contact, to) : status;
+}
+
+/* The advice for a load that is refused, after it was followed. */
+static int advice_for(const rwedge_contact *contact, rw_loads to)
+{
+    const char *text = rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma);
+    for (size_t i = 0; i < sizeof ADVICE / sizeof *ADVICE; i++) {
+        if (!strstr(text, ADVICE[i].words))
+            continue;
+        rwedge_contact *trial;
+        assert_int_equal(rwedge_contact_copy(contact, &trial), RWEDGE_OK);
+        assert_int_equal(follow(trial, ADVICE[i].way, to), RWEDGE_OK);
+        rwedge_contact_destroy(trial);
+        return ADVICE[i].way;
+    }
+    fail_msg("no advice in \"%s\"", text);
+    return -1;
+}
+
+static double between(uint64_t *seed, double least, double most)
+{
+    return least + random_fraction(seed) * (most - least);
+}
+
+static rw_loads next_loads(const rwedge_contact *contact, double f, uint64_t *seed)
+{
+    rw_loads to = contact->loads;
+    if (to.P == 0 || random_fraction(seed) < 0.3) {
+        to.P = between(seed, 0.3, 1);
+        to.M = between(seed, -0.3, 0.3) * to.P;
+    }
+    to.Q = between(seed, -0.9, 0.9) * f * to.P;
+    if (random_fraction(seed) < 0.7)
+        to.sigma += between(seed, -1.2, 1.2) * rwedge_contact_largest_tension_step(contact, to.Q);
+    return to;
+}
+
+/* Every advice comes up, and what it says leads there, on the very history. */
+static void advice_leads_there(void **state)
+{
+    (void)state;
+    const double f = 0.5;
+    uint64_t seed = 7;
+    int times[5] = {0};
+    for (int number = 0; number < 60; number++) {
+        rwedge_contact *contact = create(0.2 * (number % 4), f);
+        if (number % 3 > 0)
+            assert_int_equal(apply(contact, (rw_loads){0.5, 0.05 * (number % 5), 0, 0}), RWEDGE_OK);
+        for (int i = 0; i < 8; i++) {
+            const rw_loads to = next_loads(contact, f, &seed);
+            if (apply(contact, to) == RWEDGE_EPATH)
+                times[advice_for(contact, to)]++;
+        }
+        rwedge_contact_destroy(contact);
+    }
+    for (int i = 0; i < 5; i++)
+        assert_true(times[i] > 0);
+}
+
+/* A load that one says to be in the way of slip, although it is one of Q and sigma alone. */
+static void a_load_of_q_and_sigma_is_not_told_to_be_one(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_int_equal(apply(contact, (rw_loads){0.5, 0.1, 0, 0}), RWEDGE_OK);
+    const rw_loads to = {0.5, 0.1, 0.1, 1};
+    assert_int_equal(advice_for(contact, to), TENSION);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(advice_leads_there),
+        cmocka_unit_test(a_load_of_q_and_sigma_is_not_told_to_be_one),
+    };
+    return RUN_CLAIMS("obstacle", tests);
+}

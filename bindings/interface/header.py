@@ -320,7 +320,7 @@ class Reader:
     def take_numbers(self, i: int) -> int:
         found = self.interface.statuses if self.section == "Status" else self.interface.bits
         while not self.lines[i].startswith("}"):
-            match = re.match(r"    (RWEDGE_[A-Z_]+) = (\d+)(?:,|$| )", self.lines[i])
+            match = re.match(r"    (RWEDGE_[A-Z0-9_]+) = (\d+)(?:,|$| )", self.lines[i])
             if not match:
                 self.refuse(i + 1, f"not a name with its value: {self.lines[i].strip()}")
             found[match[1]] = int(match[2])

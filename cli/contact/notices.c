@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "notices.h"
 
+#include "model/doubts.h"
 #include "text/message.h"
-
-#include <rwedge.h>
 
 void doubts_say(int32_t doubts, const char *where)
 {
-    for (int32_t bit = 1; rwedge_validity_text(bit)[0] != '\0'; bit *= 2)
+    for (int32_t bit = 1; bit > 0 && bit <= doubts; bit *= 2)
         if ((doubts & bit) != 0)
-            notice("%s%s", where, rwedge_validity_text(bit));
+            notice("%s%s", where, doubt_text(bit));
 }

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/* A line for each of the library's bits, after a word on where, or "". */
+/* A line for each bit of model/doubts.h, after a word on where, or "". */
 void doubts_say(int32_t doubts, const char *where);
 
 #endif

@@ -224,7 +224,8 @@ static void read_course(const arguments *given, const figure *which, char decima
     places_read(&as, decimal_sign, at);
     if (at->count > 1)
         usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    course_read(&as, decimal_sign, (course_usage){.cycles = which->cycles, .loads_before = true},
+    course_read(&as, decimal_sign,
+                (course_usage){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2},
                 whole);
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
 }

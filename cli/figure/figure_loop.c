@@ -1,19 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hysteresis loop of a cycle of Q under constant P.
- *
- * In plane strain the displacement of remote points grows like the logarithm of their distance
- * d. If the contact were bonded over |x| < b, it would be (A Q/pi) ln(2 d/b) along the force.
- * Because the contact slips, the bodies move further. This further displacement does not depend on
- * d. It is the displacement of the loop.
- *
- * A part of the traction that has the shape of a flat punch of half-width s moves the bodies by
- * (A dQ/pi) ln(b/s) further than the bonded contact. The contact |x| < b is made of such punches
- * with forces f dP(s). So on first loading, with stick in |x| < c,
- *
- *     displacement = (A f/pi) * integral of ln(b/s) dP(s), s from c to b.
- *
- * Unloading and reloading follow twice that curve (Masing). The area of the loop is the energy
- * dissipated, because the part in proportion to Q encloses no area. */
+/* The hysteresis loop of a cycle of Q under constant P: Q over the displacement by slip. Its area
+ * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
 #include "figure_loop.h"
 
 #include "text/pi.h"
@@ -22,32 +9,6 @@
 #include <stdio.h>
 
 #include <rwedge.h>
-
-/* Integral of P(s)/s from 0 to s, in natural units; P(s) is the load of the contact |x| < s. */
-static double load_integral(double alpha, double s)
-{
-    if (s <= alpha)
-        return s == 0 ? 0 : 0.25 * PI * s * s / alpha;
-    const double t = alpha / s, root = sqrt((s - alpha) * (s + alpha));
-    const double ratio = t > 0 ? asin(t) / t : 1;
-    return 0.5 * s * ratio + 1.5 * root - alpha * acos(t);
-}
-
-/* The displacement on first loading, in f theta b, from the half-width of the stick zone; by
- * parts. */
-static double first_displacement(double alpha, double c)
-{
-    const double left_out = c > 0 ? c * rwedge_load(alpha / c) * log(c) : 0;
-    return (load_integral(alpha, 1) - load_integral(alpha, c) + left_out) / PI;
-}
-
-/* The displacement by a change of Q, if slip begins afresh at the edges. */
-static double displacement(double alpha, double Q_over_fP)
-{
-    const double size = fmin(fabs(Q_over_fP), 1);
-    const double moved = first_displacement(alpha, rwedge_stick_width(alpha, size));
-    return Q_over_fP < 0 ? -moved : moved;
-}
 
 typedef struct {
     double alpha, amplitude;
@@ -58,19 +19,19 @@ typedef struct {
 
 enum { LOOP_STEPS = 100 };
 
-/* From one turning point, or the origin, to the next; factor 2 after a turn. */
-static int32_t add_part(const cycle *of, double from, double to, double start, const char *what)
+/* From one turning point, or the origin, to the next. */
+static int32_t add_part(const cycle *of, double from, double to, const char *part)
 {
-    const double normal = rwedge_load(of->alpha), factor = from == 0 ? 1 : 2;
+    const double normal = rwedge_load(of->alpha);
     int32_t status = RWEDGE_OK;
     for (int i = 0; status == RWEDGE_OK && i <= LOOP_STEPS; i++) {
-        const double part = sin(0.5 * PI * i / LOOP_STEPS), Q = from + (to - from) * part;
-        const double moved = start + factor * displacement(of->alpha, (to - from) / factor * part);
+        const double Q = from + (to - from) * sin(0.5 * PI * i / LOOP_STEPS);
         status = rwedge_contact_load(of->contact, normal, Q * normal);
         dataset_add(of->rows,
                     (data_row){.curve = of->number,
-                               .text = what,
-                               .number = {of->alpha, of->amplitude, Q, moved,
+                               .text = part,
+                               .number = {of->alpha, of->amplitude, Q,
+                                          rwedge_contact_displacement(of->contact, 1),
                                           rwedge_contact_stick_half_width(of->contact),
                                           rwedge_contact_dissipated_energy(of->contact)}});
     }
@@ -80,14 +41,13 @@ static int32_t add_part(const cycle *of, double from, double to, double start, c
 static int32_t add_cycle(double alpha, double amplitude, int number, dataset *rows)
 {
     cycle of = {alpha, amplitude, NULL, number, rows};
-    const double end = displacement(alpha, amplitude);
     int32_t status = rwedge_contact_create(1, alpha, 1, 1, &of.contact);
     if (status == RWEDGE_OK)
-        status = add_part(&of, 0, amplitude, 0, "first loading");
+        status = add_part(&of, 0, amplitude, "first loading");
     if (status == RWEDGE_OK)
-        status = add_part(&of, amplitude, -amplitude, end, "unloading");
+        status = add_part(&of, amplitude, -amplitude, "unloading");
     if (status == RWEDGE_OK)
-        status = add_part(&of, -amplitude, amplitude, -end, "reloading");
+        status = add_part(&of, -amplitude, amplitude, "reloading");
     rwedge_contact_destroy(of.contact);
     return status;
 }

@@ -2,9 +2,7 @@
 #include "figures_course.h"
 
 #include "model/tensor.h"
-#include "fretting/worst.h"
 #include "fretting/surface.h"
-#include "text/pi.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -164,56 +162,13 @@ const figure figure_history = {.name = "history",
 
 enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
 
-/* (1/pi) times the integral of -q(t) ln(unit/(2 |t - x|)) from x to the edge. t goes like sin^2, so
- * that neither the logarithm nor the edge is a kink. */
-static int32_t add_side(const rwedge_contact *contact, double x, double edge, double unit,
-                        double *sum)
-{
-    enum { POINTS = 600 };
-    double t[POINTS], p[POINTS], q[POINTS];
-    for (int i = 0; i < POINTS; i++) {
-        const double s = sin(0.5 * PI * (i + 0.5) / POINTS);
-        t[i] = x + (edge - x) * s * s;
-    }
-    const int32_t status = rwedge_contact_tractions(contact, POINTS, t, p, q);
-    for (int i = 0; i < POINTS && status == RWEDGE_OK; i++) {
-        const double dt = fabs(edge - x) * 0.5 * PI / POINTS * sin(PI * (i + 0.5) / POINTS);
-        *sum -= q[i] * log(unit / (2 * fabs(t[i] - x))) * dt / PI;
-    }
-    return status;
-}
-
-/* How far the bodies have moved beyond what they would if a contact of the half-width unit were
- * bonded: the slip in the middle, and what the tractions do there. */
-static int32_t displacement(const contact_case *what, const rwedge_contact *contact, double unit,
-                            double sigma, double *moved)
-{
-    double left = 0, right = 0, slip = 0, sum = 0;
-    int32_t status = rwedge_contact_edges(contact, &left, &right);
-    const double middle = (left + right) / 2;
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_slip(contact, 1, &middle, &slip);
-    if (status == RWEDGE_OK)
-        status = add_side(contact, middle, left, unit, &sum);
-    if (status == RWEDGE_OK)
-        status = add_side(contact, middle, right, unit, &sum);
-    *moved = what->A * (sum + sigma * middle / 4) - slip;
-    return status;
-}
-
 static int32_t add_displacement(const figure_case *of, double number, const rwedge_contact *contact,
                                 dataset *rows)
 {
     load now;
-    double moved = NAN;
     rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
-    const int32_t status =
-        displacement(&of->whole->what, contact, of->half_width, now.sigma, &moved);
-    if (status != RWEDGE_OK && status != RWEDGE_EPATH && status != RWEDGE_EABSENT)
-        return status;
-    if (status != RWEDGE_OK)
-        moved = NAN;
-    dataset_add(rows, (data_row){.number = {number, now.P, now.M, now.Q, now.sigma, moved,
+    dataset_add(rows, (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
+                                            rwedge_contact_displacement(contact, of->half_width),
                                             rwedge_contact_dissipated_energy(contact)}});
     return RWEDGE_OK;
 }
@@ -252,30 +207,21 @@ const figure figure_any_loop = {.name = "loop",
 
 enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
-static int32_t add_places(const last_cycle *of, const measured *all, dataset *rows)
-{
-    int32_t status = RWEDGE_OK;
-    for (size_t i = 0; i < all->count && status == RWEDGE_OK; i++) {
-        const double x = all->place[i].x, y = 0;
-        measures found;
-        status = last_cycle_measure(of, 1, &x, &y, &found);
-        const double *v = found.value;
-        dataset_add(rows, (data_row){.number = {x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
-                                                v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
-                                                v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
-    }
-    return status;
-}
-
 static int32_t compute_fretting(const figure_case *of, dataset *rows)
 {
     last_cycle last;
-    measured all = {0};
-    int32_t status = RWEDGE_ENOMEM;
-    if (last_cycle_begin(of->whole, NAN, CYCLE_PARTS, &last))
-        status = surface_usual(&last, &all) ? add_places(&last, &all, rows) : RWEDGE_EABSENT;
-    free(all.place);
-    last_cycle_free(&last);
+    measured all;
+    last_cycle_begin(of->whole, NAN, &last);
+    if (!surface_usual(&last, &all))
+        return RWEDGE_EABSENT;
+    const int32_t status = surface_measure(&last, &all);
+    for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++) {
+        const double *v = all.place[i].at.value;
+        dataset_add(rows,
+                    (data_row){.number = {all.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
+                                          v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
+                                          v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
+    }
     return status;
 }
 

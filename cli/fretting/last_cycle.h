@@ -29,33 +29,32 @@ typedef struct {
     double value[MEASURE_COUNT];
 } measures;
 
-/* A state on the way: after a load; and, where P or M changes, between two. */
 typedef struct {
-    rwedge_contact *contact;
-    double left, right; /* edges; NAN when separated */
-    bool is_load;
-} cycle_state;
-
-typedef struct {
-    const contact_case *what;
-    double k_over_sy; /* Fatemi and Socie's k over the yield stress in tension; NAN: not known */
-    size_t loads;
-    cycle_state *state; /* the first is that before the cycle */
-    size_t states;
-    bool slip_known; /* it has a closed form after every load */
+    const contact_case *setup;
+    double k_over_sy;          /* Fatemi and Socie's k over the yield stress; NAN: not known */
+    rwedge_contact *before;    /* the contact before the cycle */
+    size_t loads;              /* of the cycle */
+    double *P, *M, *Q, *sigma; /* so many each */
+    double *edges;             /* of contact and stick zone, in no order */
+    size_t edge_count;
+    double left, right; /* the outermost; NAN where there is no contact */
+    bool slip_known;    /* it has a closed form after every load */
+    int32_t doubts;     /* of all states after loads, those before the cycle included */
 } last_cycle;
 
-/* Goes through the course; a step in which P or M changes is cut into so many parts. False, with
- * the reason said; free it in either case. */
-enum { CYCLE_PARTS = 32 };
-bool last_cycle_begin(const course *whole, double k_over_sy, int parts, last_cycle *of);
-void last_cycle_free(last_cycle *of);
+/* Goes through the course. */
+void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle);
 
 /* At n places. Returns the library's status, or RWEDGE_ENOMEM. Threads may call it at a time. */
-int32_t last_cycle_measure(const last_cycle *of, size_t n, const double x[], const double y[],
-                           measures found[]);
+int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                           measures at[]);
 
-/* The slip at a place of the surface in a state, NAN outside the contact. */
-double last_cycle_slip(const last_cycle *of, size_t state, double x);
+typedef struct {
+    double x, value; /* the value is NAN where the measure is nowhere above 0 */
+} worst_place;
+
+/* Where a measure is largest on a line along x of n places, ascending, at which it is known. */
+worst_place last_cycle_worst(const last_cycle *cycle, int measure, size_t n, const double x[],
+                             const double value[], double y);
 
 #endif

@@ -18,29 +18,20 @@ typedef struct {
 
 typedef struct {
     stop *stop;
-    size_t count, room;
-    bool failed;
+    size_t count;
 } stops;
 
-static bool grow(stops *to)
+static void *room_for(size_t count, size_t size)
 {
-    const size_t room = 2 * to->room + 512;
-    stop *longer = realloc(to->stop, room * sizeof *longer);
-    if (longer == NULL)
-        return false;
-    to->stop = longer;
-    to->room = room;
-    return true;
+    void *room = calloc(count, size);
+    if (room == NULL)
+        failure("out of memory");
+    return room;
 }
 
 static void add(stops *to, double x, bool is_shown)
 {
-    if (isnan(x))
-        return;
-    if (to->count == to->room && !grow(to))
-        to->failed = true;
-    else
-        to->stop[to->count++] = (stop){x, is_shown};
+    to->stop[to->count++] = (stop){x, is_shown};
 }
 
 static int ascending(const void *one, const void *other)
@@ -65,29 +56,29 @@ static void sort(stops *all, double rounding)
     all->count = kept;
 }
 
-static void add_edges(const last_cycle *of, double from, double to, bool is_shown, stops *all)
+/* Many loads have edges everywhere. Then those that are close to another are left out: tops are
+ * searched between the places too. */
+static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, stops *all)
 {
-    for (size_t i = 0; i < of->states; i++) {
-        double edge[4] = {of->state[i].left, of->state[i].right, NAN, NAN};
-        rwedge_contact_stick_zone(of->state[i].contact, &edge[2], &edge[3]);
-        for (int e = 0; e < 4; e++)
-            if (edge[e] >= from && edge[e] <= to)
-                add(all, edge[e], is_shown);
-    }
+    enum { EDGES_MAX = 200 };
+    stops edges = {all->stop + all->count, 0};
+    for (size_t i = 0; i < cycle->edge_count; i++)
+        if (cycle->edges[i] >= from && cycle->edges[i] <= to)
+            add(&edges, cycle->edges[i], is_shown);
+    const double width = cycle->right - cycle->left;
+    sort(&edges, 1e-12 * width);
+    if (edges.count > EDGES_MAX)
+        sort(&edges, width / EDGES_MAX);
+    all->count += edges.count;
 }
 
 /* ---- By default ---- */
 
-static int add_usual(const last_cycle *of, stops *all)
+static void add_usual(const last_cycle *cycle, stops *all)
 {
-    double left = NAN, right = NAN;
-    for (size_t i = 0; i < of->states; i++) {
-        left = fmin(left, of->state[i].left);
-        right = fmax(right, of->state[i].right);
-    }
-    if (isnan(left))
-        return usage_error("--x: missing; there is no contact in the cycle to take places from");
+    const double left = cycle->left, right = cycle->right;
     const double middle = (left + right) / 2, half = (right - left) / 2;
+    all->stop = room_for(INSIDE + 2 * OUTSIDE + cycle->edge_count, sizeof *all->stop);
     for (int i = 1; i < INSIDE; i++)
         add(all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
     for (int i = 1; i <= OUTSIDE; i++) {
@@ -95,24 +86,22 @@ static int add_usual(const last_cycle *of, stops *all)
         add(all, left - beyond, true);
         add(all, right + beyond, true);
     }
-    add_edges(of, -HUGE_VAL, HUGE_VAL, true, all);
+    add_edges(cycle, -HUGE_VAL, HUGE_VAL, true, all);
     sort(all, 1e-12 * half);
-    return STATUS_DONE;
 }
 
 /* ---- --x ---- */
 
-static int add_range(const char *text, const last_cycle *of, stops *all)
+static void add_range(const char *text, const last_cycle *cycle, stops *all)
 {
     range x = {0};
     const char *complaint = range_read(text, &x);
     if (complaint == NULL && x.count > PLACES_MAX)
         complaint = "must not have more than 1000000 values";
-    if (complaint != NULL) {
-        range_free(&x);
-        return usage_error("--x %s: %s", text, complaint);
-    }
+    if (complaint != NULL)
+        usage_error("--x %s: %s", text, complaint);
     range_say_two_values("x", text);
+    all->stop = room_for((size_t)x.count + cycle->edge_count, sizeof *all->stop);
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (int64_t i = 0; i < x.count; i++) {
         const double value = range_value(&x, i);
@@ -121,75 +110,88 @@ static int add_range(const char *text, const last_cycle *of, stops *all)
         to = fmax(to, value);
     }
     range_free(&x);
-    add_edges(of, from, to, false, all);
+    add_edges(cycle, from, to, false, all);
     sort(all, 0);
-    return STATUS_DONE;
 }
 
 /* ---- All ---- */
 
-static int fill_lines(const stops *along, const range *depth, measured *all)
+static measured *begin(size_t count, size_t line, measured *all)
+{
+    *all = (measured){.count = count, .line = line};
+    all->place = room_for(count + MEASURE_COUNT, sizeof *all->place);
+    return all;
+}
+
+static void fill_lines(const stops *along, const range *depth, measured *all)
 {
     if ((double)along->count * (double)depth->count > PLACES_MAX)
-        return usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
-    all->count = along->count * (size_t)depth->count;
-    all->line = along->count;
-    all->place = calloc(all->count + MEASURE_COUNT, sizeof *all->place);
-    if (all->place == NULL)
-        return failure("out of memory");
+        usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
+    begin(along->count * (size_t)depth->count, along->count, all);
     for (size_t i = 0; i < all->count; i++)
         all->place[i] = (measured_place){.x = along->stop[i % all->line].x,
                                          .y = range_value(depth, (int64_t)(i / all->line)),
                                          .is_shown = along->stop[i % all->line].is_shown};
-    return STATUS_DONE;
 }
 
-static int read_lines(const arguments *given, const last_cycle *of, measured *all)
+static void read_lines(const arguments *given, const last_cycle *cycle, measured *all)
 {
     const char *x = given->value[OPTION_X];
     range depth = {0};
     stops along = {0};
-    int status = places_read_depth(given, &depth);
-    if (status == STATUS_DONE)
-        status = x != NULL ? add_range(x, of, &along) : add_usual(of, &along);
-    if (status == STATUS_DONE)
-        status = along.failed ? failure("out of memory") : fill_lines(&along, &depth, all);
+    places_read_depth(given, &depth);
+    if (x == NULL && isnan(cycle->left))
+        usage_error("--x: missing; there is no contact in the cycle to take places from");
+    if (x != NULL)
+        add_range(x, cycle, &along);
+    else
+        add_usual(cycle, &along);
+    fill_lines(&along, &depth, all);
     free(along.stop);
     range_free(&depth);
-    return status;
 }
 
-static int take_points(const places *points, measured *all)
-{
-    all->count = points->count;
-    all->place = calloc(points->count + MEASURE_COUNT, sizeof *all->place);
-    if (all->place == NULL)
-        return failure("out of memory");
-    for (size_t i = 0; i < points->count; i++)
-        all->place[i] = (measured_place){.x = points->x[i], .y = points->y[i], .is_shown = true};
-    return STATUS_DONE;
-}
-
-int surface_places(const arguments *given, char decimal_sign, const last_cycle *of, measured *all)
+int surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
+                   measured *all)
 {
     places points = {0};
-    *all = (measured){0};
-    if (given->value[OPTION_AT] == NULL && given->value[OPTION_POINTS] == NULL)
-        return read_lines(given, of, all);
-    int status = places_read(given, decimal_sign, &points);
-    if (status == STATUS_DONE)
-        status = take_points(&points, all);
+    if (given->value[OPTION_AT] == NULL && given->value[OPTION_POINTS] == NULL) {
+        read_lines(given, cycle, all);
+        return STATUS_DONE;
+    }
+    const int status = places_read(given, decimal_sign, &points);
+    begin(points.count, 0, all);
+    for (size_t i = 0; i < points.count; i++)
+        all->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
     places_free(&points);
     return status;
 }
 
-bool surface_usual(const last_cycle *of, measured *all)
+bool surface_usual(const last_cycle *cycle, measured *all)
 {
     const range surface = {.count = 1};
     stops along = {0};
-    *all = (measured){0};
-    const bool done = add_usual(of, &along) == STATUS_DONE && !along.failed &&
-                      fill_lines(&along, &surface, all) == STATUS_DONE;
+    if (isnan(cycle->left))
+        return false;
+    add_usual(cycle, &along);
+    fill_lines(&along, &surface, all);
     free(along.stop);
-    return done;
+    return true;
+}
+
+int32_t surface_measure(const last_cycle *cycle, measured *all)
+{
+    const size_t n = all->count;
+    double *x = room_for(2 * n, sizeof *x), *y = x + n;
+    measures *at = room_for(n, sizeof *at);
+    for (size_t i = 0; i < n; i++) {
+        x[i] = all->place[i].x;
+        y[i] = all->place[i].y;
+    }
+    const int32_t status = last_cycle_measure(cycle, n, x, y, at);
+    for (size_t i = 0; i < n; i++)
+        all->place[i].at = at[i];
+    free(x);
+    free(at);
+    return status;
 }

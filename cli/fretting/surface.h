@@ -1,18 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which places along x a cycle is looked at: the edges of contact and stick zone after each load
- * are always among them, as it is there that stresses and slip have their tops. */
+ * are among them, as it is there that stresses and slip have their tops. */
 #ifndef CLI_SURFACE_H
 #define CLI_SURFACE_H
 
 #include "history/places.h"
-#include "worst.h"
+#include "last_cycle.h"
+
+typedef struct {
+    double x, y;
+    measures at;
+    bool is_shown; /* among the rows that are written */
+} measured_place;
+
+/* Lines along x, one after the other, each of so many places with one y and ascending x. There is
+ * room for a worst place of each measure. */
+typedef struct {
+    measured_place *place;
+    size_t count, line; /* line: places of each; 0 where they are no lines */
+} measured;
 
 /* The places of --x or, where it is not given, from one side of the contact to the other, at each
- * of the depths; of --at or --points as they are. Returns the exit status; free the places in
- * either case. */
-int surface_places(const arguments *given, char decimal_sign, const last_cycle *of, measured *all);
+ * of the depths; of --at or --points as they are. Returns the exit status. */
+int surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
+                   measured *all);
 
-/* The places by default, on the surface. False where there are none, or memory is short. */
-bool surface_usual(const last_cycle *of, measured *all);
+/* The places by default, on the surface. False where there are none. */
+bool surface_usual(const last_cycle *cycle, measured *all);
+
+/* The measures of all places at a time. Returns the library's status, or RWEDGE_ENOMEM. */
+int32_t surface_measure(const last_cycle *cycle, measured *all);
 
 #endif

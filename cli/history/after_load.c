@@ -134,27 +134,24 @@ static void loads(const rwedge_contact *contact, size_t number, cell row[])
     row[AFTER_ENERGY] = cell_number(rwedge_contact_dissipated_energy(contact));
 }
 
-bool after_load_compute(const contact_case *what, const rwedge_contact *contact, size_t number,
-                        after_load *found)
+void after_load_compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
+                        after_load *row)
 {
     double factor = NAN;
     touching of = {.contact = contact};
     int32_t status = RWEDGE_OK;
     for (int i = 0; i < AFTER_COUNT; i++)
-        found->value[i] = cell_empty();
-    loads(contact, number, found->value);
+        row->value[i] = cell_empty();
+    loads(contact, number, row->value);
     if (rwedge_contact_edges(contact, &of.left, &of.right) == RWEDGE_OK) {
-        status = edges(what, &of, found->value);
+        status = edges(setup, &of, row->value);
         if (status == RWEDGE_OK)
-            status = strength(what, contact, &factor, found->value);
+            status = strength(setup, contact, &factor, row->value);
     }
-    if (status != RWEDGE_OK) {
+    if (status != RWEDGE_OK)
         failure("load %zu: %s", number, rwedge_strerror(status));
-        return false;
-    }
-    found->doubts = doubts_of(what, rwedge_contact_half_width(contact), factor);
-    found->warnings[0] = '\0';
-    doubts_write(found->doubts, found->warnings, sizeof found->warnings);
-    found->value[AFTER_WARNINGS] = cell_text(found->warnings);
-    return true;
+    row->doubts = doubts_of_state(setup, contact, factor);
+    row->warnings[0] = '\0';
+    doubts_write(row->doubts, row->warnings, sizeof row->warnings);
+    row->value[AFTER_WARNINGS] = cell_text(row->warnings);
 }

@@ -40,8 +40,8 @@ typedef struct {
     int32_t doubts;     /* its bits */
 } after_load;
 
-/* Of the load with that number. False, with the reason said. */
-bool after_load_compute(const contact_case *what, const rwedge_contact *contact, size_t number,
-                        after_load *found);
+/* Of the load with that number. */
+void after_load_compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
+                        after_load *row);
 
 #endif

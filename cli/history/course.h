@@ -11,10 +11,10 @@ enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_COURSE };
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption course_option_table[];
 
-/* What a command does with the loads. */
+/* How often a command goes through the loads where --cycles is not given. */
 typedef struct {
-    int64_t cycles;    /* where --cycles is not given */
-    bool loads_before; /* --load beside a file: loads before the first cycle; else it is refused */
+    int64_t cycles;
+    int64_t of_two; /* through two loads, to and fro; 0 where that makes no difference */
 } course_usage;
 
 typedef struct {
@@ -27,10 +27,9 @@ typedef struct {
 } course;
 
 /* Reads the options, and a file that stands in place of --history, and tries every load: a load
- * that cannot be applied ends it, unless --until is given. Returns the exit status; free it in
- * either case. */
-int course_read(const arguments *given, char decimal_sign, course_usage usage, course *whole);
-void course_free(course *whole);
+ * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
+ * loads before the first cycle. */
+void course_read(const arguments *given, char decimal_sign, course_usage usage, course *whole);
 
 /* The file the loads come from; NULL where there is none. */
 const char *course_file(const arguments *given);
@@ -39,10 +38,10 @@ const char *course_file(const arguments *given);
 size_t course_row(const course *whole, size_t step);
 load course_load(const course *whole, size_t step);
 
-/* The contact before its first cycle; NULL, with the reason said. */
+/* The contact before its first cycle. */
 rwedge_contact *course_begin(const course *whole);
 
-/* Applies the load of a step, which has been tried; false, with the reason said. */
-bool course_go_on(const course *whole, size_t step, rwedge_contact *contact);
+/* Applies the load of a step, which has been tried. */
+void course_go_on(const course *whole, size_t step, rwedge_contact *contact);
 
 #endif

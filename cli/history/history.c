@@ -32,14 +32,16 @@ static void describe(FILE *stream)
 {
     fputs("\nLOADS.csv has the columns P and Q, and M and sigma if there are any. Others\n"
           "pass through. Loads run in straight steps from row to row; --cycles goes through\n"
-          "the rows again and again (default once). Any consistent units.\n"
+          "the rows again and again (default once). Beside a file, --load gives loads that\n"
+          "are applied once, before it. Any consistent units.\n"
           "\nResults, a row for each load:\n",
           stream);
     for (int i = 0; i < AFTER_COUNT; i++)
         fprintf(stream, "  %-13s %s\n", after_load_kinds[i].column, after_load_kinds[i].meaning);
     fputs("\nWith points, a row for each load and point: load, x, y (the depth), sxx, syy,\n"
           "szz, txy, s1, s2, von_mises, tau_max. With -o NAME.vtk.series a file for each\n"
-          "load, for ParaView: NAME_0001.vtk and so on.\n"
+          "load, for ParaView: NAME_0001.vtk and so on, or NAME_b0001.vtk where the series\n"
+          "that is replaced has those names. Its files are then removed.\n"
           "\nA history that leaves the closed form is an error that names the line; nothing is\n"
           "then written, unless --until is given.\n",
           stream);
@@ -53,122 +55,115 @@ typedef struct {
     double energy[2]; /* at the end, and a cycle before */
 } plan;
 
-static bool write_load(plan *what, size_t step, const rwedge_contact *contact, records *rows)
+static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
 {
-    after_load found;
-    if (!after_load_compute(&what->whole.what, contact, step + 1, &found))
-        return false;
-    load_table_write_unused(&what->whole.loads, course_row(&what->whole, step), found.warnings,
-                            sizeof found.warnings);
-    what->doubts |= found.doubts;
-    passed_cells(&what->whole.loads, course_row(&what->whole, step), rows);
+    after_load row;
+    after_load_compute(&job->whole.what, contact, step + 1, &row);
+    load_table_write_unused(&job->whole.loads, course_row(&job->whole, step), row.warnings,
+                            sizeof row.warnings);
+    job->doubts |= row.doubts;
+    passed_cells(&job->whole.loads, course_row(&job->whole, step), rows);
     for (int i = 0; i < AFTER_COUNT; i++)
-        rows->format->value(rows, after_load_kinds[i].column, found.value[i]);
+        rows->format->value(rows, after_load_kinds[i].column, row.value[i]);
     rows->format->end_row(rows);
-    if ((step + 1) % what->whole.loads.count == 0) {
-        what->energy[0] = what->energy[1];
-        what->energy[1] = found.value[AFTER_ENERGY].number;
+    if ((step + 1) % job->whole.loads.count == 0) {
+        job->energy[0] = job->energy[1];
+        job->energy[1] = row.value[AFTER_ENERGY].number;
     }
     progress_step();
-    return true;
 }
 
-static bool write_loads(plan *what, records *rows)
+static void write_loads(plan *job, records *rows)
 {
-    rwedge_contact *contact = course_begin(&what->whole);
-    bool going = contact != NULL;
-    passed_names(&what->whole.loads, rows);
+    rwedge_contact *contact = course_begin(&job->whole);
+    passed_names(&job->whole.loads, rows);
     for (int i = 0; i < AFTER_COUNT; i++)
         rows->format->name(rows, after_load_kinds[i].column);
     rows->format->end_header(rows);
-    for (size_t step = 0; step < what->whole.steps && going && records_go_on(rows); step++)
-        going = course_go_on(&what->whole, step, contact) && write_load(what, step, contact, rows);
+    for (size_t step = 0; step < job->whole.steps && records_go_on(rows); step++) {
+        course_go_on(&job->whole, step, contact);
+        write_load(job, step, contact, rows);
+    }
     rwedge_contact_destroy(contact);
-    return going;
 }
 
 static bool write_rows(void *of_plan, records *rows, bool show_progress)
 {
-    plan *what = of_plan;
-    const point_rows points = {&what->whole, &what->at};
-    const size_t count = what->whole.steps * (what->at.count > 0 ? what->at.count : 1);
+    plan *job = of_plan;
+    const point_rows points = {&job->whole, &job->at};
+    const size_t count = job->whole.steps * (job->at.count > 0 ? job->at.count : 1);
     progress_start(show_progress, (int64_t)count, "rows");
-    rows->mark = what->whole.loads.has_mark;
+    rows->mark = job->whole.loads.has_mark;
     rows->format->begin(rows);
-    const bool going =
-        what->at.count > 0 ? point_rows_write(&points, rows) : write_loads(what, rows);
+    if (job->at.count > 0)
+        point_rows_write(&points, rows);
+    else
+        write_loads(job, rows);
     rows->format->end(rows);
     progress_erase();
-    return going && records_are_sound(rows);
+    return records_are_sound(rows);
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};
 
-static int check_series(const plan *what, const output_options *how)
+static void check_series(const plan *job, const output_options *how)
 {
     if (how->format != NULL)
-        return STATUS_DONE;
+        return;
     if (how->path == NULL || strcmp(how->path, "-") == 0)
-        return usage_error("--format series: writes several files; allowed with: --output "
-                           "NAME.vtk.series");
-    if (what->at.count == 0)
-        return usage_error("--output %s: needs points; allowed with: --at, --points, or --x and "
-                           "--depth",
-                           how->path);
-    return STATUS_DONE;
+        usage_error("--format series: writes several files; allowed with: --output "
+                    "NAME.vtk.series");
+    if (job->at.count == 0)
+        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
+                    how->path);
 }
 
-static int check_names(const plan *what)
+static void check_names(const plan *job)
 {
     const char *names[AFTER_COUNT];
     for (int i = 0; i < AFTER_COUNT; i++)
         names[i] = after_load_kinds[i].column;
-    return what->at.count > 0 ? passed_check(&what->whole.loads, point_columns, POINT_COLUMNS)
-                              : passed_check(&what->whole.loads, names, AFTER_COUNT);
+    if (job->at.count > 0)
+        passed_check(&job->whole.loads, point_columns, POINT_COLUMNS);
+    else
+        passed_check(&job->whole.loads, names, AFTER_COUNT);
 }
 
-static int read_plan(const arguments *given, plan *what, output_options *how)
+static void read_plan(const arguments *given, plan *job, output_options *how)
 {
-    int status = output_options_read_of(given, formats, "", how);
-    if (status == STATUS_DONE)
-        status = places_spare_files(given, how);
-    if (status == STATUS_DONE && given->value[OPTION_X] == NULL &&
-        given->value[OPTION_DEPTH] != NULL)
-        status = usage_error("--depth %s: needs --x", given->value[OPTION_DEPTH]);
-    if (status == STATUS_DONE)
-        status = places_read(given, how->decimal_sign, &what->at);
-    if (status == STATUS_DONE)
-        status = check_series(what, how);
-    if (status == STATUS_DONE)
-        status = course_read(given, how->decimal_sign, (course_usage){.cycles = 1}, &what->whole);
-    return status == STATUS_DONE ? check_names(what) : status;
+    output_options_read_of(given, formats, "", how);
+    places_spare_files(given, how);
+    if (given->value[OPTION_X] == NULL && given->value[OPTION_DEPTH] != NULL)
+        usage_error("--depth %s: needs --x", given->value[OPTION_DEPTH]);
+    places_read(given, how->decimal_sign, &job->at);
+    check_series(job, how);
+    course_read(given, how->decimal_sign, (course_usage){.cycles = 1}, &job->whole);
+    check_names(job);
 }
 
-static void say_what_is_doubtful(const plan *what)
+static void say_what_is_doubtful(const plan *job)
 {
     char where[LOAD_PLACE_SIZE];
     snprintf(where, sizeof where, "%.250s, in some rows: ",
-             what->whole.loads.name != NULL ? what->whole.loads.name : "--load");
-    doubts_say(what->doubts, where);
-    load_table_say_unused(&what->whole.loads);
-    if (what->whole.cycles > 1 && what->at.count == 0)
-        notice("dissipated in the last cycle: %.6g", what->energy[1] - what->energy[0]);
+             job->whole.loads.name != NULL ? job->whole.loads.name : "--load");
+    doubts_say(job->doubts, where);
+    load_table_say_unused(&job->whole.loads);
+    if (job->whole.cycles > 1 && job->at.count == 0)
+        notice("dissipated in the last cycle: %.6g", job->energy[1] - job->energy[0]);
 }
 
 static int history(const arguments *given)
 {
-    plan what = {.at = {0}};
+    plan job = {.at = {0}};
     output_options how;
-    int status = read_plan(given, &what, &how);
-    const point_rows points = {&what.whole, &what.at};
-    if (status == STATUS_DONE)
-        status = how.format == NULL ? series_write(&points, &how)
-                                    : output_options_write(&how, write_rows, &what);
-    if (status == STATUS_DONE)
-        say_what_is_doubtful(&what);
-    course_free(&what.whole);
-    places_free(&what.at);
-    return status;
+    read_plan(given, &job, &how);
+    const point_rows points = {&job.whole, &job.at};
+    if (how.format == NULL)
+        series_write(&points, given, &how);
+    else
+        output_options_write(&how, write_rows, &job);
+    say_what_is_doubtful(&job);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD};

@@ -11,7 +11,7 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 /* ---- Columns that pass through ---- */
 
-int passed_check(const load_table *loads, const char *const results[], size_t count)
+void passed_check(const load_table *loads, const char *const results[], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         bool is_load = false;
@@ -20,10 +20,9 @@ int passed_check(const load_table *loads, const char *const results[], size_t co
             is_load = is_load || strcmp(results[i], input_column(n, name)) == 0;
         }
         if (!is_load && header_has(&loads->names, results[i]))
-            return failure("%s: column %s: a result has that name; allowed: any other", loads->name,
-                           results[i]);
+            failure("%s: column %s: a result has that name; allowed: any other", loads->name,
+                    results[i]);
     }
-    return STATUS_DONE;
 }
 
 void passed_names(const load_table *loads, records *rows)
@@ -50,54 +49,45 @@ void passed_cells(const load_table *loads, size_t row, records *rows)
 
 /* ---- Rows ---- */
 
-bool point_stress(const point_rows *what, const rwedge_contact *contact, size_t i, tensor *found)
+tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i)
 {
-    const double x = what->at->x[i], y = what->at->y[i];
+    const double x = points->at->x[i], y = points->at->y[i];
     double sxx, syy, txy;
-    *found = tensor_unknown();
-    if (what->whole->what.a == 0 && x == 0 && y == 0 && rwedge_contact_half_width(contact) > 0)
-        return true;
+    if (points->whole->what.a == 0 && x == 0 && y == 0 && rwedge_contact_half_width(contact) > 0)
+        return tensor_unknown();
     const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
-    if (status != RWEDGE_OK) {
+    if (status != RWEDGE_OK)
         failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-        return false;
-    }
-    *found = tensor_of(sxx, syy, txy, what->whole->what.nu1);
-    return true;
+    return tensor_of(sxx, syy, txy, points->whole->what.nu1);
 }
 
-static bool write_row(const point_rows *what, const rwedge_contact *contact, size_t step, size_t i,
-                      records *rows)
+static void write_row(const point_rows *points, const rwedge_contact *contact, size_t step,
+                      size_t i, records *rows)
 {
-    tensor at;
-    if (!point_stress(what, contact, i, &at))
-        return false;
+    const tensor at = point_stress(points, contact, i);
     const double *v = at.value;
-    const double value[POINT_COLUMNS] = {(double)(step + 1),  what->at->x[i],   what->at->y[i],
+    const double value[POINT_COLUMNS] = {(double)(step + 1),  points->at->x[i], points->at->y[i],
                                          v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],
                                          v[TENSOR_TXY],       v[TENSOR_S1],     v[TENSOR_S2],
                                          v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
-    passed_cells(&what->whole->loads, course_row(what->whole, step), rows);
+    passed_cells(&points->whole->loads, course_row(points->whole, step), rows);
     for (int c = 0; c < POINT_COLUMNS; c++)
         rows->format->value(rows, point_columns[c], cell_number(value[c]));
     rows->format->end_row(rows);
     progress_step();
-    return true;
 }
 
-bool point_rows_write(const point_rows *what, records *rows)
+void point_rows_write(const point_rows *points, records *rows)
 {
-    rwedge_contact *contact = course_begin(what->whole);
-    bool going = contact != NULL;
-    passed_names(&what->whole->loads, rows);
+    rwedge_contact *contact = course_begin(points->whole);
+    passed_names(&points->whole->loads, rows);
     for (int c = 0; c < POINT_COLUMNS; c++)
         rows->format->name(rows, point_columns[c]);
     rows->format->end_header(rows);
-    for (size_t step = 0; step < what->whole->steps && going; step++) {
-        going = course_go_on(what->whole, step, contact);
-        for (size_t i = 0; i < what->at->count && going && records_go_on(rows); i++)
-            going = write_row(what, contact, step, i, rows);
+    for (size_t step = 0; step < points->whole->steps && records_go_on(rows); step++) {
+        course_go_on(points->whole, step, contact);
+        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)
+            write_row(points, contact, step, i, rows);
     }
     rwedge_contact_destroy(contact);
-    return going;
 }

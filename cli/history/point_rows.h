@@ -19,16 +19,16 @@ typedef struct {
 } point_rows;
 
 /* A row for each load and point, the points of the first load first. */
-bool point_rows_write(const point_rows *what, records *rows);
+void point_rows_write(const point_rows *points, records *rows);
 
-/* The stress at one of the points; NAN where it is infinite. False, with the reason said. */
-bool point_stress(const point_rows *what, const rwedge_contact *contact, size_t i, tensor *found);
+/* The stress at one of the points; NAN where it is infinite. */
+tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
 
 /* Columns of a file of loads that are no loads: they go in front of the results. */
 void passed_names(const load_table *loads, records *rows);
 void passed_cells(const load_table *loads, size_t row, records *rows);
 
-/* Refuses a column that has the name of a result. STATUS_DONE, or what to leave with. */
-int passed_check(const load_table *loads, const char *const results[], size_t count);
+/* Refuses a column that has the name of a result. */
+void passed_check(const load_table *loads, const char *const results[], size_t count);
 
 #endif

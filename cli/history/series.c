@@ -4,6 +4,7 @@
 #include "field/vtk.h"
 #include "text/message.h"
 
+#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,33 +12,34 @@
 /* ---- One load ---- */
 
 typedef struct {
-    const point_rows *what;
+    const point_rows *points;
     const rwedge_contact *contact;
 } moment;
 
 static double point_x(const void *of_moment, int64_t column)
 {
-    return ((const moment *)of_moment)->what->at->x[column];
+    return ((const moment *)of_moment)->points->at->x[column];
 }
 
 /* The first point of a row of the grid; any point of those that are no grid. */
 static double point_y(const void *of_moment, int64_t row)
 {
-    const places *at = ((const moment *)of_moment)->what->at;
+    const places *at = ((const moment *)of_moment)->points->at;
     return at->y[at->columns > 0 ? (size_t)row * at->columns : (size_t)row];
 }
 
-static bool stress_at(const void *of_moment, int64_t column, int64_t row, tensor *found)
+static bool stress_at(const void *of_moment, int64_t column, int64_t row, tensor *at)
 {
-    const moment *of = of_moment;
-    return point_stress(of->what, of->contact, (size_t)row * of->what->at->columns + (size_t)column,
-                        found);
+    const moment *now = of_moment;
+    const places *points = now->points->at;
+    *at = point_stress(now->points, now->contact, (size_t)row * points->columns + (size_t)column);
+    return true;
 }
 
-static int write_moment(const moment *of, size_t step, const char *path, const output_options *how)
+static void write_moment(const moment *of, size_t step, const char *path, const output_options *how)
 {
     char title[80];
-    const places *at = of->what->at;
+    const places *at = of->points->at;
     snprintf(title, sizeof title, "rwedge history: load %zu; y is the depth below the surface",
              step + 1);
     vtk_points points = {.title = title,
@@ -50,10 +52,10 @@ static int write_moment(const moment *of, size_t step, const char *path, const o
                          .of = of};
     output_options one = *how;
     one.path = path;
-    return output_options_write(&one, vtk_write, &points);
+    output_options_write(&one, vtk_write, &points);
 }
 
-/* ---- All ---- */
+/* ---- Names ---- */
 
 /* How much of the name stands before ".vtk.series" or ".series". */
 static size_t stem_length(const char *path)
@@ -68,69 +70,111 @@ static size_t stem_length(const char *path)
     return length;
 }
 
-static void name_moment(const char *path, size_t step, char *name, size_t size)
+/* The files of a series and of the one that it replaces have other names: an interruption leaves
+ * the old series whole. */
+typedef struct {
+    const char *mark; /* "" or "b", in the names */
+    size_t count;
+} frames;
+
+static char *frame_name(const char *path, const char *mark, size_t step)
 {
-    snprintf(name, size, "%.*s_%04zu.vtk", (int)stem_length(path), path, step + 1);
+    const size_t room = strlen(path) + 40;
+    char *name = malloc(room);
+    if (name == NULL)
+        failure("out of memory");
+    snprintf(name, room, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
+    return name;
 }
+
+/* What the present list names: none where there is no list. */
+static frames frames_of(const char *path)
+{
+    frames old = {"b", 0};
+    char line[4096];
+    FILE *list = fopen(path, "rb");
+    while (list != NULL && fgets(line, sizeof line, list) != NULL)
+        if (strncmp(line, "{\"name\": ", 9) == 0 && old.count++ == 0)
+            old.mark = strstr(line, "_b0001.vtk\"") != NULL ? "b" : "";
+    if (list != NULL)
+        fclose(list);
+    return old;
+}
+
+static void remove_frames(const char *path, frames old)
+{
+    for (size_t step = 0; step < old.count; step++) {
+        char *name = frame_name(path, old.mark, step);
+        remove(name);
+        free(name);
+    }
+}
+
+/* ---- The list ---- */
 
 typedef struct {
     const char *path;
-    size_t steps;
+    frames all;
 } list;
 
-static void put_string(output *out, const char *text)
+/* As JSON has it. */
+static char *quoted(const char *text)
 {
-    output_text(out, "\"");
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '"' || *c == '\\')
-            output_text(out, "\\");
-        output_write(out, c, 1);
-    }
-    output_text(out, "\"");
+    json_t *string = json_string(text);
+    char *json = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+    if (json == NULL)
+        usage_error("--output %s: must be UTF-8, as the list of the files is", text);
+    json_decref(string);
+    return json;
 }
 
 static bool write_list(void *of_list, records *rows, bool show_progress)
 {
     (void)show_progress;
-    const list *what = of_list;
-    const char *slash = strrchr(what->path, '/');
-    const char *file = slash != NULL ? slash + 1 : what->path;
-    const size_t room = strlen(file) + 40;
-    char *name = malloc(room), time[60];
-    if (name == NULL) {
-        failure("out of memory");
-        return false;
-    }
+    const list *series = of_list;
+    const char *slash = strrchr(series->path, '/');
+    const char *file = slash != NULL ? slash + 1 : series->path;
     output_text(rows->out, "{\"file-series-version\": \"1.0\", \"files\": [");
-    for (size_t i = 0; i < what->steps; i++) {
-        name_moment(file, i, name, room);
+    for (size_t i = 0; i < series->all.count; i++) {
+        char *name = frame_name(file, series->all.mark, i), *json = quoted(name), time[60];
         output_text(rows->out, i == 0 ? "\n{\"name\": " : ",\n{\"name\": ");
-        put_string(rows->out, name);
+        output_text(rows->out, json);
         snprintf(time, sizeof time, ", \"time\": %zu}", i + 1);
         output_text(rows->out, time);
+        free(json);
+        free(name);
     }
     output_text(rows->out, "\n]}\n");
-    free(name);
     return true;
 }
 
-int series_write(const point_rows *what, const output_options *how)
+/* ---- All ---- */
+
+static void spare_files(const arguments *given, const output_options *how, const list *series)
 {
-    const size_t room = strlen(how->path) + 40;
-    char *path = malloc(room);
-    moment now = {what, NULL};
-    rwedge_contact *contact = path != NULL ? course_begin(what->whole) : NULL;
-    int status = contact != NULL ? STATUS_DONE : STATUS_FAILED;
-    now.contact = contact;
-    for (size_t step = 0; step < what->whole->steps && status == STATUS_DONE; step++) {
-        name_moment(how->path, step, path, room);
-        status = course_go_on(what->whole, step, contact) ? write_moment(&now, step, path, how)
-                                                          : STATUS_FAILED;
+    for (size_t step = 0; step < series->all.count; step++) {
+        output_options frame = *how;
+        frame.path = frame_name(series->path, series->all.mark, step);
+        places_spare_files(given, &frame);
+        free((char *)frame.path);
     }
-    list all = {how->path, what->whole->steps};
-    if (status == STATUS_DONE)
-        status = output_options_write(how, write_list, &all);
+}
+
+void series_write(const point_rows *points, const arguments *given, const output_options *how)
+{
+    const frames old = frames_of(how->path);
+    list series = {how->path, {old.mark[0] == 'b' ? "" : "b", points->whole->steps}};
+    free(quoted(how->path));
+    spare_files(given, how, &series);
+    rwedge_contact *contact = course_begin(points->whole);
+    const moment now = {points, contact};
+    for (size_t step = 0; step < series.all.count; step++) {
+        char *name = frame_name(how->path, series.all.mark, step);
+        course_go_on(points->whole, step, contact);
+        write_moment(&now, step, name, how);
+        free(name);
+    }
     rwedge_contact_destroy(contact);
-    free(path);
-    return status;
+    output_options_write(how, write_list, &series);
+    remove_frames(how->path, old);
 }

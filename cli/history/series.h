@@ -8,8 +8,9 @@
 
 #include "rows/output_options.h"
 
-/* Writes NAME_0001.vtk and so on beside NAME.vtk.series, which is the output and comes last.
- * Returns the exit status. */
-int series_write(const point_rows *what, const output_options *how);
+/* Writes NAME_0001.vtk and so on, or NAME_b0001.vtk where the series that is replaced has those
+ * names, beside NAME.vtk.series, which is the output and comes last. The files of the series that
+ * is replaced are then removed. */
+void series_write(const point_rows *points, const arguments *given, const output_options *how);
 
 #endif

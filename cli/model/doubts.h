@@ -8,9 +8,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <rwedge.h>
+
 /* Of a contact of the half-width b, 0 where it is separated; safety is P_yield/P, NAN where it is
  * not known. */
 int32_t doubts_of(const contact_case *setup, double b, double safety);
+
+/* Of the state of a contact, where the factor is rwedge_contact_yield_factor(), NAN where it is not
+ * known. It may yield by P, or by a tension or moment at a P that would not. */
+int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact, double factor);
+
+/* The text of one bit; "" for any other number. */
+const char *doubt_text(int32_t bit);
 
 /* Adds their texts to one that has some or none, "; " between them. */
 void doubts_write(int32_t doubts, char *text, size_t size);

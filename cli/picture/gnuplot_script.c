@@ -225,13 +225,23 @@ static void put_legend(FILE *script, const drawing *what, const page *on)
         }
 }
 
+/* A level at a time: a line of one colour has no joints. */
+static void put_levels(FILE *script, const contours *field)
+{
+    const int levels = (int)(field->top / field->step);
+    fprintf(script,
+            "plot for [i=1:%d] $lines using 1:(abs($3 - i*%.7g) < 0.5*%.7g ? $2 : NaN) "
+            "with lines linewidth 0.9 linecolor palette frac i/%d. notitle",
+            levels, field->step, field->step, levels);
+}
+
 static void put_plot(FILE *script, const drawing *what)
 {
-    if (what->field.from != NULL)
-        fputs("plot $lines using 1:2:3 with lines linewidth 0.9 linecolor palette notitle", script);
+    const bool has_field = what->field.from != NULL;
+    if (has_field)
+        put_levels(script, &what->field);
     for (int i = 0; i < what->curve_count; i++)
-        put_curve(script, &what->curve[i], i,
-                  i == 0 && what->field.from == NULL ? "plot " : ", \\\n    ");
+        put_curve(script, &what->curve[i], i, i == 0 && !has_field ? "plot " : ", \\\n    ");
     fputs("\nunset output\n", script);
 }
 

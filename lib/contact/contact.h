@@ -42,6 +42,9 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
+/* At a place of a loaded contact, not the apex of the sharp wedge. */
+double rw_contact_pressure(const rwedge_contact *contact, double x);
+
 /* The stretch that a bulk tension makes, in the unit of the memory. */
 static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
 {

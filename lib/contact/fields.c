@@ -29,6 +29,12 @@ static double patch_pressure(rw_patch patch, double a, double x)
     return rw_eccentric_at(&potential, x, 0).G_im;
 }
 
+double rw_contact_pressure(const rwedge_contact *contact, double x)
+{
+    const rw_geometry *g = &contact->geometry;
+    return rw_unit_stress(g) * patch_pressure(rw_memory_end(&contact->memory)->patch, g->a, x);
+}
+
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
                                  double p[], double q[])
 {

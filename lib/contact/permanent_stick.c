@@ -2,34 +2,51 @@
 /* What never slips in a straight cycle between two loads. */
 #include "contact/contact.h"
 
+/* The tension moves nothing before the contact. */
 static int32_t load_once(double theta, double a, double A, double f, rw_loads to,
                          rwedge_contact **contact)
 {
-    const int32_t status = rwedge_contact_create(theta, a, A, f, contact);
-    return status == RWEDGE_OK ? rwedge_contact_apply(*contact, to.P, to.M, 0, 0) : status;
+    int32_t status = rwedge_contact_create(theta, a, A, f, contact);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(*contact, to.P, to.M, 0, to.sigma);
+    return status == RWEDGE_OK ? rwedge_contact_apply(*contact, to.P, to.M, to.Q, to.sigma)
+                               : status;
+}
+
+/* Whether both edges move outwards on the whole way from the smaller contact to the larger. */
+static bool keeps(const rwedge_contact *smaller, const rwedge_contact *larger)
+{
+    static const double SLACK = 1e-12;
+    const rw_patch patch = rw_memory_end(&smaller->memory)->patch;
+    const double P = larger->loads.P - smaller->loads.P, M = larger->loads.M - smaller->loads.M;
+    return fabs(M - rw_patch_middle(patch) * P) <= (0.5 + SLACK) * rw_patch_half_width(patch) * P;
 }
 
 /* The load and the tilt of what sticks are (N_1 + N_2 - |T_2 - T_1|)/2, which loses as much on the
- * way to either load; the stretch has the sign of the shear. */
-static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, rw_loads from,
-                         rw_loads to, double *left, double *right)
+ * way to either load; the stretch has the sign of the shear. Where that is more than the smaller
+ * contact, all of this sticks: the ring that comes and goes takes up the change of shear. */
+static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, double sign,
+                         rw_patch *stuck)
 {
-    const rw_geometry *g = &one->geometry;
-    const rw_corner *first = rw_memory_end(&one->memory), *second = rw_memory_end(&two->memory);
-    if (one->f == 0 || fabs(from.Q) > one->f * from.P || fabs(to.Q) > one->f * to.P)
-        return one->f == 0 && from.Q == 0 && to.Q == 0 ? RWEDGE_EABSENT : RWEDGE_ESLIDING;
-    const double sign = to.Q < from.Q ? -1 : 1, shear = (to.Q - from.Q) / one->f;
-    const double stretch = -(g->A / g->theta) * (to.sigma - from.sigma) / (4 * one->f);
-    const double load = (first->load + second->load - sign * shear) / 2;
-    const double tilt = (first->tilt + second->tilt - sign * stretch) / 2;
-    if (!(load > 0))
+    const bool rises = one->loads.P < two->loads.P;
+    const rwedge_contact *smaller = rises ? one : two, *larger = rises ? two : one;
+    const rw_corner *less = rw_memory_end(&smaller->memory), *more = rw_memory_end(&larger->memory);
+    const double shear = sign * (two->loads.Q - one->loads.Q) / one->f;
+    const double stretch = sign * rw_contact_stretch(one, two->loads.sigma - one->loads.sigma);
+    const double load = (less->load + more->load - shear) / 2;
+    const double tilt = (less->tilt + more->tilt - stretch) / 2;
+    if (load <= rw_memory_tolerance(more->load) || less->load == 0)
         return RWEDGE_EABSENT;
-    const rw_patch patch = rw_patch_under_tilt(g, load, tilt);
-    if (!rw_patch_is_nested(patch, first->patch, tilt) ||
-        !rw_patch_is_nested(patch, second->patch, tilt))
+    *stuck = rw_patch_under_tilt(&one->geometry, load, tilt);
+    if (!rw_patch_is_nested(*stuck, more->patch, tilt))
         return RWEDGE_EPATH;
-    *left = patch.left;
-    *right = patch.right;
+    if (rw_patch_is_nested(*stuck, less->patch, tilt))
+        return RWEDGE_OK;
+    if (!rw_patch_is_nested(less->patch, *stuck, tilt) || !keeps(smaller, larger))
+        return RWEDGE_EPATH;
+    *stuck = less->patch;
     return RWEDGE_OK;
 }
 
@@ -39,15 +56,17 @@ int32_t rwedge_permanent_stick(double theta, double a, double A, double f, doubl
 {
     if (!left || !right)
         return RWEDGE_ENULL;
-    const rw_loads from = {P1, M1, Q1, sigma1}, to = {P2, M2, Q2, sigma2};
-    if (!rw_is_signed(Q1) || !rw_is_signed(Q2) || !rw_is_signed(sigma1) || !rw_is_signed(sigma2))
-        return RWEDGE_EDOMAIN;
     rwedge_contact *one = NULL, *two = NULL;
-    int32_t status = load_once(theta, a, A, f, from, &one);
+    rw_patch stuck = {0, 0};
+    int32_t status = load_once(theta, a, A, f, (rw_loads){P1, M1, Q1, sigma1}, &one);
     if (status == RWEDGE_OK)
-        status = load_once(theta, a, A, f, to, &two);
+        status = load_once(theta, a, A, f, (rw_loads){P2, M2, Q2, sigma2}, &two);
     if (status == RWEDGE_OK)
-        status = permanent(one, two, from, to, left, right);
+        status = f == 0 ? RWEDGE_EABSENT : permanent(one, two, Q2 < Q1 ? -1 : 1, &stuck);
+    if (status == RWEDGE_OK) {
+        *left = stuck.left;
+        *right = stuck.right;
+    }
     rwedge_contact_destroy(one);
     rwedge_contact_destroy(two);
     return status;

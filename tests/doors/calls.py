@@ -69,6 +69,7 @@ OWN = {
     ("contact_create", "f"): [0.6],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
+    ("contact_cycle_worst", "y"): [0],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
 }
@@ -147,8 +148,8 @@ def text_of(given):
     return given if given == "@" else repr(given)
 
 
-def sampled(function, variant):
-    """The arguments of a call; other arguments take other steps through their values."""
+def sampled(function, variant, present={}):
+    """The arguments of a call; other arguments take other steps through their values. present: loads that a cycle keeps."""
     given = []
     for j, p in enumerate(function.inputs):
         of, step = values(function, p), 1 + j % 3
@@ -156,6 +157,8 @@ def sampled(function, variant):
             given.append(of)
         elif len(p.size) == 2:
             given.append([[of[(step * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
+        elif p.name in present and p.size == ("loads",):
+            given.append([present[p.name] + 10 * i * (p.name == "Q") for i in range(LOADS)])
         elif p.size:
             size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
             given.append([of[(step * variant + i) % len(of)] for i in range(size)])
@@ -164,9 +167,15 @@ def sampled(function, variant):
     return given
 
 
-def sample(function, count):
+def sample(function, count, present={}):
     for variant in range(count if function.inputs else 1):
-        call(function, sampled(function, variant))
+        call(function, sampled(function, variant, present))
+
+
+def loads_after(function, arguments):
+    """P, M, Q, sigma after a call that changes a contact."""
+    last = [value[-1] if isinstance(value, list) else value for value in arguments]
+    return dict(zip([p.name for p in function.inputs], last)) if function.method in ("load", "apply", "stress_history") else {}
 
 
 def formulas():
@@ -189,14 +198,16 @@ def objects():
             steps = history if maker.method == "create" else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
+                present = {"M": 0, "sigma": 0, **loads_after(interface[name], arguments)}
                 if arguments[0] == 0 or len(arguments) == 1:
                     continue  # separated, it tells nothing
                 for f in readers:
-                    sample(f, 1 if maker.method != "create" else 2)
+                    sample(f, 1 if maker.method != "create" else 2, present)
             for f in others:
                 sample(f, 2)
+                present = {**present, **loads_after(f, sampled(f, 1))}
                 for reader in readers:
-                    sample(reader, 1)
+                    sample(reader, 1, present)
             if not steps:
                 for f in readers:
                     sample(f, 4)

@@ -39,6 +39,13 @@ try "runs" env LD_LIBRARY_PATH="$libdir" "$work/shared"
 try "pkg-config, static" cc "$consumer/main.c" -o "$work/static" $(pkg-config --cflags rwedge) \
     "$libdir/librwedge.a" $(pkg-config --libs --static rwedge | sed "s/ *-lrwedge//")
 try "runs" "$work/static"
+if [ -f "$(cc -print-file-name=libgsl.a)" ]; then
+    # shellcheck disable=SC2046
+    try "pkg-config, all static" cc -static "$consumer/main.c" -o "$work/all_static" $(pkg-config --cflags --libs --static rwedge)
+    try "runs" "$work/all_static"
+else
+    echo "not tried: all static (there is no libgsl.a)"
+fi
 try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -Wno-long-long -x c++ -fsyntax-only \
     -I"$prefix/include" "$consumer/main.c"
 try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
@@ -57,9 +64,25 @@ try "find_package builds with it" cmake --build "$work/private"
 try "its shared library runs" "$work/private/with_rwedge"
 try "its static library runs" "$work/private/with_rwedge_static"
 
-try "a subproject configures" cmake -S "$consumer" -B "$work/sub" -DRWEDGE_SOURCE="$source"
-try "a subproject builds" cmake --build "$work/sub" --parallel 2
-try "a subproject runs" "$work/sub/with_rwedge"
+no_dependencies="-DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON -DCMAKE_DISABLE_FIND_PACKAGE_LAPACK=ON"
+# shellcheck disable=SC2086
+try "find_package without GSL and LAPACK configures" cmake -S "$consumer" -B "$work/shared_only" -DLIBRARIES=rwedge \
+    -DCMAKE_PREFIX_PATH="$prefix" $no_dependencies
+try "find_package without GSL and LAPACK builds" cmake --build "$work/shared_only"
+try "runs" "$work/shared_only/with_rwedge"
+
+# The host's programs load what it has installed, and nothing else.
+try "an embedding host configures" cmake -S "$consumer" -B "$work/host" -DRWEDGE_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON \
+    -DCMAKE_INSTALL_RPATH="\$ORIGIN/../lib" -DCMAKE_INSTALL_LIBDIR=lib
+try "an embedding host builds, with unity builds" cmake --build "$work/host" --parallel 2
+try "an embedding host installs" cmake --install "$work/host" --prefix "$work/installed"
+mv "$work/host" "$work/elsewhere"
+try "runs" "$work/installed/bin/with_rwedge"
+try "a static host configures" cmake -S "$consumer" -B "$work/static_host" -DRWEDGE_SOURCE="$source" -DBUILD_SHARED_LIBS=OFF
+try "a static host builds" cmake --build "$work/static_host" --parallel 2
+try "a static host installs" cmake --install "$work/static_host" --prefix "$work/static_installed"
+[ -z "$(find "$work/static_host" "$work/static_installed" -name 'librwedge.so*')" ] || { echo "FAILED: a shared library"; exit 1; }
+try "runs" "$work/static_installed/bin/with_rwedge"
 
 cd "$source"
 try "one compiler line" cc -Iinclude -Ilib lib/*/*.c tests/package/consumer/main.c -o "$work/line" -lgsl -lgslcblas -llapack -lm

@@ -146,7 +146,37 @@ run history comma.csv $specimen --decimal-comma
 same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
 refuses "rwedge history: --load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
 refuses "rwedge history: a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
-refuses "rwedge history: loads.csv: given together with --load; allowed: one of the two" history loads.csv $specimen --load 1,0
+
+# Loads before those of a file: as if they stood in front of them, but for their rows and the numbers of the loads.
+printf 'P,Q\n135.75,38\n135.75,-20\n' >rest.csv
+run history rest.csv $specimen --load 135.75,0
+sed 1d out | cut -d , -f 2- >apart
+printf 'P,Q\n135.75,0\n135.75,38\n135.75,-20\n' >all.csv
+run history all.csv $specimen
+same "loads before the file" "" "$(sed 1,2d out | cut -d , -f 2- | diff apart -)"
+
+# A tension that yields is said as such: P is far below P_yield = 986.
+run history --E1 74100 --nu1 0.33 --theta 0.1 --radius 178 --f 0.65 --yield-stress 324 --load 0,0,0,100 --load 488,0,0,100 --load 488,0,195,180
+message_has "a load yields the body: its stresses exceed the yield stress"
+same "no word of P_yield" "" "$(grep P_yield err)"
+
+# A second series takes other names: the old one is whole until it is replaced. Its files are removed then.
+printf 'P,Q\n135.75,0\n135.75,30\n' >two.csv
+run history two.csv $specimen --at 0,0 -o again.vtk.series
+cp again_0001.vtk first
+run history rest.csv $specimen --load 135.75,0 --at 0,0 -o again.vtk.series
+same "names of the second" "again_b0001.vtk again_b0002.vtk" "$(ls again*.vtk | paste -s -d ' ' -)"
+same "and in its list" 2 "$(grep -c '"again_b000[12].vtk"' again.vtk.series)"
+cp again_b0001.vtk first
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,50\n' >refused.csv
+status=0
+"$rwedge" history refused.csv $specimen --at 0,0 -o again.vtk.series >out 2>err || status=$?
+same "a series that fails leaves the old one" "1 again_b0001.vtk again_b0002.vtk" "$status $(ls again*.vtk | paste -s -d ' ' -)"
+same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
+run history two.csv $specimen --at 0,0 -o 'a"b\c.series'
+same "a name with quotes" '{"name": "a\"b\\c_0001.vtk", "time": 1},' "$(sed -n 2p 'a"b\c.series')"
+printf 'x,y\n0,0\n' >own_0001.vtk
+refuses "rwedge history: --output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
 refuses "rwedge history: --P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "rwedge history: missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "rwedge history: --cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0

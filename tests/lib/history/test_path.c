@@ -756,6 +756,44 @@ static void what_never_slips_is_the_same_on_the_way_back(void **state)
     assert_true(l == left && r == right);
 }
 
+/* The ring between P = 300 and 488 takes up the change of Q: the energy stays that of the first
+ * load. */
+static void the_whole_smaller_contact_may_stick(void **state)
+{
+    (void)state;
+    double left, right;
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_permanent_stick(.1, 17.8, 4.81e-5, .65, 300, 0, 140, 0, 488, 0, 60, 0,
+                                            &left, &right),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_create(.1, 17.8, 4.81e-5, .65, &contact), RWEDGE_OK);
+    apply(contact, 300, 0, 0, 0);
+    assert_within(right, edges(contact).right, 1e-14 * right);
+    assert_within(left, edges(contact).left, 1e-14 * right);
+    apply(contact, 300, 0, 140, 0);
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    for (int i = 0; i < 3; i++) {
+        apply(contact, 488, 0, 60, 0);
+        apply(contact, 300, 0, 140, 0);
+    }
+    assert_true(rwedge_contact_dissipated_energy(contact) == energy);
+    rwedge_contact_destroy(contact);
+}
+
+/* Q may exceed f P by rounding, as everywhere. */
+static void a_cycle_may_touch_sliding(void **state)
+{
+    (void)state;
+    double left, right, l, r;
+    assert_int_equal(rwedge_permanent_stick(THETA, 0.4, A, 0.3, 1000, 0, nextafter(300, 400), 0,
+                                            1000, 0, 0, 0, &left, &right),
+                     RWEDGE_OK);
+    assert_int_equal(
+        rwedge_permanent_stick(THETA, 0.4, A, 0.3, 1000, 0, 300, 0, 1000, 0, 0, 0, &l, &r),
+        RWEDGE_OK);
+    assert_within(right, r, 1e-15 * r);
+}
+
 static void cycles_without_a_permanent_stick_zone_say_why(void **state)
 {
     (void)state;
@@ -775,7 +813,8 @@ static void cycles_without_a_permanent_stick_zone_say_why(void **state)
         {0.5, {0.5, 0, 0, 0, 0.6, 0, NAN, 0}, RWEDGE_EDOMAIN},
         {0.5, {0.5, 0, 0, 0, 0.6, 0, 0.1, NAN}, RWEDGE_EDOMAIN},
         {0.5, {0.5, 0.3, 0, 0, 0.6, -0.3, 0.01, 0}, RWEDGE_EPATH},
-        {0.5, {0.9, 0.3, 0, 0, 0.2, 0, 0.01, 0}, RWEDGE_EPATH},
+        {0.5, {0.9, 0.3, 0, 0, 0.2, 0, 0.01, 0}, RWEDGE_EPATH}, /* an edge passes it on the way */
+        {0.5, {0.9, 0, 0, 0, 0, 0, 0, 0}, RWEDGE_EABSENT},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double *v = cases[i].v;
@@ -982,6 +1021,8 @@ int main(void)
         cmocka_unit_test(the_slip_length_is_that_of_the_asymptotes),
         cmocka_unit_test(what_never_slips_is_what_cycles_leave),
         cmocka_unit_test(what_never_slips_is_the_same_on_the_way_back),
+        cmocka_unit_test(the_whole_smaller_contact_may_stick),
+        cmocka_unit_test(a_cycle_may_touch_sliding),
         cmocka_unit_test(cycles_without_a_permanent_stick_zone_say_why),
         cmocka_unit_test(energy_is_friction_times_slip),
         cmocka_unit_test(slip_may_leave_an_inner_ring_alone),

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far bodies move because they slip. In plane strain the displacement of remote points grows
+ * like the logarithm of their distance d. If the contact were bonded over |x| < b, it would be (A
+ * Q/pi) ln(2 d/b) along the force. A flat punch of half-width s that carries dQ moves the bodies by
+ * (A dQ/pi) ln(b/s) further, whatever d is. The pressure of a patch of half-width s is a sum of
+ * such punches, dP(s) each, and the traction is a sum of patches:
+ *
+ *     displacement = (A f/pi) sum (D_i - D_(i+1)) int_0^(s_i) ln(b/s) dP(s).
+ *
+ * Off the centre it is the slip of a place, and what the tractions do there. */
+#include "contact/contact.h"
+
+/* int P(s)/s ds from 0 to s, in theta/A. */
+static double load_integral(double a, double s)
+{
+    if (s <= a)
+        return 0.25 * RW_PI * s * (s / a);
+    const double t = a / s, root = sqrt((s - a) * (s + a));
+    const double ratio = t > 0 ? asin(t) / t : 1;
+    return 0.5 * s * ratio + 1.5 * root - a * acos(t);
+}
+
+/* int ln(b/s) dP(s), by parts. */
+static double centred(const rwedge_contact *contact, double b)
+{
+    const rw_memory *path = &contact->memory;
+    double sum = 0;
+    for (size_t i = 1; i < path->count; i++) {
+        const double s = path->corners[i].patch.right;
+        sum += rw_patch_weight(path, i) *
+               (rw_as_length(&contact->geometry, path->corners[i].load) * log(b / s) +
+                load_integral(contact->geometry.a, s));
+    }
+    return contact->f * contact->geometry.theta / RW_PI * sum;
+}
+
+/* ---- Off the centre ---- */
+
+/* int -q(t) ln(b/(2 |t - x|)) dt between two places, whose ends may be kinks of q or t = x: the
+ * points are dense there. */
+static double panel(const rwedge_contact *contact, double b, double x, double from, double to)
+{
+    enum { POINTS = 400 };
+    double sum = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const double u = (i + 0.5) / POINTS, rate = u * (1 - u);
+        const double t = from + (to - from) * (u * u * u * (10 - u * (15 - 6 * u)));
+        double p, q = 0;
+        rwedge_contact_tractions(contact, 1, &t, &p, &q);
+        sum -= q * log(b / (2 * fabs(t - x))) * rate * rate;
+    }
+    return sum * (30.0 / POINTS) * fabs(to - from);
+}
+
+/* The edges of the patches are kinks. They lie one in the other. */
+static double off_centre(const rwedge_contact *contact, double b)
+{
+    const rw_memory *path = &contact->memory;
+    const double x = rw_patch_middle(rw_memory_end(path)->patch);
+    const double tension = contact->loads.sigma - contact->touched_at;
+    double slip, left = x, right = x, sum = 0;
+    if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
+        return NAN;
+    for (size_t i = 1; i < path->count; i++) {
+        const rw_patch patch = path->corners[i].patch;
+        if (patch.left < left)
+            sum += panel(contact, b, x, left, patch.left);
+        if (patch.right > right)
+            sum += panel(contact, b, x, right, patch.right);
+        left = fmin(left, patch.left);
+        right = fmax(right, patch.right);
+    }
+    return contact->geometry.A * (sum / RW_PI + contact->strain * tension * x / 4) - slip;
+}
+
+double rwedge_contact_displacement(const rwedge_contact *contact, double b)
+{
+    if (!contact || !rw_is_positive(b) || contact->memory.count < 2)
+        return NAN;
+    return contact->was_off_centre ? off_centre(contact, b) : centred(contact, b);
+}

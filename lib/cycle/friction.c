@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Slip, shear and energy of a place, from state to state. Slip is counted from when the place came
+ * into contact. A place that the contact leaves in the cycle has several stays. The first and the
+ * last are one, across the end of the cycle. Any other goes on from the slip with which the one
+ * before it ended: so a place beside an edge slips as one that the edge does not pass. */
+#include "cycle/friction.h"
+
+typedef struct {
+    const rw_cycle *cycle;
+    double x, inside; /* the place; the same off the edges */
+    bool touches;
+    double slip, limit;     /* of the last state in which it slipped: slip; f |p| */
+    size_t limit_at;        /* the state of that limit */
+    double least, most;     /* slip of the present stay */
+    double offset;          /* the slip that the stay begins with */
+    double lowest, highest; /* of all stays that have ended */
+    double shear, energy;
+} place;
+
+static bool is_in(const rw_state *state, double rounding, double x)
+{
+    return x >= state->patch.left - rounding && x <= state->patch.right + rounding;
+}
+
+static double clamped(double x, rw_patch patch)
+{
+    return fmin(fmax(x, patch.left), patch.right);
+}
+
+/* NaN outside the contact. */
+static double slip_at(const rw_cycle *cycle, size_t state, double x)
+{
+    const rw_state *now = &cycle->states[state];
+    double slip = NAN;
+    if (is_in(now, cycle->rounding, x)) {
+        const double inside = clamped(x, now->patch);
+        rwedge_contact_slip(now->contact, 1, &inside, &slip);
+    }
+    return slip;
+}
+
+/* f |p|. */
+static double limit_at(const place *at, size_t state)
+{
+    const rw_state *now = &at->cycle->states[state];
+    return now->contact->f * fabs(rw_contact_pressure(now->contact, clamped(at->x, now->patch)));
+}
+
+static double shear_at(const place *at, const rw_state *now)
+{
+    const double x = clamped(at->x, now->patch);
+    double p, q = 0;
+    rwedge_contact_tractions(now->contact, 1, &x, &p, &q);
+    return fabs(q);
+}
+
+/* Where a place slips, its shear is f |p| all the way from one state to the next; p is taken to
+ * change in proportion to the slip. */
+static void slip_to(place *at, double slip, double limit)
+{
+    at->energy += (at->limit + limit) / 2 * fabs(slip - at->slip);
+    at->most = fmax(at->most, slip);
+    at->least = fmin(at->least, slip);
+    at->slip = slip;
+    at->limit = limit;
+}
+
+/* ---- Stays ---- */
+
+static void touch(place *at, size_t state)
+{
+    at->touches = true;
+    at->slip = at->limit = at->least = at->most = 0;
+    at->limit_at = state;
+}
+
+static void end_stay(place *at)
+{
+    at->lowest = fmin(at->lowest, at->offset + at->least);
+    at->highest = fmax(at->highest, at->offset + at->most);
+    at->offset += at->slip;
+    at->touches = false;
+}
+
+static void refresh_limit(place *at, size_t state)
+{
+    if (at->limit_at < state)
+        at->limit = limit_at(at, state);
+}
+
+/* The place slips until the edge passes it. How much it slips is interpolated: at the edge's new
+ * position the change of slip is known, at its old position it is 0. The change is taken, not the
+ * slip: slip jumps at the border of what the contact has never left. */
+static void leave(place *at, size_t to)
+{
+    const rw_cycle *cycle = at->cycle;
+    const rw_patch before = cycle->states[to - 1].patch, after = cycle->states[to].patch;
+    const bool is_left = at->inside < after.left;
+    const double start = is_left ? before.left : before.right;
+    const double end = is_left ? after.left : after.right;
+    const double near = rw_cycle_off_the_edges(cycle, end);
+    const double change = slip_at(cycle, to, near) - slip_at(cycle, to - 1, near);
+    refresh_limit(at, to - 1);
+    if (!isnan(change)) /* part of the contact is where some of it was */
+        slip_to(at, at->slip + change * (at->inside - start) / (end - start), 0);
+    end_stay(at);
+}
+
+/* ---- From state to state ---- */
+
+/* What slips to the end of a step has the shear f |p|; what sticks has its largest shear after a
+ * load. */
+static void go_to(place *at, size_t to)
+{
+    const rw_state *now = &at->cycle->states[to];
+    const bool is_new = !at->touches;
+    if (is_new)
+        touch(at, to);
+    if (is_new || at->inside < now->stuck.left || at->inside > now->stuck.right) {
+        refresh_limit(at, to - 1);
+        slip_to(at, slip_at(at->cycle, to, at->inside), limit_at(at, to));
+        at->limit_at = to;
+        at->shear = fmax(at->shear, now->is_load ? 0 : shear_at(at, now));
+    }
+    if (now->is_load)
+        at->shear = fmax(at->shear, shear_at(at, now));
+}
+
+/* What came before the cycle is none of its energy. */
+static void begin(place *at)
+{
+    const rw_state *first = at->cycle->states;
+    if (!is_in(first, at->cycle->rounding, at->inside))
+        return;
+    touch(at, 0);
+    at->slip = at->least = at->most = slip_at(at->cycle, 0, at->inside);
+    at->limit = limit_at(at, 0);
+    at->shear = shear_at(at, first);
+}
+
+rw_rubbing rw_rubbing_at(const rw_cycle *cycle, double x)
+{
+    place at = {.cycle = cycle, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
+    at.inside = rw_cycle_off_the_edges(cycle, x);
+    begin(&at);
+    const bool began = at.touches;
+    for (size_t i = 1; i < cycle->count; i++)
+        if (is_in(&cycle->states[i], cycle->rounding, at.inside))
+            go_to(&at, i);
+        else if (at.touches)
+            leave(&at, i);
+    if (at.touches) {
+        at.offset = began ? 0 : at.offset;
+        end_stay(&at);
+    }
+    return (rw_rubbing){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
+}

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cycle/measures.h"
+
+#include "cycle/friction.h"
+
+#include <stdlib.h>
+
+/* ---- Stresses ---- */
+
+static int32_t fill(const rw_cycle *cycle, size_t n, const double x[], const double y[],
+                    double *stress)
+{
+    const size_t all = cycle->loads * n;
+    int32_t status = RWEDGE_OK;
+    for (size_t i = 0; i < cycle->count && status == RWEDGE_OK; i++) {
+        if (!cycle->states[i].is_load)
+            continue;
+        status = rwedge_contact_stresses(cycle->states[i].contact, n, x, y, stress, stress + all,
+                                         stress + 2 * all);
+        stress += n;
+    }
+    return status;
+}
+
+int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
+                          double **stress)
+{
+    if (n > (SIZE_MAX / sizeof **stress - 1) / 3 / cycle->loads)
+        return RWEDGE_ERANGE;
+    double *all = malloc((3 * cycle->loads * n + 1) * sizeof *all);
+    const int32_t status = all ? fill(cycle, n, x, y, all) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK)
+        *stress = all;
+    else
+        free(all);
+    return status;
+}
+
+double rw_least_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i)
+{
+    double least = stress[i];
+    for (size_t load = 1; load < cycle->loads; load++)
+        least = fmin(least, stress[load * n + i]);
+    return least;
+}
+
+double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i)
+{
+    double most = stress[i];
+    for (size_t load = 1; load < cycle->loads; load++)
+        most = fmax(most, stress[load * n + i]);
+    return most;
+}
+
+/* ---- Fatigue ---- */
+
+int32_t rwedge_contact_cycle_fatigue(const rwedge_contact *contact, size_t loads, const double P[],
+                                     const double M[], const double Q[], const double sigma[],
+                                     size_t n, const double x[], const double y[], double E,
+                                     double nu, double k_over_sy, double stress_range[],
+                                     double swt[], double swt_angle[], double fatemi_socie[],
+                                     double fs_angle[])
+{
+    const rw_load_list list = {loads, P, M, Q, sigma};
+    const rw_material material = {E, nu, k_over_sy};
+    if (!contact || !rw_is_load_list(&list) ||
+        (n > 0 && (!x || !y || !stress_range || !swt || !swt_angle || !fatemi_socie || !fs_angle)))
+        return RWEDGE_ENULL;
+    if (!rw_is_material(&material))
+        return RWEDGE_EDOMAIN;
+    rw_cycle cycle;
+    double *sxx = NULL;
+    int32_t status = rw_cycle_create(contact, &list, RW_STRESS_ALONE, &cycle);
+    if (status == RWEDGE_OK)
+        status = rw_cycle_stresses(&cycle, n, x, y, &sxx);
+    if (status == RWEDGE_OK && n > 0) {
+        const double *syy = sxx + loads * n, *txy = syy + loads * n;
+        status = rwedge_smith_watson_topper_field(loads, n, sxx, syy, txy, E, nu, swt, swt_angle);
+        if (status == RWEDGE_OK)
+            status = rwedge_fatemi_socie_field(loads, n, sxx, syy, txy, E, nu, k_over_sy,
+                                               fatemi_socie, fs_angle);
+        for (size_t i = 0; i < n && status == RWEDGE_OK; i++)
+            stress_range[i] =
+                rw_largest_stress(&cycle, n, sxx, i) - rw_least_stress(&cycle, n, sxx, i);
+    }
+    free(sxx);
+    rw_cycle_destroy(&cycle);
+    return status;
+}
+
+/* ---- Friction ---- */
+
+static int32_t rub(const rw_cycle *cycle, size_t n, const double x[], double slip_range[],
+                   double ruiz_f1[], double ruiz_f2[], double energy[])
+{
+    double *sxx = NULL, *surface = calloc(n + 1, sizeof *surface);
+    const int32_t status = surface ? rw_cycle_stresses(cycle, n, x, surface, &sxx) : RWEDGE_ENOMEM;
+    for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
+        const rw_rubbing at = rw_rubbing_at(cycle, x[i]);
+        slip_range[i] = at.slip_range;
+        ruiz_f1[i] = at.shear * at.slip_range;
+        ruiz_f2[i] = fmax(rw_largest_stress(cycle, n, sxx, i), 0) * ruiz_f1[i];
+        energy[i] = at.energy;
+    }
+    free(surface);
+    free(sxx);
+    return status;
+}
+
+int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t loads, const double P[],
+                                      const double M[], const double Q[], const double sigma[],
+                                      size_t n, const double x[], double slip_range[],
+                                      double ruiz_f1[], double ruiz_f2[], double energy[])
+{
+    const rw_load_list list = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_list(&list) ||
+        (n > 0 && (!x || !slip_range || !ruiz_f1 || !ruiz_f2 || !energy)))
+        return RWEDGE_ENULL;
+    rw_cycle cycle;
+    int32_t status = rw_cycle_create(contact, &list, RW_SLIP_TOO, &cycle);
+    if (status == RWEDGE_OK)
+        status = rub(&cycle, n, x, slip_range, ruiz_f1, ruiz_f2, energy);
+    rw_cycle_destroy(&cycle);
+    return status;
+}

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cycle/states.h"
+
+#include <stdlib.h>
+
+/* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
+ * halved again and again, as the contact shrinks to nothing. */
+enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
+
+static double between(double from, double to, double share)
+{
+    return from + (to - from) * share;
+}
+
+static double share_of(int part)
+{
+    return part < PARTS ? (double)part / PARTS : 1 - ldexp(1.0 / PARTS, PARTS - 1 - part);
+}
+
+/* The corners of the path that a straight step has not left: there nothing slips. The corner at
+ * which a line leaves the last common segment has the slope of that segment. */
+static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
+{
+    const rw_memory *path = &after->memory;
+    const rw_trail old = rw_memory_trail(&before->memory);
+    const size_t common = rw_memory_common(path, &old);
+    const bool is_on_segment = common + 1 < path->count && common < old.count &&
+                               path->corners[common].load < old.corners[common].load &&
+                               path->corners[common].ratio == old.corners[common].ratio;
+    return path->corners[is_on_segment ? common : common - 1].patch;
+}
+
+/* Goes on from the last state. */
+static int32_t add_state(rw_cycle *cycle, rw_loads to)
+{
+    const rwedge_contact *before = cycle->states[cycle->count - 1].contact;
+    rw_state *next = &cycle->states[cycle->count];
+    int32_t status = rwedge_contact_copy(before, &next->contact);
+    if (status != RWEDGE_OK)
+        return status;
+    cycle->count++; /* to be destroyed */
+    status = rwedge_contact_apply(next->contact, to.P, to.M, to.Q, to.sigma);
+    if (status != RWEDGE_OK)
+        return status;
+    const rw_memory *path = &next->contact->memory;
+    next->patch = path->count > 1 ? rw_memory_end(path)->patch : (rw_patch){NAN, NAN};
+    next->stuck = stuck_between(before, next->contact);
+    next->is_load = false;
+    return RWEDGE_OK;
+}
+
+static void drop_states(rw_cycle *cycle, size_t count)
+{
+    while (cycle->count > count)
+        rwedge_contact_destroy(cycle->states[--cycle->count].contact);
+}
+
+/* Where a state on the way has no closed form, there are none, as the step has one as a whole. But
+ * not even then what slips while the bodies separate is known. */
+static int32_t add_parts(rw_cycle *cycle, rw_loads to)
+{
+    const size_t count = cycle->count;
+    const rw_loads from = cycle->states[count - 1].contact->loads;
+    int32_t status = RWEDGE_OK;
+    if (from.P == to.P && from.M == to.M)
+        return status;
+    const int parts = to.P == 0 ? STATES_A_STEP : PARTS;
+    for (int i = 1; i < parts && status == RWEDGE_OK; i++) {
+        const double share = share_of(i);
+        status = add_state(
+            cycle, (rw_loads){between(from.P, to.P, share), between(from.M, to.M, share),
+                              between(from.Q, to.Q, share), between(from.sigma, to.sigma, share)});
+    }
+    if (status == RWEDGE_OK || status == RWEDGE_ENOMEM)
+        return status;
+    drop_states(cycle, count);
+    return to.P == 0 ? RWEDGE_EPATH : RWEDGE_OK;
+}
+
+static int32_t go_through(const rw_load_list *loads, rw_interest interest, rw_cycle *cycle)
+{
+    int32_t status = RWEDGE_OK;
+    for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++) {
+        const rw_loads to = {loads->P[i], loads->M[i], loads->Q[i], loads->sigma[i]};
+        if (interest == RW_SLIP_TOO)
+            status = add_parts(cycle, to);
+        if (status == RWEDGE_OK)
+            status = add_state(cycle, to);
+        cycle->states[cycle->count - 1].is_load = true;
+    }
+    for (size_t i = 0; i < cycle->count && status == RWEDGE_OK && interest == RW_SLIP_TOO; i++)
+        status = rwedge_contact_slip(cycle->states[i].contact, 0, NULL, NULL);
+    return status;
+}
+
+/* ---- Edges ---- */
+
+static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
+
+static int ascending(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+static bool note_edges(rw_cycle *cycle)
+{
+    double widest = 0, *lefts = malloc(2 * cycle->count * sizeof *lefts);
+    if (!lefts)
+        return false;
+    for (size_t i = 0; i < cycle->count; i++) {
+        const rw_patch patch = cycle->states[i].patch;
+        if (isnan(patch.left))
+            continue;
+        lefts[cycle->touching++] = patch.left;
+        widest = fmax(widest, patch.right - patch.left);
+    }
+    double *rights = lefts + cycle->touching;
+    for (size_t i = 0, n = 0; i < cycle->count; i++)
+        if (!isnan(cycle->states[i].patch.left))
+            rights[n++] = cycle->states[i].patch.right;
+    qsort(lefts, cycle->touching, sizeof *lefts, ascending);
+    qsort(rights, cycle->touching, sizeof *rights, ascending);
+    cycle->edges = lefts;
+    cycle->rounding = ROUNDING * widest;
+    return true;
+}
+
+/* How many of the ascending numbers are not above x. */
+static size_t count_up_to(const double numbers[], size_t count, double x)
+{
+    size_t low = 0, high = count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (numbers[middle] <= x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+double rw_cycle_off_the_edges(const rw_cycle *cycle, double x)
+{
+    const double margin = 4 * cycle->rounding, *lefts = cycle->edges;
+    const double *rights = lefts + cycle->touching;
+    const size_t to_left = count_up_to(lefts, cycle->touching, x + margin);
+    const size_t to_right = count_up_to(rights, cycle->touching, x - margin);
+    if (to_left > 0 && lefts[to_left - 1] >= x - margin)
+        return lefts[to_left - 1] + margin;
+    if (to_right < cycle->touching && rights[to_right] <= x + margin)
+        return rights[to_right] - margin;
+    return x;
+}
+
+/* ---- All ---- */
+
+int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
+                        rw_interest interest, rw_cycle *cycle)
+{
+    *cycle = (rw_cycle){.loads = loads->count};
+    if (loads->count == 0 || loads->count > SIZE_MAX / STATES_A_STEP / sizeof *cycle->states - 1)
+        return RWEDGE_ERANGE;
+    cycle->states = malloc((loads->count * STATES_A_STEP + 1) * sizeof *cycle->states);
+    if (!cycle->states)
+        return RWEDGE_ENOMEM;
+    rw_state *first = cycle->states;
+    *first = (rw_state){.patch = {NAN, NAN}};
+    int32_t status = rwedge_contact_copy(contact, &first->contact);
+    if (status != RWEDGE_OK)
+        return status;
+    cycle->count = 1;
+    rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
+    status = go_through(loads, interest, cycle);
+    return status == RWEDGE_OK && !note_edges(cycle) ? RWEDGE_ENOMEM : status;
+}
+
+void rw_cycle_destroy(rw_cycle *cycle)
+{
+    drop_states(cycle, 0);
+    free(cycle->states);
+    free(cycle->edges);
+}

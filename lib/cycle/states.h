@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The states that a contact goes through in a cycle of loads. */
+#ifndef RW_STATES_H
+#define RW_STATES_H
+
+#include "contact/contact.h"
+
+typedef struct {
+    size_t count;
+    const double *P, *M, *Q, *sigma;
+} rw_load_list;
+
+typedef struct {
+    rwedge_contact *contact;
+    rw_patch patch; /* of the contact; NaN when separated */
+    rw_patch stuck; /* where nothing has slipped since the state before */
+    bool is_load;   /* after a load; else on the way to one, where P or M changes */
+} rw_state;
+
+/* The first state is that before the cycle. */
+typedef struct {
+    rw_state *states;
+    size_t count, loads;
+    double *edges; /* ascending: the left edges of all states, then the right ones */
+    size_t touching;
+    double rounding; /* of an edge */
+} rw_cycle;
+
+/* What is looked at: stresses need the states after the loads alone; slip those on the way too. */
+typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO } rw_interest;
+
+/* For slip, RWEDGE_EPATH too where that of a state has no closed form. To be destroyed in either
+ * case. */
+int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
+                        rw_interest interest, rw_cycle *cycle);
+void rw_cycle_destroy(rw_cycle *cycle);
+
+/* The place itself, or, within a rounding of an edge, one inside of it: slip may jump at an edge,
+ * and all states are to see the place on the same side. */
+double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
+
+#endif

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where a measure of a cycle is largest, between places at which it is known too. */
+#include "cycle/friction.h"
+#include "cycle/measures.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    rw_cycle cycle;
+    int32_t measure;
+    rw_material material;
+    double y;
+} line;
+
+typedef struct {
+    double x, value;
+} peak;
+
+/* ---- One place ---- */
+
+static double friction_of(const line *l, double x, const double *sxx)
+{
+    const rw_rubbing at = rw_rubbing_at(&l->cycle, x);
+    switch (l->measure) {
+    case RWEDGE_MEASURE_SLIP_RANGE:
+        return at.slip_range;
+    case RWEDGE_MEASURE_ENERGY_PER_AREA:
+        return at.energy;
+    case RWEDGE_MEASURE_RUIZ_F1:
+        return at.shear * at.slip_range;
+    default:
+        return at.shear * at.slip_range * fmax(rw_largest_stress(&l->cycle, 1, sxx, 0), 0);
+    }
+}
+
+static double measure_of(const line *l, double x, const double *sxx)
+{
+    const size_t loads = l->cycle.loads;
+    const double *syy = sxx + loads, *txy = syy + loads;
+    const rw_material *m = &l->material;
+    double value = NAN, angle;
+    if (l->measure == RWEDGE_MEASURE_STRESS_RANGE)
+        return rw_largest_stress(&l->cycle, 1, sxx, 0) - rw_least_stress(&l->cycle, 1, sxx, 0);
+    if (l->measure == RWEDGE_MEASURE_SWT)
+        rwedge_smith_watson_topper(loads, sxx, syy, txy, m->E, m->nu, &value, &angle);
+    else if (l->measure == RWEDGE_MEASURE_FATEMI_SOCIE)
+        rwedge_fatemi_socie(loads, sxx, syy, txy, m->E, m->nu, m->k_over_sy, &value, &angle);
+    else
+        return friction_of(l, x, sxx);
+    return value;
+}
+
+/* NaN at the apex of a sharp wedge, and where memory is short. */
+static double measure_at(const line *l, double x)
+{
+    double *stress, value = NAN;
+    if (rw_cycle_stresses(&l->cycle, 1, &x, &l->y, &stress) == RWEDGE_OK) {
+        value = measure_of(l, x, stress);
+        free(stress);
+    }
+    return value;
+}
+
+/* ---- The search ---- */
+
+static peak better(const line *l, peak best, double x)
+{
+    const double value = measure_at(l, x);
+    return value > best.value ? (peak){x, value} : best;
+}
+
+/* The interval is halved around its best place, to 1e-10 of it. */
+static peak climb(const line *l, double from, double to, peak best)
+{
+    enum { ROUNDS = 34 };
+    for (int round = 0; round < ROUNDS; round++) {
+        const double left = from + (best.x - from) / 2, right = to - (to - best.x) / 2;
+        const peak start = best;
+        best = better(l, better(l, best, left), right);
+        from = best.x == start.x ? left : best.x == left ? from : start.x;
+        to = best.x == start.x ? right : best.x == left ? start.x : to;
+    }
+    return best;
+}
+
+/* Another top is worth a search if its place comes so near to the best one. */
+static const double NEARLY = 0.97;
+enum { SEARCHES = 8 }; /* enough for tops; a plateau has more */
+
+static bool is_top(size_t n, const double value[], size_t i)
+{
+    return (i == 0 || !(value[i - 1] > value[i])) && (i + 1 == n || !(value[i + 1] > value[i]));
+}
+
+static peak search(const line *l, size_t n, const double x[], const double value[])
+{
+    size_t top = 0;
+    int searches = 0;
+    for (size_t i = 1; i < n; i++)
+        top = value[i] > value[top] ? i : top;
+    peak best = {x[top], value[top]};
+    for (size_t i = 0; i < n && searches < SEARCHES; i++) {
+        if (value[i] < NEARLY * value[top] || !is_top(n, value, i) || value[i] == 0)
+            continue;
+        searches++;
+        const peak found =
+            climb(l, x[i > 0 ? i - 1 : i], x[i + 1 < n ? i + 1 : i], (peak){x[i], value[i]});
+        best = found.value > best.value ? found : best;
+    }
+    return best;
+}
+
+static bool are_measured(size_t n, const double x[], const double value[])
+{
+    for (size_t i = 0; i < n; i++)
+        if (!rw_is_signed(x[i]) || !isfinite(value[i]) || value[i] < 0)
+            return false;
+    return true;
+}
+
+int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure, size_t loads,
+                                   const double P[], const double M[], const double Q[],
+                                   const double sigma[], size_t n, const double x[],
+                                   const double value[], double y, double E, double nu,
+                                   double k_over_sy, double *worst_x, double *worst_value)
+{
+    const rw_load_list list = {loads, P, M, Q, sigma};
+    line l = {.measure = measure, .material = {E, nu, k_over_sy}, .y = y};
+    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
+        !worst_value)
+        return RWEDGE_ENULL;
+    if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_ENERGY_PER_AREA ||
+        !rw_is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
+        return RWEDGE_EDOMAIN;
+    if (n == 0)
+        return RWEDGE_ERANGE;
+    const bool is_slip = measure >= RWEDGE_MEASURE_SLIP_RANGE;
+    if (is_slip && y != 0)
+        return RWEDGE_EDOMAIN;
+    int32_t status =
+        rw_cycle_create(contact, &list, is_slip ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
+    if (status == RWEDGE_OK) {
+        const peak best = search(&l, n, x, value);
+        *worst_x = best.x;
+        *worst_value = best.value;
+    }
+    rw_cycle_destroy(&l.cycle);
+    return status;
+}

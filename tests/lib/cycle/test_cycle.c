@@ -1,0 +1,444 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cycles of loads: what friction does, fatigue, the worst place, the displacement by slip. */
+#include "histories.h"
+#include "quadrature.h"
+
+#include <string.h>
+
+enum { MOST = 8, PLACES = 400 };
+
+typedef struct {
+    size_t count;
+    double P[MOST], M[MOST], Q[MOST], sigma[MOST];
+} loads;
+
+static loads add(loads to, double P, double M, double Q, double sigma)
+{
+    to.P[to.count] = P;
+    to.M[to.count] = M;
+    to.Q[to.count] = Q;
+    to.sigma[to.count++] = sigma;
+    return to;
+}
+
+static const double F = 0.5;
+
+static rwedge_contact *after(double a, const loads *cycle, int times)
+{
+    rwedge_contact *contact = create(a, F);
+    for (int k = 0; k < times; k++)
+        for (size_t i = 0; i < cycle->count; i++)
+            assert_int_equal(rwedge_contact_apply(contact, cycle->P[i], cycle->M[i], cycle->Q[i],
+                                                  cycle->sigma[i]),
+                             RWEDGE_OK);
+    return contact;
+}
+
+typedef struct {
+    double range[PLACES], f1[PLACES], f2[PLACES], energy[PLACES];
+} friction;
+
+static int32_t rub(const rwedge_contact *contact, const loads *c, size_t n, const double x[],
+                   friction *at)
+{
+    return rwedge_contact_cycle_friction(contact, c->count, c->P, c->M, c->Q, c->sigma, n, x,
+                                         at->range, at->f1, at->f2, at->energy);
+}
+
+static friction rubbed(const rwedge_contact *contact, const loads *c, size_t n, const double x[])
+{
+    friction at;
+    assert_int_equal(rub(contact, c, n, x, &at), RWEDGE_OK);
+    return at;
+}
+
+/* ---- Against theory ---- */
+
+/* Cattaneo and Mindlin: a cylinder's slip in a cycle of +-Q has the range 2 f/R int sqrt(t^2 - c^2)
+ * from c to x, under the shear f p. R = a/theta. */
+static void a_cylinder_slips_as_cattaneo_and_mindlin_say(void **state)
+{
+    (void)state;
+    const double a = 50, P = 0.02, Q = 0.7 * F * P, b = sqrt(2 * A * P * a / THETA / PI);
+    const double c = b * sqrt(1 - Q / (F * P)), p0 = 2 * P / (PI * b);
+    const loads cycle = add(add((loads){0}, P, 0, Q, 0), P, 0, -Q, 0);
+    rwedge_contact *contact = after(a, &cycle, 2);
+    for (double x = -b; x <= b; x += b / 8) {
+        const double size = fabs(x), w = size > c ? sqrt(size * size - c * c) : 0;
+        const double range = w > 0 ? F * THETA / a * (size * w - c * c * log((size + w) / c)) : 0;
+        const double friction_limit = F * p0 * sqrt(fmax(1 - x * x / (b * b), 0));
+        const friction at = rubbed(contact, &cycle, 1, &x);
+        assert_within(at.range[0], range, 1e-12 * F * THETA * b);
+        assert_within(at.energy[0], 2 * friction_limit * range, 1e-7 * F * THETA * b * p0);
+        if (range > 0)
+            assert_within(at.f1[0], friction_limit * range, 1e-7 * F * THETA * b * p0);
+    }
+    rwedge_contact_destroy(contact);
+}
+
+/* Integral over the contact of the energy at its places, by Gauss and Chebyshev. */
+static double energy_of(const rwedge_contact *contact, const loads *cycle, double left,
+                        double right)
+{
+    double x[PLACES], sum = 0;
+    const double middle = (left + right) / 2, half = (right - left) / 2;
+    for (int i = 0; i < PLACES; i++)
+        x[i] = middle + half * sin(PI / 2 * (2 * i + 1 - PLACES) / PLACES);
+    const friction at = rubbed(contact, cycle, PLACES, x);
+    for (int i = 0; i < PLACES; i++)
+        sum += at.energy[i] * sqrt(half * half - (x[i] - middle) * (x[i] - middle));
+    return sum * PI / PLACES;
+}
+
+static double energy_gained(const rwedge_contact *before, const loads *cycle)
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_copy(before, &contact), RWEDGE_OK);
+    for (size_t i = 0; i < cycle->count; i++)
+        rwedge_contact_apply(contact, cycle->P[i], cycle->M[i], cycle->Q[i], cycle->sigma[i]);
+    const double gained =
+        rwedge_contact_dissipated_energy(contact) - rwedge_contact_dissipated_energy(before);
+    rwedge_contact_destroy(contact);
+    return gained;
+}
+
+static void energies_of_the_places_add_up(double a, const loads *first, const loads *cycle,
+                                          int times, double tolerance)
+{
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    rwedge_contact *contact = first ? after(a, first, 1) : create(a, F);
+    for (int k = 0; k < times; k++)
+        for (size_t i = 0; i < cycle->count; i++) {
+            double l = 0, r = 0;
+            rwedge_contact_apply(contact, cycle->P[i], cycle->M[i], cycle->Q[i], cycle->sigma[i]);
+            rwedge_contact_edges(contact, &l, &r);
+            left = fmin(left, l);
+            right = fmax(right, r);
+        }
+    assert_close(energy_of(contact, cycle, left, right), energy_gained(contact, cycle), tolerance);
+    rwedge_contact_destroy(contact);
+}
+
+static void energy_is_that_of_the_contact(void **state)
+{
+    (void)state;
+    const loads constant = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
+    const loads changing = add(add((loads){0}, 1.2, 0, 0.5, 0), 0.8, 0, -0.3, 0);
+    const loads three = add(add(add((loads){0}, 1.3, 0, 0.5, 0), 0.7, 0, -0.3, 0), 1, 0, 0.1, 0);
+    const loads moment = add((loads){0}, 1, 0.5, 0, 0);
+    const loads tension = add(add((loads){0}, 1, 0.5, 0.3, 0.02), 1, 0.5, -0.3, -0.02);
+    energies_of_the_places_add_up(0.4, NULL, &constant, 2, 1e-4);
+    energies_of_the_places_add_up(0.4, &moment, &tension, 2, 1e-4);
+    energies_of_the_places_add_up(0.4, NULL, &changing, 3, 2e-3);
+    energies_of_the_places_add_up(0, NULL, &three, 3, 5e-3);
+}
+
+/* Pressed, sheared, removed: what slips while the bodies separate counts. */
+static void the_energy_of_a_removal_counts(void **state)
+{
+    (void)state;
+    const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0), 0, 0, 0, 0);
+    rwedge_contact *contact = create(0.4, F), *loaded = after(0.4, &removal, 0);
+    assert_int_equal(rwedge_contact_load(loaded, 1, 0), RWEDGE_OK);
+    const double b = rwedge_contact_half_width(loaded);
+    const double whole = energy_of(contact, &removal, -b, b);
+    assert_close(whole, energy_gained(contact, &removal), 2e-3);
+    assert_int_equal(rwedge_contact_load(loaded, 1, 0.4), RWEDGE_OK);
+    assert_true(whole > 1.1 * rwedge_contact_dissipated_energy(loaded));
+    rwedge_contact_destroy(loaded);
+    rwedge_contact_destroy(contact);
+}
+
+static void what_a_removal_under_tension_costs_is_not_known(void **state)
+{
+    (void)state;
+    const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0.15), 0, 0, 0, 0);
+    rwedge_contact *contact = create(0.4, F);
+    const double x = 0.1;
+    friction at;
+    assert_int_equal(rub(contact, &removal, 1, &x, &at), RWEDGE_EPATH);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Against many small steps ---- */
+
+typedef struct {
+    double slip, least, most, energy, limit;
+} walker;
+
+/* From the slip of the contact alone, in 4000 steps a load: of a place that stays in contact. */
+static walker walk(const rwedge_contact *before, const loads *cycle, double x)
+{
+    enum { STEPS = 4000 };
+    rwedge_contact *contact;
+    rwedge_contact_copy(before, &contact);
+    walker w = {.slip = slip(contact, x)};
+    w.least = w.most = w.slip;
+    w.limit = F * fabs(pressure(contact, x));
+    for (size_t i = 0; i < cycle->count; i++) {
+        double P, M, Q, sigma;
+        rwedge_contact_loads(contact, &P, &M, &Q, &sigma);
+        for (int k = 1; k <= STEPS; k++) {
+            const double share = (double)k / STEPS;
+            load(contact, P + (cycle->P[i] - P) * share, Q + (cycle->Q[i] - Q) * share);
+            const double now = slip(contact, x), limit = F * fabs(pressure(contact, x));
+            w.energy += fabs(now - w.slip) * (limit + w.limit) / 2;
+            w.least = fmin(w.least, now);
+            w.most = fmax(w.most, now);
+            w.slip = now;
+            w.limit = limit;
+        }
+    }
+    rwedge_contact_destroy(contact);
+    return w;
+}
+
+static void a_place_that_stays_slips_as_in_many_small_steps(void **state)
+{
+    (void)state;
+    const loads cycle = add(
+        add(add(add((loads){0}, 1.3, 0, 0.5, 0), 0.7, 0, -0.2, 0), 1, 0, 0.1, 0), 0.8, 0, 0.35, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 2), *smallest = create(0.4, F);
+    load(smallest, 0.7, 0);
+    const double b = rwedge_contact_half_width(smallest);
+    for (double x = 0.3 * b; x < b; x += 0.0999 * b) {
+        const walker w = walk(contact, &cycle, x);
+        const friction at = rubbed(contact, &cycle, 1, &x);
+        assert_within(at.range[0], w.most - w.least, 2e-4 * F * THETA * b);
+        assert_within(at.energy[0], w.energy, 2e-3 * F * THETA * b * F * 0.2);
+    }
+    rwedge_contact_destroy(smallest);
+    rwedge_contact_destroy(contact);
+}
+
+/* Of two stays in one cycle each begins with the slip that the other ended with. */
+static void the_range_does_not_jump_at_an_edge_that_passes_twice(void **state)
+{
+    (void)state;
+    const loads cycle =
+        add(add(add(add((loads){0}, 1.3, 0, 0.6, 0), 0.7, 0, -0.3, 0), 1.1, 0, -0.5, 0), 0.7, 0,
+            0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 3);
+    const double b = rwedge_contact_half_width(contact);
+    const double x[] = {0.99999 * b, 1.00001 * b};
+    const friction at = rubbed(contact, &cycle, 2, x);
+    assert_true(at.range[0] > 0.01 * F * THETA * b);
+    assert_close(at.range[1], at.range[0], 0.05);
+    rwedge_contact_destroy(contact);
+}
+
+static void there_is_no_friction_outside(void **state)
+{
+    (void)state;
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 1);
+    const double x = 1.01 * rwedge_contact_half_width(contact);
+    const friction at = rubbed(contact, &cycle, 1, &x);
+    assert_true(at.range[0] == 0 && at.f1[0] == 0 && at.f2[0] == 0 && at.energy[0] == 0);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Fatigue ---- */
+
+static void fatigue_is_that_of_the_stresses_after_the_loads(void **state)
+{
+    (void)state;
+    enum { N = 3, L = 3 };
+    const loads cycle =
+        add(add(add((loads){0}, 1.2, 0, 0.4, 0.01), 1.2, 0, -0.3, 0), 1.2, 0, 0.1, 0.005);
+    const double x[N] = {-0.9, 0.2, 1.4}, y[N] = {0, 0.3, 0.05};
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1.2, 0);
+    double s[3][L * N], value[5][N], swt[2][N], fs[2][N];
+    assert_int_equal(rwedge_contact_cycle_fatigue(contact, L, cycle.P, cycle.M, cycle.Q,
+                                                  cycle.sigma, N, x, y, 70, 0.3, 0.4, value[0],
+                                                  value[1], value[2], value[3], value[4]),
+                     RWEDGE_OK);
+    assert_int_equal(rwedge_contact_stress_history(contact, L, cycle.P, cycle.M, cycle.Q,
+                                                   cycle.sigma, N, x, y, s[0], s[1], s[2]),
+                     RWEDGE_OK);
+    rwedge_smith_watson_topper_field(L, N, s[0], s[1], s[2], 70, 0.3, swt[0], swt[1]);
+    rwedge_fatemi_socie_field(L, N, s[0], s[1], s[2], 70, 0.3, 0.4, fs[0], fs[1]);
+    for (int i = 0; i < N; i++) {
+        const double *a = s[0];
+        const double most = fmax(fmax(a[i], a[N + i]), a[2 * N + i]);
+        assert_true(value[0][i] == most - fmin(fmin(a[i], a[N + i]), a[2 * N + i]));
+    }
+    assert_memory_equal(value[1], swt, sizeof swt);
+    assert_memory_equal(value[3], fs, sizeof fs);
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- The worst place ---- */
+
+static double at_one_place(const rwedge_contact *contact, const loads *c, int measure, double x)
+{
+    const double y = 0;
+    double v[7], angle[2];
+    rwedge_contact_cycle_fatigue(contact, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &y, 70, 0.3,
+                                 0.4, &v[0], &v[1], &angle[0], &v[2], &angle[1]);
+    rwedge_contact_cycle_friction(contact, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &v[3],
+                                  &v[4], &v[5], &v[6]);
+    return v[measure];
+}
+
+/* From 21 places; 2001 are looked at. */
+static void the_worst_is_found_between_the_places(void **state)
+{
+    (void)state;
+    enum { COARSE = 21, FINE = 2001 };
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1, 0);
+    const double b = rwedge_contact_half_width(contact);
+    for (int measure = 0; measure <= RWEDGE_MEASURE_ENERGY_PER_AREA; measure++) {
+        double x[COARSE], value[COARSE], worst, top = 0, scanned = 0;
+        for (int i = 0; i < COARSE; i++) {
+            x[i] = b * (2.0 * i / (COARSE - 1) - 1);
+            value[i] = at_one_place(contact, &cycle, measure, x[i]);
+        }
+        for (int i = 0; i < FINE; i++)
+            scanned = fmax(scanned,
+                           at_one_place(contact, &cycle, measure, b * (2.0 * i / (FINE - 1) - 1)));
+        assert_int_equal(rwedge_contact_cycle_worst(contact, measure, cycle.count, cycle.P, cycle.M,
+                                                    cycle.Q, cycle.sigma, COARSE, x, value, 0, 70,
+                                                    0.3, 0.4, &worst, &top),
+                         RWEDGE_OK);
+        assert_true(top >= scanned * (1 - 1e-12));
+        assert_close(top, scanned, 3e-3);
+        assert_close(top, at_one_place(contact, &cycle, measure, worst), 1e-15);
+    }
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Displacement ---- */
+
+static double punch(double s, const void *b)
+{
+    const double h = 1e-5 * s;
+    const double rate =
+        (rwedge_normal_load(THETA, 0.4, A, s + h) - rwedge_normal_load(THETA, 0.4, A, s - h)) /
+        (2 * h);
+    return log(*(const double *)b / s) * rate;
+}
+
+/* On first loading (A f/pi) int ln(b/s) dP(s) over the zone that slips: flat punches. */
+static void displacement_is_that_of_flat_punches(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1, 0);
+    assert_within(rwedge_contact_displacement(contact, 1), 0, 0);
+    load(contact, 1, 0.45);
+    const double b = rwedge_contact_half_width(contact);
+    const double pieces[] = {rwedge_contact_stick_half_width(contact), 0.4, b};
+    assert_true(pieces[0] < 0.4 && b > 0.4);
+    assert_close(rwedge_contact_displacement(contact, b),
+                 A * F / PI * integral(punch, &b, 2, pieces), 1e-8);
+    rwedge_contact_destroy(contact);
+}
+
+/* The loop of Q over the displacement encloses the energy of the cycle, by the trapezoidal rule. */
+static void its_loop_encloses_the_energy(double M, double sigma, double tolerance)
+{
+    enum { STEPS = 400 };
+    rwedge_contact *contact = create(0.4, F);
+    const double turn[] = {0.3, -0.3, 0.3};
+    double area = 0, energy = 0, before = 0, Q_before = 0;
+    assert_int_equal(rwedge_contact_apply(contact, 1, M, 0, 0), RWEDGE_OK);
+    for (int part = 0; part < 3; part++)
+        for (int i = 0; i <= STEPS; i++) {
+            const double from = part == 0 ? 0 : turn[part - 1];
+            const double Q = from + (turn[part] - from) * sin(PI / 2 * i / STEPS);
+            assert_int_equal(rwedge_contact_apply(contact, 1, M, Q, sigma * Q), RWEDGE_OK);
+            const double now = rwedge_contact_displacement(contact, 1);
+            area += part > 0 ? (Q + Q_before) / 2 * (now - before) : 0;
+            energy = part == 0 ? rwedge_contact_dissipated_energy(contact) : energy;
+            before = now;
+            Q_before = Q;
+        }
+    assert_close(area, rwedge_contact_dissipated_energy(contact) - energy, tolerance);
+    rwedge_contact_destroy(contact);
+}
+
+static void the_loop_of_the_displacement_encloses_the_energy(void **state)
+{
+    (void)state;
+    its_loop_encloses_the_energy(0, 0, 1e-4);
+    its_loop_encloses_the_energy(0.2, 0, 2e-3);
+}
+
+static void there_is_no_displacement_without_contact(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = create(0.4, F);
+    assert_nan(rwedge_contact_displacement(NULL, 1));
+    assert_nan(rwedge_contact_displacement(contact, 1));
+    load(contact, 1, 0);
+    assert_nan(rwedge_contact_displacement(contact, 0));
+    rwedge_contact_destroy(contact);
+}
+
+/* ---- Refusals ---- */
+
+static void a_refusal_leaves_the_outputs(void **state)
+{
+    (void)state;
+    loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 1), *sharp = after(0, &cycle, 1);
+    friction at = {.range = {7}}, untouched = at;
+    const double x = 0.1, y = 0, none = 0;
+    double worst_x = 7, worst = 7;
+    assert_int_equal(rub(NULL, &cycle, 1, &x, &at), RWEDGE_ENULL);
+    assert_int_equal(rub(contact, &cycle, 1, NULL, &at), RWEDGE_ENULL);
+    assert_int_equal(rub(sharp, &cycle, 1, &none, &at), RWEDGE_EDOMAIN);
+    cycle.Q[1] = 0.6;
+    assert_int_equal(rub(contact, &cycle, 1, &x, &at), RWEDGE_ESLIDING);
+    cycle.Q[1] = -0.3;
+    cycle.count = 0;
+    assert_int_equal(rub(contact, &cycle, 1, &x, &at), RWEDGE_ERANGE);
+    cycle.count = 2;
+    assert_memory_equal(&at, &untouched, sizeof at);
+    assert_int_equal(rwedge_contact_cycle_fatigue(contact, 2, cycle.P, cycle.M, cycle.Q,
+                                                  cycle.sigma, 1, &x, &y, 70, 0.6, 0, &worst,
+                                                  &worst, &worst, &worst, &worst),
+                     RWEDGE_EDOMAIN);
+    const struct {
+        int measure;
+        size_t n;
+        double x[2], value[2], y;
+        int32_t status;
+    } bad[] = {{-1, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},  {7, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},
+               {1, 0, {0}, {1}, 0, RWEDGE_ERANGE},    {1, 1, {NAN}, {1}, 0, RWEDGE_EDOMAIN},
+               {1, 1, {0}, {-1}, 0, RWEDGE_EDOMAIN},  {1, 1, {0}, {NAN}, 0, RWEDGE_EDOMAIN},
+               {3, 1, {0}, {1}, 0.1, RWEDGE_EDOMAIN}, {1, 1, {0}, {1}, -1, RWEDGE_EDOMAIN}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_int_equal(rwedge_contact_cycle_worst(contact, bad[i].measure, 2, cycle.P, cycle.M,
+                                                    cycle.Q, cycle.sigma, bad[i].n, bad[i].x,
+                                                    bad[i].value, bad[i].y, 70, 0.3, 0, &worst_x,
+                                                    &worst),
+                         bad[i].status);
+    assert_true(worst_x == 7 && worst == 7);
+    rwedge_contact_destroy(sharp);
+    rwedge_contact_destroy(contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cylinder_slips_as_cattaneo_and_mindlin_say),
+        cmocka_unit_test(energy_is_that_of_the_contact),
+        cmocka_unit_test(the_energy_of_a_removal_counts),
+        cmocka_unit_test(what_a_removal_under_tension_costs_is_not_known),
+        cmocka_unit_test(a_place_that_stays_slips_as_in_many_small_steps),
+        cmocka_unit_test(the_range_does_not_jump_at_an_edge_that_passes_twice),
+        cmocka_unit_test(there_is_no_friction_outside),
+        cmocka_unit_test(fatigue_is_that_of_the_stresses_after_the_loads),
+        cmocka_unit_test(the_worst_is_found_between_the_places),
+        cmocka_unit_test(displacement_is_that_of_flat_punches),
+        cmocka_unit_test(the_loop_of_the_displacement_encloses_the_energy),
+        cmocka_unit_test(there_is_no_displacement_without_contact),
+        cmocka_unit_test(a_refusal_leaves_the_outputs),
+    };
+    return RUN_CLAIMS("cycle", tests);
+}

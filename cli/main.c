@@ -50,19 +50,19 @@ static void list_commands(FILE *stream)
           stream);
 }
 
-static int unknown_command(const char *name)
+NO_RETURN static void refuse_command(const char *name)
 {
     char allowed[200] = "";
     for (int i = 0; i < COMMAND_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", commands[i]->name);
     if (name == NULL)
-        return usage_error("a command must follow; allowed: %s, --help, --version", allowed);
+        usage_error("a command must follow; allowed: %s, --help, --version", allowed);
     nearest to = nearest_to(name);
     for (int i = 0; i < COMMAND_COUNT; i++)
         nearest_try(&to, commands[i]->name);
-    return usage_error("%s: unknown command; %s%s%sallowed: %s", name,
-                       to.name != NULL ? "the nearest is " : "", to.name != NULL ? to.name : "",
-                       to.name != NULL ? "; " : "", allowed);
+    usage_error("%s: unknown command; %s%s%sallowed: %s", name,
+                to.name != NULL ? "the nearest is " : "", to.name != NULL ? to.name : "",
+                to.name != NULL ? "; " : "", allowed);
 }
 
 /* NULL where there is none of that name. */
@@ -82,11 +82,10 @@ static int run_command(const command *which, int count, const char **words)
     return arguments_run(which->grammar, count, words, which->run);
 }
 
-static int show_version(void)
+static void show_version(void)
 {
     if (printf("rwedge %s\n", rwedge_version()) < 0 || fflush(stdout) != 0)
-        return failure("standard output: %s", strerror(errno));
-    return STATUS_DONE;
+        failure("standard output: %s", strerror(errno));
 }
 
 /* Options in front of a command are rwedge's own. */
@@ -94,18 +93,16 @@ static int without_command(int argc, const char **argv)
 {
     const syntax grammar = {options, "COMMAND ...", list_commands, 0};
     arguments given;
-    int status;
-    if (arguments_read(&given, &grammar, argc, argv, &status)) {
+    if (arguments_read(&given, &grammar, argc, argv)) {
         if (given.value[OPTION_VERSION] != NULL)
-            status = show_version();
+            show_version();
         else if (given.value[OPTION_COMPLETION] != NULL)
-            status =
-                completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
+            completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
         else
-            status = unknown_command(given.operand != NULL ? given.operand[0] : NULL);
+            refuse_command(given.operand != NULL ? given.operand[0] : NULL);
     }
     arguments_free(&given);
-    return status;
+    return STATUS_DONE;
 }
 
 /* ---- rwedge help [COMMAND] ---- */
@@ -116,9 +113,9 @@ static int help(const arguments *given)
     const char *name = given->operand != NULL ? given->operand[0] : NULL;
     const command *which = name != NULL ? command_named(name) : NULL;
     if (name != NULL && given->operand[1] != NULL)
-        return usage_error("%s: unexpected; allowed: one command", given->operand[1]);
+        usage_error("%s: unexpected; allowed: one command", given->operand[1]);
     if (name != NULL && which == NULL)
-        return unknown_command(name);
+        refuse_command(name);
     return which != NULL ? run_command(which, 2, words) : without_command(2, words);
 }
 
@@ -149,7 +146,7 @@ int main(int argc, char **argv)
     if (which != NULL)
         return run_command(which, argc - 1, words + 1);
     if (argc > 1 && words[1][0] != '-')
-        return unknown_command(words[1]);
+        refuse_command(words[1]);
     words[0] = "rwedge";
     return without_command(argc, words);
 }

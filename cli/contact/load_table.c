@@ -4,6 +4,7 @@
 #include "input/text_input.h"
 #include "model/load_row.h"
 #include "table_header.h"
+#include "text/memory.h"
 #include "text/message.h"
 #include "text/number.h"
 
@@ -32,56 +33,41 @@ bool load_source_is_given(const load_source *from)
     return from->file != NULL || from->list != NULL;
 }
 
-int load_source_check_encoding(const load_source *from)
+void load_source_check_encoding(const load_source *from)
 {
     if (from->encoding == NULL)
-        return STATUS_DONE;
+        return;
     if (from->file == NULL)
-        return usage_error("--encoding %s: needs --history", from->encoding);
-    return text_input_check(from->encoding);
+        usage_error("--encoding %s: needs --history", from->encoding);
+    text_input_check(from->encoding);
 }
 
-int load_source_check(const load_source *from, const input_texts *texts)
+void load_source_check(const load_source *from, const input_texts *texts)
 {
     if (from->list != NULL && from->file != NULL)
-        return usage_error("--history %s: given together with --load; allowed: one of the two",
-                           from->file);
+        usage_error("--history %s: given together with --load; allowed: one of the two",
+                    from->file);
     for (int i = INPUT_P; i <= INPUT_SIGMA && load_source_is_given(from); i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL)
-            return usage_error(
+            usage_error(
                 "%s %s: given together with --%s, which has the loads; allowed: one of the two",
                 input_name(texts, i, name), texts->text[i],
                 from->list != NULL ? "load" : "history");
     }
-    return STATUS_DONE;
 }
 
 /* ---- Rows in memory ---- */
 
-static bool grow(load_table *loads)
+static void add(load_table *loads, load next, csv_row row)
 {
-    const size_t room = 2 * loads->room + 64;
-    load *longer = realloc(loads->load, room * sizeof *longer);
-    loads->load = longer != NULL ? longer : loads->load;
-    csv_row *row = realloc(loads->row, room * sizeof *row);
-    loads->row = row != NULL ? row : loads->row;
-    if (longer == NULL || row == NULL)
-        return false;
-    loads->room = room;
-    return true;
-}
-
-static bool add(load_table *loads, load next, csv_row row)
-{
-    if (loads->count == loads->room && !grow(loads)) {
-        csv_row_free(&row);
-        failure("out of memory");
-        return false;
+    if (loads->count == loads->room) {
+        loads->room = 2 * loads->room + 64;
+        loads->load = memory_resized(loads->load, loads->room * sizeof *loads->load);
+        loads->row = memory_resized(loads->row, loads->room * sizeof *loads->row);
     }
     loads->load[loads->count] = next;
     loads->row[loads->count++] = row;
-    return true;
 }
 
 void load_table_free(load_table *loads)
@@ -91,7 +77,6 @@ void load_table_free(load_table *loads)
     csv_row_free(&loads->first);
     free(loads->row);
     free(loads->load);
-    free(loads->name);
     *loads = (load_table){0};
 }
 
@@ -138,7 +123,7 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
-static int read_list(const char *lines, load_table *loads)
+static void read_list(const char *lines, load_table *loads)
 {
     load to = {0};
     loads->lines = lines;
@@ -146,69 +131,62 @@ static int read_list(const char *lines, load_table *loads)
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
         if (!read_load(lines, length, to, &to))
-            return usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
-                               (int)(length < 60 ? length : 60), lines);
+            usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
+                        (int)(length < 60 ? length : 60), lines);
         if (loads->count == 0)
             say_four_values(lines, (int)length);
-        if (!add(loads, to, (csv_row){0}))
-            return STATUS_FAILED;
+        add(loads, to, (csv_row){0});
         lines += length + 1;
     }
-    return STATUS_DONE;
 }
 
 /* ---- A file ---- */
 
 /* A row that is no load ends it: what comes after would belong to another history. */
-static int take_row(csv_input *in, char decimal_sign, load_table *loads)
+static void take_row(csv_input *in, char decimal_sign, load_table *loads)
 {
     load to;
     csv_row row;
     char complaint[COMPLAINT_SIZE];
     if (!load_row_read(&loads->names, csv_input_cells(in), csv_input_count(in),
                        csv_input_separator(in), decimal_sign, &to, complaint))
-        return failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in),
-                       complaint);
+        failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
     header_note_unused(&loads->names, csv_input_cells(in), loads->unused);
-    if (!csv_row_keep(in, false, &row))
-        return failure("out of memory");
-    return add(loads, to, row) ? STATUS_DONE : STATUS_FAILED;
+    csv_row_keep(in, false, &row);
+    add(loads, to, row);
 }
 
-static int read_rows(csv_input *in, char decimal_sign, load_table *loads)
+static void read_rows(csv_input *in, char decimal_sign, load_table *loads)
 {
     csv_event event;
     char complaint[COMPLAINT_SIZE];
-    if (!table_header_read(in, &loads->first))
-        return STATUS_FAILED;
+    table_header_read(in, &loads->first);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
-        return failure("%s: %s", csv_input_name(in), complaint);
-    int status = STATUS_DONE;
-    while (status == STATUS_DONE && (event = csv_input_next(in)) != CSV_END)
-        status = event == CSV_ROW ? take_row(in, decimal_sign, loads) : csv_input_fail(in);
-    if (status == STATUS_DONE && loads->count == 0)
-        status = failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
-    return status;
+        failure("%s: %s", csv_input_name(in), complaint);
+    while ((event = csv_input_next(in)) == CSV_ROW)
+        take_row(in, decimal_sign, loads);
+    if (event != CSV_END)
+        csv_input_fail(in);
+    if (loads->count == 0)
+        failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
 }
 
-static int read_file(const load_source *from, char decimal_sign, load_table *loads)
+static void read_file(const load_source *from, char decimal_sign, load_table *loads)
 {
     csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
-    if (in == NULL)
-        return STATUS_FAILED;
-    int status = read_rows(in, decimal_sign, loads);
-    loads->name = strdup(csv_input_name(in));
+    read_rows(in, decimal_sign, loads);
+    loads->name = csv_input_name(in);
     loads->has_mark = csv_input_has_mark(in);
-    if (status == STATUS_DONE && loads->name == NULL)
-        status = failure("out of memory");
     csv_input_close(in);
-    return status;
 }
 
-int load_table_read(const load_source *from, char decimal_sign, load_table *loads)
+void load_table_read(const load_source *from, char decimal_sign, load_table *loads)
 {
     *loads = (load_table){0};
-    return from->file != NULL ? read_file(from, decimal_sign, loads) : read_list(from->list, loads);
+    if (from->file != NULL)
+        read_file(from, decimal_sign, loads);
+    else
+        read_list(from->list, loads);
 }
 
 /* ---- Columns that nothing uses ---- */
@@ -250,31 +228,29 @@ const char *load_table_place(const load_table *loads, size_t row, char place[LOA
     return place;
 }
 
-int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint)
+void load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint)
 {
     char place[LOAD_PLACE_SIZE];
     load_table_place(loads, row, place);
-    return loads->name != NULL ? failure("%s%s: %s", place, word, complaint)
-                               : usage_error("%s%s: %s", place, word, complaint);
+    if (loads->name != NULL)
+        failure("%s%s: %s", place, word, complaint);
+    usage_error("%s%s: %s", place, word, complaint);
 }
 
-int load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact)
+void load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact)
 {
     char complaint[COMPLAINT_SIZE];
     for (size_t i = 0; i < loads->count; i++)
         if (!load_table_apply(loads, i, f, contact, complaint))
-            return load_table_fail(loads, i, "", complaint);
-    return STATUS_DONE;
+            load_table_fail(loads, i, "", complaint);
 }
 
-int load_source_apply(const load_source *from, char decimal_sign, double f, rwedge_contact *contact)
+void load_source_apply(const load_source *from, char decimal_sign, double f,
+                       rwedge_contact *contact)
 {
     load_table loads;
-    int status = load_table_read(from, decimal_sign, &loads);
-    if (status == STATUS_DONE)
-        status = load_table_apply_all(&loads, f, contact);
-    if (status == STATUS_DONE)
-        load_table_say_unused(&loads);
+    load_table_read(from, decimal_sign, &loads);
+    load_table_apply_all(&loads, f, contact);
+    load_table_say_unused(&loads);
     load_table_free(&loads);
-    return status;
 }

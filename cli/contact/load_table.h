@@ -18,7 +18,7 @@ enum {
 extern struct poptOption load_option_table[];
 
 typedef struct {
-    char *name;        /* of the file, as messages call it; NULL where --load gave the loads */
+    const char *name;  /* of the file, as messages call it; NULL where --load gave the loads */
     const char *lines; /* what --load gave, one to a line */
     csv_row first;     /* of the file, and what its columns are */
     header names;
@@ -36,15 +36,14 @@ typedef struct {
 load_source load_source_of(const arguments *given);
 bool load_source_is_given(const load_source *from);
 
-/* Refuses an encoding without a file, or one that iconv does not know. STATUS_DONE, or what to
- * leave with; so does the next. */
-int load_source_check_encoding(const load_source *from);
+/* Refuses an encoding without a file, or one that iconv does not know. */
+void load_source_check_encoding(const load_source *from);
 
 /* Refuses a file beside a list, and loads that the texts give too. */
-int load_source_check(const load_source *from, const input_texts *texts);
+void load_source_check(const load_source *from, const input_texts *texts);
 
-/* Reads the file or the list. Returns the exit status; free it in either case. */
-int load_table_read(const load_source *from, char decimal_sign, load_table *loads);
+/* Reads the file or the list. */
+void load_table_read(const load_source *from, char decimal_sign, load_table *loads);
 void load_table_free(load_table *loads);
 
 /* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
@@ -55,17 +54,16 @@ void load_table_say_unused(const load_table *loads);
 bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
                       char complaint[COMPLAINT_SIZE]);
 
-/* Applies them all, in order. Returns the exit status, with the first refusal said. */
-int load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact);
+/* Applies them all, in order; the first refusal ends the command. */
+void load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact);
 
-/* Says that a load cannot be applied, after a word such as ", cycle 2", or "". Returns the exit
- * status. */
-int load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint);
+/* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
+NO_RETURN void load_table_fail(const load_table *loads, size_t row, const char *word,
+                               const char *complaint);
 
-/* Reads the loads and applies them all, and names columns with numbers that are not used. Returns
- * the exit status. */
-int load_source_apply(const load_source *from, char decimal_sign, double f,
-                      rwedge_contact *contact);
+/* Reads the loads and applies them all, and names columns with numbers that are not used. */
+void load_source_apply(const load_source *from, char decimal_sign, double f,
+                       rwedge_contact *contact);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };

@@ -76,16 +76,11 @@ static double read_input(const input_texts *texts, int input, double usual)
 static double read_shear_ratio(const arguments *given, double alpha)
 {
     const char *q = given->value[OPTION_Q_OVER_FP], *c = given->value[OPTION_C_OVER_B];
-    double ratio = 0, width = 1;
     if (q != NULL && c != NULL)
         usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
-    if (q != NULL) {
-        variable_read_one(&variables[Q_OVER_FP], q, &ratio);
-        return ratio;
-    }
-    if (c != NULL)
-        variable_read_one(&c_over_b, c, &width);
-    return rwedge_shear_ratio(alpha, width);
+    if (q != NULL)
+        return variable_read_one(&variables[Q_OVER_FP], q);
+    return rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
 }
 
 static void check_status(int32_t status, const char *subject)
@@ -135,9 +130,8 @@ static void measure_natural(bool centred, contact_state *state)
 
 static void read_natural(const arguments *given, const input_texts *texts, contact_state *state)
 {
-    double alpha;
     refuse_dimensional(given, texts);
-    variable_read_one(&variables[A_OVER_B], given->value[OPTION_A_OVER_B], &alpha);
+    const double alpha = variable_read_one(&variables[A_OVER_B], given->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
     state->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
     state->a = alpha;
@@ -192,7 +186,7 @@ static void read_dimensional(const arguments *given, char decimal_sign, const in
     doubts_say(doubts_of(&setup, state->b, safety_of(&setup, state->b)), "");
 }
 
-int state_read(const arguments *given, char decimal_sign, contact_state *state)
+void state_read(const arguments *given, char decimal_sign, contact_state *state)
 {
     input_texts texts;
     *state = (contact_state){0};
@@ -203,7 +197,6 @@ int state_read(const arguments *given, char decimal_sign, contact_state *state)
         read_natural(given, &texts, state);
     else
         read_dimensional(given, decimal_sign, &texts, state);
-    return STATUS_DONE;
 }
 
 zone state_contact_zone(const contact_state *state)

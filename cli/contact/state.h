@@ -28,9 +28,9 @@ typedef struct {
     double slip_unit;
 } contact_state;
 
-/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Returns the
- * exit status; free it in either case. */
-int state_read(const arguments *given, char decimal_sign, contact_state *state);
+/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Free
+ * it. */
+void state_read(const arguments *given, char decimal_sign, contact_state *state);
 void state_free(contact_state *state);
 
 /* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there

@@ -3,21 +3,15 @@
 
 #include "text/message.h"
 
-bool table_header_read(csv_input *in, csv_row *row)
+void table_header_read(csv_input *in, csv_row *row)
 {
     const csv_event event = csv_input_next(in);
-    const char *name = csv_input_name(in);
-    *row = (csv_row){0};
     if (event == CSV_FAILED)
         csv_input_fail(in);
-    else if (event != CSV_ROW)
-        failure("%s: %s; needed: a header row with the names of the columns", name,
+    if (event != CSV_ROW)
+        failure("%s: %s; needed: a header row with the names of the columns", csv_input_name(in),
                 event == CSV_END ? "empty" : "misplaced quotes in the first row");
-    else if (!csv_row_keep(in, false, row))
-        failure("out of memory");
-    else
-        return true;
-    return false;
+    csv_row_keep(in, false, row);
 }
 
 void table_header_say_unused(const header *names, const bool unused[HEADER_COLUMNS],

@@ -6,8 +6,8 @@
 #include "model/header.h"
 #include "input/csv_row.h"
 
-/* Reads the first row, which is kept. False, with the reason said; free it in either case. */
-bool table_header_read(csv_input *in, csv_row *row);
+/* Reads the first row, which is kept. Ends the command where there is none. */
+void table_header_read(csv_input *in, csv_row *row);
 
 /* Says which columns have numbers that nothing uses. */
 void table_header_say_unused(const header *names, const bool unused[HEADER_COLUMNS],

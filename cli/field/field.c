@@ -43,22 +43,18 @@ static void describe(FILE *stream)
 }
 
 /* The text of an axis, or its default between two multiples of b. */
-static int read_axis(const char *name, const char *text, double from, double to, int64_t count,
-                     range *values)
+static void read_axis(const char *name, const char *text, double from, double to, int64_t count,
+                      range *values)
 {
     if (text == NULL && from == to)
-        return usage_error(
-            "--%s: missing; after the last load there is no contact to lay a grid around", name);
-    const char *complaint = NULL;
-    if (text == NULL)
-        *values = range_between(from, to, count);
-    else
-        complaint = range_read(text, values);
+        usage_error("--%s: missing; after the last load there is no contact to lay a grid around",
+                    name);
+    *values = text == NULL ? range_between(from, to, count) : (range){0};
+    const char *complaint = text != NULL ? range_read(text, values) : NULL;
     if (complaint != NULL)
-        return usage_error("--%s %s: %s", name, text, complaint);
+        usage_error("--%s %s: %s", name, text, complaint);
     if (text != NULL)
         range_say_two_values(name, text);
-    return STATUS_DONE;
 }
 
 static bool ascends(const range *values)
@@ -70,51 +66,42 @@ static bool ascends(const range *values)
     return true;
 }
 
-static int check_grid(const arguments *given, const grid *what, bool vtk)
+static void check_grid(const arguments *given, const grid *points, bool vtk)
 {
     const char *const text[] = {given->value[OPTION_X], given->value[OPTION_Y]};
     double outside;
-    if (!range_within(&what->y, 0, HUGE_VAL, &outside))
-        return usage_error("--y %s: depths must not be below 0", text[1]);
-    if (grid_size(what) > RANGE_VALUES_MAX)
-        return usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
-                           what->x.count > what->y.count ? "x" : "y",
-                           text[what->x.count > what->y.count ? 0 : 1]);
+    if (!range_within(&points->y, 0, HUGE_VAL, &outside))
+        usage_error("--y %s: depths must not be below 0", text[1]);
+    if (grid_size(points) > RANGE_VALUES_MAX)
+        usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
+                    points->x.count > points->y.count ? "x" : "y",
+                    text[points->x.count > points->y.count ? 0 : 1]);
     for (int i = 0; i < 2 && vtk; i++)
-        if (!ascends(i == 0 ? &what->x : &what->y))
-            return usage_error("--%s %s: must ascend; so the format vtk wants it",
-                               i == 0 ? "x" : "y", text[i]);
-    return STATUS_DONE;
+        if (!ascends(i == 0 ? &points->x : &points->y))
+            usage_error("--%s %s: must ascend; so the format vtk wants it", i == 0 ? "x" : "y",
+                        text[i]);
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
 
 static int field(const arguments *given)
 {
-    grid what = {0};
+    grid points = {0};
     output_options how;
-    int status = arguments_no_operand(given);
-    if (status == STATUS_DONE)
-        status = output_options_read_of(given, formats, "", &how);
-    if (status == STATUS_DONE)
-        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
-    if (status == STATUS_DONE)
-        status = state_read(given, how.decimal_sign, &what.state);
-    const double b = what.state.b, middle = (what.state.left + what.state.right) / 2;
-    if (status == STATUS_DONE)
-        status =
-            read_axis("x", given->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &what.x);
-    if (status == STATUS_DONE)
-        status = read_axis("y", given->value[OPTION_Y], 0, 2 * b, 41, &what.y);
-    if (status == STATUS_DONE)
-        status = check_grid(given, &what, how.format == NULL);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, how.format == NULL ? grid_write_vtk : grid_write_rows,
-                                      &what);
-    state_free(&what.state);
-    range_free(&what.x);
-    range_free(&what.y);
-    return status;
+    arguments_no_operand(given);
+    output_options_read_of(given, formats, "", &how);
+    output_options_spare(&how, given->value[OPTION_HISTORY]);
+    state_read(given, how.decimal_sign, &points.state);
+    const bool vtk = how.format == NULL;
+    const double b = points.state.b, middle = (points.state.left + points.state.right) / 2;
+    read_axis("x", given->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
+    read_axis("y", given->value[OPTION_Y], 0, 2 * b, 41, &points.y);
+    check_grid(given, &points, vtk);
+    output_options_write(&how, vtk ? grid_write_vtk : grid_write_rows, &points);
+    state_free(&points.state);
+    range_free(&points.x);
+    range_free(&points.y);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};

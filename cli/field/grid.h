@@ -13,10 +13,7 @@ typedef struct {
     range x, y;
 } grid;
 
-int64_t grid_size(const grid *what);
-
-/* The stress at the point (x, y); NAN where it is infinite. False, with the reason said. */
-bool grid_compute(const grid *what, double x, double y, tensor *found);
+int64_t grid_size(const grid *points);
 
 /* A row for every point, x fastest. */
 bool grid_write_rows(void *of_grid, records *rows, bool show_progress);

@@ -45,15 +45,15 @@ typedef struct {
 
 /* Over b, the distance from the middle is the sine of an angle that grows in equal steps. The ends
  * and the middle are exact. */
-static double x_of(const plan *what, int64_t i)
+static double x_of(const plan *job, int64_t i)
 {
-    if (what->points == 0)
-        return range_value(&what->x, i);
-    if (i == 0 || i == what->points - 1)
-        return i == 0 ? what->state.left : what->state.right;
-    return (what->state.left + what->state.right) / 2 +
-           what->state.b *
-               sin(PI / 2 * (double)(2 * i - (what->points - 1)) / (double)(what->points - 1));
+    if (job->points == 0)
+        return range_value(&job->x, i);
+    if (i == 0 || i == job->points - 1)
+        return i == 0 ? job->state.left : job->state.right;
+    return (job->state.left + job->state.right) / 2 +
+           job->state.b *
+               sin(PI / 2 * (double)(2 * i - (job->points - 1)) / (double)(job->points - 1));
 }
 
 static const char *zone_of(const contact_state *state, double x)
@@ -91,68 +91,61 @@ static int32_t look(const contact_state *state, double at, double value[])
     return status == RWEDGE_OK ? slip_at(state, at, &value[SLIP]) : status;
 }
 
-static bool compute(const contact_state *state, double x, cell row[])
+static void compute(const contact_state *state, double x, cell row[])
 {
     const double at = x * state->length_unit;
     double value[COLUMN_COUNT];
     const int32_t status = look(state, at, value);
-    if (status != RWEDGE_OK) {
+    if (status != RWEDGE_OK)
         failure("x = %.17g: %s", x, rwedge_strerror(status));
-        return false;
-    }
     value[X] = x;
     value[SLIP] /= state->slip_unit;
     for (int i = 0; i < COLUMN_COUNT; i++)
         row[i] = i == ZONE ? cell_text(zone_of(state, at)) : cell_number(value[i]);
-    return true;
 }
 
-static bool write_row(const plan *what, records *rows, double x)
+static void write_row(const plan *job, records *rows, double x)
 {
     cell row[COLUMN_COUNT];
-    if (!compute(&what->state, x, row))
-        return false;
+    compute(&job->state, x, row);
     for (int i = 0; i < COLUMN_COUNT; i++)
         rows->format->value(rows, columns[i], row[i]);
     rows->format->end_row(rows);
     progress_step();
-    return true;
 }
 
 static bool write_profile(void *of_plan, records *rows, bool show_progress)
 {
-    const plan *what = of_plan;
-    const int64_t count = what->points > 0 ? what->points : what->x.count;
-    bool computed = true;
+    const plan *job = of_plan;
+    const int64_t count = job->points > 0 ? job->points : job->x.count;
     progress_start(show_progress, count, "rows");
     rows->format->begin(rows);
     for (int i = 0; i < COLUMN_COUNT; i++)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
-    for (int64_t i = 0; i < count && computed && records_go_on(rows); i++)
-        computed = write_row(what, rows, x_of(what, i));
+    for (int64_t i = 0; i < count && records_go_on(rows); i++)
+        write_row(job, rows, x_of(job, i));
     rows->format->end(rows);
     progress_erase();
-    return computed && records_are_sound(rows);
+    return records_are_sound(rows);
 }
 
-static int read_points(const arguments *given, plan *what)
+static void read_points(const arguments *given, plan *job)
 {
     const char *x = given->value[OPTION_X], *points = given->value[OPTION_POINTS];
     if (x != NULL && points != NULL)
-        return usage_error("--points %s: given together with --x; allowed: one of the two", points);
-    const char *complaint = x != NULL ? range_read(x, &what->x) : NULL;
+        usage_error("--points %s: given together with --x; allowed: one of the two", points);
+    const char *complaint = x != NULL ? range_read(x, &job->x) : NULL;
     if (complaint != NULL)
-        return usage_error("--x %s: %s", x, complaint);
+        usage_error("--x %s: %s", x, complaint);
     if (x != NULL)
         range_say_two_values("x", x);
-    what->points = x != NULL ? 0 : 201;
-    if (points != NULL && !number_read_whole(points, 2, 1000000000, &what->points))
-        return usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
-    return STATUS_DONE;
+    job->points = x != NULL ? 0 : 201;
+    if (points != NULL && !number_read_whole(points, 2, 1000000000, &job->points))
+        usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
 }
 
-static void say_what_is_unknown(const contact_state *state)
+static void say_unknown_slip(const contact_state *state)
 {
     const double edge = state_contact_zone(state).left;
     double slip;
@@ -160,36 +153,22 @@ static void say_what_is_unknown(const contact_state *state)
         notice("the slip has no closed form after these loads: the column slip is empty");
 }
 
-static int check_contact(const plan *what)
-{
-    if (what->points > 0 && what->state.b == 0)
-        return usage_error(
-            "--x: missing; after the last load there is no contact to take points from");
-    return STATUS_DONE;
-}
-
 static int profile(const arguments *given)
 {
-    plan what = {0};
+    plan job = {0};
     output_options how;
-    int status = arguments_no_operand(given);
-    if (status == STATUS_DONE)
-        status = output_options_read(given, &how);
-    if (status == STATUS_DONE)
-        status = output_options_spare(&how, given->value[OPTION_HISTORY]);
-    if (status == STATUS_DONE)
-        status = read_points(given, &what);
-    if (status == STATUS_DONE)
-        status = state_read(given, how.decimal_sign, &what.state);
-    if (status == STATUS_DONE)
-        status = check_contact(&what);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, write_profile, &what);
-    if (status == STATUS_DONE)
-        say_what_is_unknown(&what.state);
-    state_free(&what.state);
-    range_free(&what.x);
-    return status;
+    arguments_no_operand(given);
+    output_options_read(given, &how);
+    output_options_spare(&how, given->value[OPTION_HISTORY]);
+    read_points(given, &job);
+    state_read(given, how.decimal_sign, &job.state);
+    if (job.points > 0 && job.state.b == 0)
+        usage_error("--x: missing; after the last load there is no contact to take points from");
+    output_options_write(&how, write_profile, &job);
+    say_unknown_slip(&job.state);
+    state_free(&job.state);
+    range_free(&job.x);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};

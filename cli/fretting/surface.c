@@ -151,20 +151,19 @@ static void read_lines(const arguments *given, const last_cycle *cycle, measured
     range_free(&depth);
 }
 
-int surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
-                   measured *all)
+void surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
+                    measured *all)
 {
     places points = {0};
     if (given->value[OPTION_AT] == NULL && given->value[OPTION_POINTS] == NULL) {
         read_lines(given, cycle, all);
-        return STATUS_DONE;
+        return;
     }
-    const int status = places_read(given, decimal_sign, &points);
+    places_read(given, decimal_sign, &points);
     begin(points.count, 0, all);
     for (size_t i = 0; i < points.count; i++)
         all->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
     places_free(&points);
-    return status;
 }
 
 bool surface_usual(const last_cycle *cycle, measured *all)

@@ -25,15 +25,14 @@ typedef struct {
     size_t columns, rows;
 } places;
 
-/* Reads --at or --points; or --x with --depth, which is 0 by default. Returns the exit status; free
- * them in either case. */
-int places_read(const arguments *given, char decimal_sign, places *found);
-void places_free(places *what);
+/* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */
+void places_read(const arguments *given, char decimal_sign, places *to);
+void places_free(places *at);
 
-/* Refuses an output that is the file of loads or of points. STATUS_DONE, or what to leave with. */
-int places_spare_files(const arguments *given, const output_options *how);
+/* Refuses an output that is the file of loads or of points. */
+void places_spare_files(const arguments *given, const output_options *how);
 
-/* Reads --depth alone: 0 by default. STATUS_DONE, or what to leave with; free the range. */
-int places_read_depth(const arguments *given, range *depth);
+/* Reads --depth alone: 0 by default. Free the range. */
+void places_read_depth(const arguments *given, range *depth);
 
 #endif

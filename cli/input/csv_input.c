@@ -5,6 +5,7 @@
 #include "csv_input.h"
 
 #include "text_input.h"
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <inttypes.h>
@@ -42,25 +43,22 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static bool make_room(char **text, size_t *room, size_t used, size_t more)
+static void make_room(char **text, size_t *room, size_t used, size_t more)
 {
     if (*room - used >= more)
-        return true;
-    char *larger = realloc(*text, 2 * (used + more));
-    if (larger == NULL)
-        return false;
-    *text = larger;
+        return;
+    *text = memory_resized(*text, 2 * (used + more));
     *room = 2 * (used + more);
-    return true;
 }
 
 static void take_cell(void *bytes, size_t length, void *data)
 {
     csv_input *in = data;
-    if (in->count == CSV_ROW_CELLS || !make_room(&in->text, &in->room, in->used, length + 1)) {
+    if (in->count == CSV_ROW_CELLS) {
         in->too_many = true;
         return;
     }
+    make_room(&in->text, &in->room, in->used, length + 1);
     in->begins[in->count++] = in->used;
     if (length > 0)
         memcpy(in->text + in->used, bytes, length);
@@ -76,13 +74,11 @@ static void end_row(int terminator, void *data)
 
 /* ---- Opening and reading ---- */
 
-static bool start_parser(csv_input *in, char separator)
+static void start_parser(csv_input *in, char separator)
 {
-    if (csv_init(&in->parser, CSV_STRICT | CSV_STRICT_FINI) != 0)
-        return false;
+    csv_init(&in->parser, CSV_STRICT | CSV_STRICT_FINI);
     csv_set_delim(&in->parser, (unsigned char)separator);
     csv_set_space_func(&in->parser, is_space);
-    return true;
 }
 
 /* The ending of a file whose columns are separated by tabs. */
@@ -94,22 +90,14 @@ static bool is_tsv(const char *path)
 
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
-    csv_input *in = calloc(1, sizeof *in);
-    text_input *source = in != NULL ? text_input_open(path, encoding) : NULL;
-    if (source == NULL || !start_parser(in, is_tsv(path) ? '\t' : separator)) {
-        text_input_close(source);
-        free(in);
-        failure("out of memory");
-        return NULL;
-    }
-    in->source = source;
+    csv_input *in = memory_zeroed(1, sizeof *in);
+    in->source = text_input_open(path, encoding);
     in->at_start = true;
     in->line = 1;
-    if (text_input_problem(source)[0] == '\0')
-        return in;
-    failure("%s", text_input_problem(source));
-    csv_input_close(in);
-    return NULL;
+    start_parser(in, is_tsv(path) ? '\t' : separator);
+    if (text_input_problem(in->source)[0] != '\0')
+        failure("%s", text_input_problem(in->source));
+    return in;
 }
 
 static csv_event stop(csv_input *in, int64_t line, const char *why)
@@ -205,11 +193,17 @@ static bool goes_on(const csv_input *in)
     return in->line > in->first_line;
 }
 
-/* The parser has refused a byte, or lacks memory of its own, which is no fault of the row. */
-static csv_event refuse(csv_input *in)
+/* The parser's own memory: no fault of the row. */
+static void check_memory(csv_input *in)
 {
     if (csv_error(&in->parser) == CSV_ENOMEM)
-        return stop(in, in->line, "out of memory");
+        failure("out of memory");
+}
+
+/* The parser has refused a byte. */
+static csv_event refuse(csv_input *in)
+{
+    check_memory(in);
     in->skipping = true; /* to the end of the line */
     return goes_on(in) ? not_closed(in) : CSV_ROW;
 }
@@ -227,8 +221,7 @@ static csv_event push(csv_input *in)
     if (in->pushed + length > CSV_ROW_BYTES)
         return goes_on(in) ? not_closed(in)
                            : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
-    if (!make_room(&in->row, &in->row_room, in->pushed, length + 1))
-        return stop(in, in->line, "out of memory");
+    make_room(&in->row, &in->row_room, in->pushed, length + 1);
     const char *bytes = memcpy(in->row + in->pushed, in->block + in->begin, length);
     in->pushed += length;
     in->begin += length;
@@ -257,8 +250,8 @@ static csv_event finish(csv_input *in)
     }
     if (csv_fini(&in->parser, take_cell, end_row, in) == 0)
         return in->row_ended ? CSV_ROW : CSV_END;
-    return csv_error(&in->parser) == CSV_ENOMEM ? stop(in, in->line, "out of memory")
-                                                : not_closed(in);
+    check_memory(in);
+    return not_closed(in);
 }
 
 static csv_event next_row(csv_input *in)
@@ -273,7 +266,7 @@ static csv_event next_row(csv_input *in)
         event = in->begin < in->end ? push(in) : finish(in);
     }
     if (in->too_many)
-        return stop(in, in->line, "more than 1000 cells in a row, or out of memory");
+        return stop(in, in->line, "more than 1000 cells in a row");
     for (size_t i = 0; i < in->count; i++)
         in->cell[i] = in->text + in->begins[i];
     return event;
@@ -306,11 +299,11 @@ csv_event csv_input_stop(csv_input *in, const char *why)
     return stop(in, in->first_line, why);
 }
 
-int csv_input_fail(const csv_input *in)
+void csv_input_fail(const csv_input *in)
 {
-    return in->problem[0] != '\0' ? failure("%s", in->problem)
-                                  : failure("%s: line %" PRId64 ": misplaced quotes",
-                                            csv_input_name(in), in->first_line);
+    if (in->problem[0] != '\0')
+        failure("%s", in->problem);
+    failure("%s: line %" PRId64 ": misplaced quotes", csv_input_name(in), in->first_line);
 }
 
 const char *csv_input_problem(const csv_input *in)
@@ -361,8 +354,6 @@ bool csv_input_has_mark(const csv_input *in)
 
 void csv_input_close(csv_input *in)
 {
-    if (in == NULL)
-        return;
     csv_free(&in->parser);
     text_input_close(in->source);
     free(in->row);

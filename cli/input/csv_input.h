@@ -3,6 +3,8 @@
 #ifndef CLI_CSV_INPUT_H
 #define CLI_CSV_INPUT_H
 
+#include "text/message.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -21,8 +23,7 @@ typedef enum {
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
  * where the first line has tabs but no separator; another separator where the first line names it,
- * as "sep=;". The encoding is that of text_input. NULL, with the reason said, where it cannot be
- * read. */
+ * as "sep=;". The encoding is that of text_input. Ends the command where it cannot be read. */
 csv_input *csv_input_open(const char *path, char separator, const char *encoding);
 
 /* Reads the next row. Blank lines, and rows of empty cells, are no rows. A quote that is not closed
@@ -38,8 +39,8 @@ csv_event csv_input_stop(csv_input *in, const char *why);
 /* Why it cannot be read on, with the name and the line. */
 const char *csv_input_problem(const csv_input *in);
 
-/* Says that, or that the row that was read last is malformed. Returns the status to leave with. */
-int csv_input_fail(const csv_input *in);
+/* Ends the command with that, or because the row that was read last is malformed. */
+NO_RETURN void csv_input_fail(const csv_input *in);
 
 /* The row that was read: its cells live until the next is. */
 size_t csv_input_count(const csv_input *in);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "csv_row.h"
 
+#include "text/memory.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +15,7 @@ static const char *put(char **to, const char *text)
 }
 
 /* One piece of memory: the places of the cells, and their texts behind them. */
-bool csv_row_keep(csv_input *in, bool malformed, csv_row *row)
+void csv_row_keep(csv_input *in, bool malformed, csv_row *row)
 {
     const size_t count = csv_input_count(in);
     const char *whole = csv_input_row(in), *const *cells = csv_input_cells(in);
@@ -23,15 +25,12 @@ bool csv_row_keep(csv_input *in, bool malformed, csv_row *row)
     *row = (csv_row){.malformed = malformed,
                      .line = csv_input_line(in),
                      .count = count,
-                     .cell = malloc(bytes),
+                     .cell = memory_resized(NULL, bytes),
                      .bytes = bytes};
-    if (row->cell == NULL)
-        return false;
     char *to = (char *)(row->cell + count + 1);
     for (size_t i = 0; i < count; i++)
         row->cell[i] = put(&to, cells[i]);
     row->whole = put(&to, whole);
-    return true;
 }
 
 void csv_row_free(csv_row *row)

@@ -14,8 +14,8 @@ typedef struct {
     size_t bytes;      /* that it takes */
 } csv_row;
 
-/* Keeps the row that was read last. False where memory is short; free it otherwise. */
-bool csv_row_keep(csv_input *in, bool malformed, csv_row *row);
+/* Keeps the row that was read last. */
+void csv_row_keep(csv_input *in, bool malformed, csv_row *row);
 void csv_row_free(csv_row *row);
 
 #endif

@@ -3,6 +3,7 @@
 #include "text_input.h"
 
 #include "system/files.h"
+#include "text/memory.h"
 #include "text/message.h"
 #include "text/utf8.h"
 
@@ -51,16 +52,15 @@ const char *text_input_problem(const text_input *in)
 
 /* ---- Opening ---- */
 
-int text_input_check(const char *encoding)
+void text_input_check(const char *encoding)
 {
     const iconv_t converter = iconv_open("UTF-8", encoding);
     if (converter == (iconv_t)-1 && errno == EINVAL)
-        return usage_error("--encoding %s: unknown encoding; allowed: utf-8, utf-16, windows-1252, "
-                           "and others that iconv knows",
-                           encoding);
-    if (converter != (iconv_t)-1)
+        usage_error("--encoding %s: unknown encoding; allowed: utf-8, utf-16, windows-1252, and "
+                    "others that iconv knows",
+                    encoding);
+    if (converter != (iconv_t)-1) /* a lack of memory shows when it is read */
         iconv_close(converter);
-    return STATUS_DONE; /* a lack of memory shows when it is read */
 }
 
 static bool start_converter(text_input *in, const char *encoding)
@@ -77,11 +77,7 @@ static bool start_converter(text_input *in, const char *encoding)
 text_input *text_input_open(const char *path, const char *encoding)
 {
     const bool standard = strcmp(path, "-") == 0;
-    text_input *in = calloc(1, sizeof *in);
-    if (in == NULL) {
-        failure("out of memory");
-        return NULL;
-    }
+    text_input *in = memory_zeroed(1, sizeof *in);
     *in = (text_input){.name = standard ? "standard input" : path, .line = 1, .column = 1};
     if (!start_converter(in, encoding))
         return in;
@@ -247,8 +243,6 @@ const char *text_input_name(const text_input *in)
 
 void text_input_close(text_input *in)
 {
-    if (in == NULL)
-        return;
     if (in->encoding != NULL)
         iconv_close(in->converter);
     if (in->file > STDERR_FILENO)

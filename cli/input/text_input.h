@@ -9,12 +9,11 @@
 
 typedef struct text_input text_input;
 
-/* STATUS_DONE, or what to leave with where iconv does not know the encoding that --encoding
- * names. */
-int text_input_check(const char *encoding);
+/* Refuses an encoding that iconv does not know, by the name of --encoding. */
+void text_input_check(const char *encoding);
 
 /* Opens a file, or standard input where path is "-". The encoding is one that iconv knows; NULL is
- * UTF-8, or UTF-16 where the file begins with its mark. NULL where memory is short. */
+ * UTF-8, or UTF-16 where the file begins with its mark. */
 text_input *text_input_open(const char *path, const char *encoding);
 
 /* Why it cannot be opened, or read on; an empty text as long as it can. */

@@ -2,6 +2,7 @@
 #include "arguments.h"
 
 #include "text/list.h"
+#include "text/memory.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -60,7 +61,7 @@ static void try_options(const struct poptOption *options, nearest *to)
     }
 }
 
-static int unknown_option(const syntax *grammar, const char *option)
+static void refuse_unknown(const syntax *grammar, const char *option)
 {
     char allowed[512], name[40] = "";
     if (strncmp(option, "--", 2) == 0)
@@ -68,102 +69,83 @@ static int unknown_option(const syntax *grammar, const char *option)
     nearest to = nearest_to(name);
     try_options(grammar->options, &to);
     if (to.name != NULL)
-        return usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all",
-                           option, to.name, message_speaker());
+        usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,
+                    to.name, message_speaker());
     options_list(grammar->options, allowed, sizeof allowed);
-    return usage_error("%s: unknown option; allowed: %s", option, allowed);
+    usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
 /* popt goes on without an option that it has no memory for; nobody would notice. */
-static bool is_out_of_memory(void)
+static void check_memory(void)
 {
-    return errno == ENOMEM;
+    if (errno == ENOMEM)
+        failure("out of memory");
 }
 
-static int bad_option(const syntax *grammar, poptContext context, int error)
+static void refuse_option(const syntax *grammar, poptContext context, int error)
 {
     const char *option = poptBadOption(context, POPT_BADOPTION_NOALIAS);
     if (error == POPT_ERROR_BADOPT)
-        return unknown_option(grammar, option);
+        refuse_unknown(grammar, option);
     if (error == POPT_ERROR_NOARG)
-        return usage_error("%s: a value must follow", option);
+        usage_error("%s: a value must follow", option);
     if (error == POPT_ERROR_UNWANTEDARG)
-        return usage_error("%s: takes no value", option);
-    return usage_error("%s: %s", option, poptStrerror(error));
+        usage_error("%s: takes no value", option);
+    usage_error("%s: %s", option, poptStrerror(error));
 }
 
-static int show_help(const syntax *grammar, poptContext context)
+static void show_help(const syntax *grammar, poptContext context)
 {
     poptSetOtherOptionHelp(context, grammar->operands);
     poptPrintHelp(context, stdout, 0);
     grammar->more_help(stdout);
     if (fflush(stdout) != 0 || ferror(stdout))
-        return failure("standard output: %s", strerror(errno));
-    return STATUS_DONE;
+        failure("standard output: %s", strerror(errno));
 }
 
-/* Another value of an option that may be repeated, on a line of its own. Whether there was
- * memory is seen afterwards. */
-static int append(char **lines, char *value)
+/* Another value of an option that may be repeated, on a line of its own. */
+static void append(char **lines, char *value)
 {
     const size_t before = strlen(*lines), length = strlen(value);
-    char *longer = realloc(*lines, before + length + 2);
-    if (longer != NULL) {
-        longer[before] = '\n';
-        memcpy(longer + before + 1, value, length + 1);
-        *lines = longer;
-    }
+    *lines = memory_resized(*lines, before + length + 2);
+    (*lines)[before] = '\n';
+    memcpy(*lines + before + 1, value, length + 1);
     free(value);
-    return STATUS_DONE;
 }
 
-static int keep(arguments *given, const syntax *grammar, int number, char *value)
+static void keep(arguments *given, const syntax *grammar, int number, char *value)
 {
-    if (given->value[number] != NULL && value != NULL && number == grammar->repeated)
-        return append(&given->value[number], value);
-    if (given->value[number] != NULL && value != NULL) {
-        const struct poptOption *option = find(grammar->options, number);
-        const int status = usage_error("--%s %s: given twice; allowed: once",
-                                       option != NULL ? option->longName : "?", value);
-        free(value);
-        return status;
-    }
-    if (given->value[number] == NULL)
-        given->value[number] = value != NULL ? value : calloc(1, 1);
-    return STATUS_DONE;
+    char **kept = &given->value[number];
+    if (*kept == NULL)
+        *kept = value != NULL ? value : memory_zeroed(1, 1);
+    else if (value != NULL && number == grammar->repeated)
+        append(kept, value);
+    else if (value != NULL)
+        usage_error("--%s %s: given twice; allowed: once", find(grammar->options, number)->longName,
+                    value);
 }
 
-static int read_options(arguments *given, const syntax *grammar)
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv)
 {
-    int number, status = STATUS_DONE;
-    while (status == STATUS_DONE && (number = poptGetNextOpt(given->context)) > 0 &&
-           !is_out_of_memory()) {
-        char *value = poptGetOptArg(given->context);
-        status = is_out_of_memory() ? STATUS_FAILED : keep(given, grammar, number, value);
-    }
-    if (is_out_of_memory())
-        return failure("out of memory");
-    return status == STATUS_DONE && number < -1 ? bad_option(grammar, given->context, number)
-                                                : status;
-}
-
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
-                    int *status)
-{
+    int number;
     *given = (arguments){0};
     errno = 0;
-    given->context = poptGetContext(NULL, argc, argv, grammar->options, 0);
-    *status = given->context == NULL ? failure("out of memory") : read_options(given, grammar);
-    if (*status != STATUS_DONE)
-        return false;
+    given->context = memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
+    while ((number = poptGetNextOpt(given->context)) > 0) {
+        char *value = poptGetOptArg(given->context);
+        check_memory();
+        keep(given, grammar, number, value);
+    }
+    check_memory();
+    if (number < -1)
+        refuse_option(grammar, given->context, number);
     if (given->value[OPTION_HELP] != NULL) {
-        *status = show_help(grammar, given->context);
+        show_help(grammar, given->context);
         return false;
     }
     given->operand = poptGetArgs(given->context);
-    if (is_out_of_memory())
-        *status = failure("out of memory");
-    return *status == STATUS_DONE;
+    check_memory();
+    return true;
 }
 
 void arguments_free(arguments *given)
@@ -177,16 +159,13 @@ int arguments_run(const syntax *grammar, int argc, const char **argv,
                   int (*run)(const arguments *given))
 {
     arguments given;
-    int status;
-    if (arguments_read(&given, grammar, argc, argv, &status))
-        status = run(&given);
+    const int status = arguments_read(&given, grammar, argc, argv) ? run(&given) : STATUS_DONE;
     arguments_free(&given);
     return status;
 }
 
-int arguments_no_operand(const arguments *given)
+void arguments_no_operand(const arguments *given)
 {
-    if (given->operand == NULL || given->operand[0] == NULL)
-        return STATUS_DONE;
-    return usage_error("%s: unexpected; allowed: options only", given->operand[0]);
+    if (given->operand != NULL && given->operand[0] != NULL)
+        usage_error("%s: unexpected; allowed: options only", given->operand[0]);
 }

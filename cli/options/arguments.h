@@ -39,11 +39,9 @@ typedef struct {
     poptContext context;
 } arguments;
 
-/* Reads a command line whose argv[0] is the whole command, "rwedge table". False, with the exit
- * status, where the command ends at once: after --help, or after a mistake. Free the arguments in
- * either case. */
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv,
-                    int *status);
+/* Reads a command line whose argv[0] is the whole command, "rwedge table". False after --help, with
+ * which the command is done. Free the arguments in either case. */
+bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv);
 void arguments_free(arguments *given);
 
 /* Reads the command line and hands it to the command; returns the exit status. */
@@ -51,7 +49,7 @@ int arguments_run(const syntax *grammar, int argc, const char **argv,
                   int (*run)(const arguments *given));
 
 /* A mistake where there is a word that is no option. */
-int arguments_no_operand(const arguments *given);
+void arguments_no_operand(const arguments *given);
 
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);

@@ -215,16 +215,15 @@ static void print_fish(const command *const commands[], int count, const struct 
     }
 }
 
-int completion_print(const char *shell, const command *const commands[], int count,
-                     const struct poptOption *own)
+void completion_print(const char *shell, const command *const commands[], int count,
+                      const struct poptOption *own)
 {
     const bool zsh = strcmp(shell, "zsh") == 0, fish = strcmp(shell, "fish") == 0;
     if (!zsh && !fish && strcmp(shell, "bash") != 0)
-        return usage_error("--completion %s: unknown shell; allowed: bash, zsh, fish", shell);
+        usage_error("--completion %s: unknown shell; allowed: bash, zsh, fish", shell);
     printf("%s# Completion of %s for rwedge, written by \"rwedge --completion %s\".\n",
            zsh ? "#compdef rwedge\n" : "", shell, shell);
     (zsh ? print_zsh : fish ? print_fish : print_bash)(commands, count, own);
     if (fflush(stdout) != 0 || ferror(stdout))
-        return failure("standard output: %s", strerror(errno));
-    return STATUS_DONE;
+        failure("standard output: %s", strerror(errno));
 }

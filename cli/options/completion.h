@@ -5,8 +5,8 @@
 
 #include "command.h"
 
-/* Prints that of a shell; own is what may stand in front of a command. Returns the exit status. */
-int completion_print(const char *shell, const command *const commands[], int count,
-                     const struct poptOption *own);
+/* Prints that of a shell; own is what may stand in front of a command. */
+void completion_print(const char *shell, const command *const commands[], int count,
+                      const struct poptOption *own);
 
 #endif

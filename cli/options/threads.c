@@ -5,13 +5,11 @@
 #include "text/message.h"
 #include "text/number.h"
 
-int threads_read(const arguments *given, int *threads)
+int threads_read(const arguments *given)
 {
     const char *text = given->value[OPTION_THREADS];
     int64_t number = ahead_processors();
     if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &number))
-        return usage_error("--threads %s: must be a whole number from 1 to %d", text,
-                           AHEAD_THREADS_MAX);
-    *threads = (int)number;
-    return STATUS_DONE;
+        usage_error("--threads %s: must be a whole number from 1 to %d", text, AHEAD_THREADS_MAX);
+    return (int)number;
 }

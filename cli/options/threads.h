@@ -11,8 +11,7 @@
         "Threads that compute; the rows are the same for any N (default: one for each processor)", \
         "N"
 
-/* Reads it; where it is not given there is one thread for each processor. STATUS_DONE, or what to
- * leave with. */
-int threads_read(const arguments *given, int *threads);
+/* Reads it; where it is not given there is one thread for each processor. */
+int threads_read(const arguments *given);
 
 #endif

@@ -15,47 +15,42 @@ const table_variable variables[VARIABLE_COUNT] = {
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
 };
 
-static int outside_domain(const table_variable *which, const char *text, double outside)
+static void refuse_value(const table_variable *which, const char *text, double outside)
 {
     if (strpbrk(text, ":,") == NULL)
-        return usage_error("--%s %s: %s must be %s", which->option, text, which->name,
-                           which->domain);
+        usage_error("--%s %s: %s must be %s", which->option, text, which->name, which->domain);
     char value[NUMBER_SIZE];
     number_write(outside, NUMBER_DIGITS, '.', value);
-    return usage_error(
-        "--%s %s: %s must be %s, not %s%s", which->option, text, which->name, which->domain, value,
-        strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
+    usage_error("--%s %s: %s must be %s, not %s%s", which->option, text, which->name, which->domain,
+                value,
+                strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
 }
 
-static int read_values(const table_variable *which, const char *text, range *values)
+static void read_values(const table_variable *which, const char *text, range *values)
 {
     const char *complaint = range_read(text, values);
     if (complaint != NULL)
-        return usage_error("--%s %s: %s", which->option, text, complaint);
+        usage_error("--%s %s: %s", which->option, text, complaint);
     double outside;
     if (!range_within(values, which->lo, which->hi, &outside))
-        return outside_domain(which, text, outside);
-    return STATUS_DONE;
+        refuse_value(which, text, outside);
 }
 
-int variable_read(const table_variable *which, const char *text, range *values)
+void variable_read(const table_variable *which, const char *text, range *values)
 {
     if (text == NULL)
         text = which->usual;
-    const int status = read_values(which, text, values);
-    if (status == STATUS_DONE)
-        range_say_two_values(which->option, text);
-    return status;
+    read_values(which, text, values);
+    range_say_two_values(which->option, text);
 }
 
-int variable_read_one(const table_variable *which, const char *text, double *value)
+double variable_read_one(const table_variable *which, const char *text)
 {
-    range values = {0};
-    int status = read_values(which, text, &values);
-    if (status == STATUS_DONE && values.count > 1)
-        status = usage_error("--%s %s: must be one number", which->option, text);
-    if (status == STATUS_DONE)
-        *value = range_value(&values, 0);
+    range values;
+    read_values(which, text, &values);
+    if (values.count > 1)
+        usage_error("--%s %s: must be one number", which->option, text);
+    const double value = range_value(&values, 0);
     range_free(&values);
-    return status;
+    return value;
 }

@@ -19,11 +19,10 @@ typedef struct {
 
 extern const table_variable variables[VARIABLE_COUNT];
 
-/* Reads an option's text, or the usual range where it is NULL. STATUS_DONE, or what to leave
- * with; free the range. */
-int variable_read(const table_variable *which, const char *text, range *values);
+/* Reads an option's text, or the usual range where it is NULL. Free the range. */
+void variable_read(const table_variable *which, const char *text, range *values);
 
 /* The same for one number. */
-int variable_read_one(const table_variable *which, const char *text, double *value);
+double variable_read_one(const table_variable *which, const char *text);
 
 #endif

@@ -62,114 +62,107 @@ static const char *ending_of(const char *path)
     return point != NULL && point != name ? point + 1 : "";
 }
 
-static int refuse_ending(const char *path, const char *const formats[], const char *hint)
+static void refuse_ending(const char *path, const char *const formats[], const char *hint)
 {
     char allowed[80] = "";
     for (int i = 0; formats[i] != NULL; i++)
         list_add(allowed, sizeof allowed, ", ", ".%s", formats[i]);
-    return usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
-                       ending_of(path), allowed, hint);
+    usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
+                ending_of(path), allowed, hint);
 }
 
-static int refuse_format(const char *text, const char *const formats[], const char *hint)
+static void refuse_format(const char *text, const char *const formats[], const char *hint)
 {
     char allowed[80] = "";
     for (int i = 0; formats[i] != NULL; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", formats[i]);
-    return usage_error("--format %s: unknown format; allowed: %s%s", text, allowed, hint);
+    usage_error("--format %s: unknown format; allowed: %s%s", text, allowed, hint);
 }
 
-int output_format_choose(const arguments *given, const char *const formats[], const char *hint,
-                         const char **format)
+const char *output_format_choose(const arguments *given, const char *const formats[],
+                                 const char *hint)
 {
     const char *text = given->value[OPTION_FORMAT], *path = given->value[OPTION_OUTPUT];
     const char *ending = ending_of(path);
     const int asked = place_of(text != NULL ? text : formats[0], formats);
     const int named = place_of(ending, formats);
     if (asked < 0)
-        return refuse_format(text, formats, hint);
-    *format = formats[text == NULL && named >= 0 ? named : asked];
-    if (ending[0] == '\0' || named == place_of(*format, formats))
-        return STATUS_DONE;
+        refuse_format(text, formats, hint);
+    const char *format = formats[text == NULL && named >= 0 ? named : asked];
+    if (ending[0] == '\0' || named == place_of(format, formats))
+        return format;
     if (text == NULL)
-        return refuse_ending(path, formats, hint);
-    if (place_of(ending, all_formats) < 0)
-        return STATUS_DONE;
-    return usage_error("--output %s: its ending contradicts --format %s; allowed: .%s", path, text,
-                       *format);
+        refuse_ending(path, formats, hint);
+    if (place_of(ending, all_formats) >= 0)
+        usage_error("--output %s: its ending contradicts --format %s; allowed: .%s", path, text,
+                    format);
+    return format;
 }
 
 /* ---- The options ---- */
 
-static int check_spreadsheet(const output_options *how)
+static void check_spreadsheet(const output_options *how)
 {
     if (xlsx_missing() != NULL)
-        return usage_error("--format xlsx: %s", xlsx_missing());
+        usage_error("--format xlsx: %s", xlsx_missing());
     if ((how->path == NULL || strcmp(how->path, "-") == 0) && stream_is_terminal(stdout))
-        return usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
-    return STATUS_DONE;
+        usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
 }
 
-static int use_format(output_options *how)
+static void use_format(output_options *how)
 {
     const int i = place_of(how->format_name, row_formats);
     how->format = i >= 0 ? record_formats[i] : NULL;
     how->separator = strcmp(how->format_name, "tsv") == 0 ? '\t' : ',';
-    return how->format == &xlsx_format ? check_spreadsheet(how) : STATUS_DONE;
+    if (how->format == &xlsx_format)
+        check_spreadsheet(how);
 }
 
-static int read_digits(const char *text, output_options *how)
+static int read_digits(const char *text)
 {
     int64_t digits = NUMBER_DIGITS;
     if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
-        return usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
-    how->digits = (int)digits;
-    return STATUS_DONE;
+        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
+    return (int)digits;
 }
 
-static int read_decimal_comma(bool given, output_options *how)
+static void read_decimal_comma(bool comma, output_options *how)
 {
-    how->decimal_sign = given ? ',' : '.';
-    if (given && how->format != &delimited_format)
-        return usage_error(
+    how->decimal_sign = comma ? ',' : '.';
+    if (comma && how->format != &delimited_format)
+        usage_error(
             "--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
             how->format == &json_format   ? "JSON"
             : how->format == &xlsx_format ? "XLSX"
                                           : "VTK");
-    if (given && how->separator == ',')
+    if (comma && how->separator == ',')
         how->separator = ';';
-    return STATUS_DONE;
 }
 
-int output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
-                           output_options *how)
+void output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+                            output_options *how)
 {
     *how = (output_options){.quiet = given->value[OPTION_QUIET] != NULL,
                             .no_formulas = given->value[OPTION_NO_FORMULAS] != NULL,
                             .path = given->value[OPTION_OUTPUT]};
     if (how->path != NULL && how->path[0] == '\0')
-        return usage_error("--output '': must be the name of a file, or - for standard output");
-    int status = output_format_choose(given, formats, hint, &how->format_name);
-    if (status == STATUS_DONE)
-        status = use_format(how);
-    if (status == STATUS_DONE)
-        status = read_digits(given->value[OPTION_DIGITS], how);
-    if (status == STATUS_DONE)
-        status = read_decimal_comma(given->value[OPTION_DECIMAL_COMMA] != NULL, how);
-    return status;
+        usage_error("--output '': must be the name of a file, or - for standard output");
+    how->format_name = output_format_choose(given, formats, hint);
+    use_format(how);
+    how->digits = read_digits(given->value[OPTION_DIGITS]);
+    read_decimal_comma(given->value[OPTION_DECIMAL_COMMA] != NULL, how);
 }
 
-int output_options_read(const arguments *given, output_options *how)
+void output_options_read(const arguments *given, output_options *how)
 {
-    return output_options_read_of(given, row_formats, "", how);
+    output_options_read_of(given, row_formats, "", how);
 }
 
-int output_options_spare(const output_options *how, const char *input)
+void output_options_spare(const output_options *how, const char *input)
 {
     const char *path = how->path != NULL ? how->path : "-";
-    if (input == NULL || !target_is_input(path, input))
-        return STATUS_DONE;
-    return usage_error("--output %s: it is the input; allowed: another file", path);
+    if (input != NULL && target_is_input(path, input))
+        usage_error("--output %s: it is the input; allowed: another file", path);
 }
 
 static records records_for(const output_options *how, output *out)
@@ -182,7 +175,7 @@ static records records_for(const output_options *how, output *out)
                      .no_formulas = how->no_formulas};
 }
 
-int output_options_write(const output_options *how, rows_writer *write_rows, void *context)
+void output_options_write(const output_options *how, rows_writer *write_rows, void *context)
 {
     output out;
     output_open(&out, how->path);
@@ -190,5 +183,4 @@ int output_options_write(const output_options *how, rows_writer *write_rows, voi
     const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
     (void)write_rows(context, &rows, show_progress);
     output_finish(&out);
-    return STATUS_DONE;
 }

@@ -30,26 +30,26 @@ extern struct poptOption output_option_table[], other_output_option_table[];
     "no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,                                  \
         "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL
 
-/* STATUS_DONE, or what to leave with. */
-int output_options_read(const arguments *given, output_options *how);
+/* What is wrong with them ends the command. */
+void output_options_read(const arguments *given, output_options *how);
 
 /* The same for a command with formats of its own. The list ends with NULL, its first is the
  * default; the hint follows where a message lists them. */
-int output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
-                           output_options *how);
+void output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+                            output_options *how);
 
 /* Which of these formats --format asks for, or the ending of the output's name. A contradiction of
- * the two, and an ending that says nothing, are refused. STATUS_DONE, or what to leave with. */
-int output_format_choose(const arguments *given, const char *const formats[], const char *hint,
-                         const char **format);
+ * the two, and an ending that says nothing, are refused. */
+const char *output_format_choose(const arguments *given, const char *const formats[],
+                                 const char *hint);
 
-/* Refuses an output that is the input, NULL for none. STATUS_DONE, or what to leave with. */
-int output_options_spare(const output_options *how, const char *input);
+/* Refuses an output that is the input, NULL for none. */
+void output_options_spare(const output_options *how, const char *input);
 
 /* Writes rows; false, with the reason said, where they cannot be computed or read. */
 typedef bool rows_writer(void *context, records *rows, bool show_progress);
 
-/* Opens the output, has the rows written, and makes them appear. Returns the exit status. */
-int output_options_write(const output_options *how, rows_writer *write_rows, void *context);
+/* Opens the output, has the rows written, and makes them appear. */
+void output_options_write(const output_options *how, rows_writer *write_rows, void *context);
 
 #endif

@@ -4,6 +4,7 @@
 #include "contact/notices.h"
 #include "contact/table_header.h"
 #include "system/ahead.h"
+#include "text/memory.h"
 #include "text/message.h"
 #include "text/number.h"
 #include "system/progress.h"
@@ -20,7 +21,7 @@ enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
 /* What goes on from row to row. */
 typedef struct {
-    const batch *what;
+    const batch *many;
     const output_options *how;
     csv_input *in;
     csv_row first;
@@ -63,17 +64,17 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, const csv_row *row, results *found,
+static bool solve_row(const run *r, const csv_row *row, results *answer,
                       char complaint[COMPLAINT_SIZE])
 {
     if (!row->malformed)
-        return case_table_solve(&r->table, row->cell, row->count, found, complaint);
+        return case_table_solve(&r->table, row->cell, row->count, answer, complaint);
     snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64, row->line);
     return false;
 }
 
 typedef struct {
-    results found;
+    results results;
     char complaint[COMPLAINT_SIZE];
     bool solved;
 } answer;
@@ -83,7 +84,7 @@ static void compute_answer(const void *of_run, int64_t i, void *of_answer)
     const run *r = of_run;
     answer *to = of_answer;
     to->complaint[0] = '\0';
-    to->solved = solve_row(r, &r->held[i], &to->found, to->complaint);
+    to->solved = solve_row(r, &r->held[i], &to->results, to->complaint);
 }
 
 /* ---- A row is written ---- */
@@ -100,39 +101,33 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
 }
 
 /* What the columns cannot show of a row is in its error. */
-static char *with_row(run *r, const csv_row *row, const char *complaint)
-{
-    char *whole = malloc(strlen(complaint) + strlen(row->whole) + 3);
-    if (whole == NULL)
-        r->rows->problem = "out of memory";
-    else
-        sprintf(whole, "%s: %s", complaint, row->whole);
-    return whole;
-}
-
 static void write_error(run *r, const csv_row *row, const char *complaint)
 {
-    char *whole =
-        row->malformed || row->count > r->table.names.count ? with_row(r, row, complaint) : NULL;
-    r->rows->format->value(r->rows, case_table_error, cell_text(whole != NULL ? whole : complaint));
-    free(whole);
+    const size_t size = strlen(complaint) + strlen(row->whole) + 3;
+    char *text = memory_zeroed(size, 1);
+    if (row->malformed || row->count > r->table.names.count)
+        snprintf(text, size, "%s: %s", complaint, row->whole);
+    else
+        snprintf(text, size, "%s", complaint);
+    r->rows->format->value(r->rows, case_table_error, cell_text(text));
+    free(text);
 }
 
-static void write_row(run *r, const csv_row *row, const answer *one)
+static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)
         r->rows->format->value(r->rows, r->table.names.name[i], cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
             r->rows->format->value(r->rows, result_kinds[i].name,
-                                   one->solved ? one->found.value[i] : cell_empty());
-    write_error(r, row, one->complaint);
+                                   solution->solved ? solution->results.value[i] : cell_empty());
+    write_error(r, row, solution->complaint);
     r->rows->format->end_row(r->rows);
     if (row->count == r->table.names.count)
         header_note_unused(&r->table.names, row->cell, r->unused);
     r->count++;
-    r->failed += one->solved ? 0 : 1;
-    r->doubts |= one->solved ? one->found.doubts : 0;
+    r->failed += solution->solved ? 0 : 1;
+    r->doubts |= solution->solved ? solution->results.doubts : 0;
     progress_step();
 }
 
@@ -179,8 +174,7 @@ static csv_event hold_rows(run *r)
         if (event == CSV_END || event == CSV_FAILED)
             return event;
         csv_row *row = &r->held[r->held_count];
-        if (!csv_row_keep(r->in, event == CSV_MALFORMED, row))
-            failure("out of memory");
+        csv_row_keep(r->in, event == CSV_MALFORMED, row);
         bytes += row->bytes;
     }
     return event;
@@ -188,7 +182,7 @@ static csv_event hold_rows(run *r)
 
 static void write_held(run *r)
 {
-    ahead *work = ahead_start(r->what->threads, r->held_count, sizeof(answer), compute_answer, r);
+    ahead *work = ahead_start(r->many->threads, r->held_count, sizeof(answer), compute_answer, r);
     for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], ahead_next(work));
     ahead_stop(work);
@@ -225,51 +219,41 @@ static void say_doubts(const run *r)
 
 static int write_output(run *r)
 {
-    const int status = output_options_write(r->how, write_rows, r);
-    if (status == STATUS_DONE)
-        table_header_say_unused(&r->table.names, r->unused, csv_input_name(r->in));
-    if (status == STATUS_DONE && r->failed > 0)
+    output_options_write(r->how, write_rows, r);
+    table_header_say_unused(&r->table.names, r->unused, csv_input_name(r->in));
+    if (r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                csv_input_name(r->in), r->failed, r->count);
-    if (status == STATUS_DONE)
-        say_doubts(r);
-    return status == STATUS_DONE && r->failed > 0 && r->failed == r->count ? STATUS_FAILED : status;
+    say_doubts(r);
+    return r->failed > 0 && r->failed == r->count ? STATUS_FAILED : STATUS_DONE;
 }
 
-static int read_header(run *r)
+static void read_header(run *r)
 {
     bool wanted[INPUT_COUNT];
     char complaint[COMPLAINT_SIZE];
     for (int i = 0; i < INPUT_COUNT; i++)
         wanted[i] = true;
-    if (!table_header_read(r->in, &r->first))
-        return STATUS_FAILED;
+    table_header_read(r->in, &r->first);
     if (!header_find(r->first.cell, r->first.count, wanted, &r->table.constants, &r->table.names,
                      complaint))
-        return failure("%s: %s", csv_input_name(r->in), complaint);
+        failure("%s: %s", csv_input_name(r->in), complaint);
     check_constants(r);
     r->table.separator = csv_input_separator(r->in);
-    return case_table_begin(&r->table, complaint)
-               ? STATUS_DONE
-               : failure("%s: %s", csv_input_name(r->in), complaint);
+    if (!case_table_begin(&r->table, complaint))
+        failure("%s: %s", csv_input_name(r->in), complaint);
 }
 
-int batch_run(const batch *what, const output_options *how)
+int batch_run(const batch *many, const output_options *how)
 {
-    run r = {.what = what,
+    run r = {.many = many,
              .how = how,
-             .table = {.constants = what->constants, .wanted = what->wanted},
-             .in = csv_input_open(what->path, how->decimal_sign == ',' ? ';' : ',', what->encoding),
-             .held = calloc(HELD_ROWS, sizeof *r.held)};
-    if (r.in == NULL || r.held == NULL) {
-        csv_input_close(r.in);
-        free(r.held);
-        return r.in == NULL ? STATUS_FAILED : failure("out of memory");
-    }
+             .table = {.constants = many->constants, .wanted = many->wanted},
+             .in = csv_input_open(many->path, how->decimal_sign == ',' ? ';' : ',', many->encoding),
+             .held = memory_zeroed(HELD_ROWS, sizeof *r.held)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
-    int status = read_header(&r);
-    if (status == STATUS_DONE)
-        status = write_output(&r);
+    read_header(&r);
+    const int status = write_output(&r);
     csv_row_free(&r.first);
     csv_input_close(r.in);
     free(r.held);

@@ -14,6 +14,6 @@ typedef struct {
 } batch;
 
 /* Returns the exit status: that of a failure where there are rows and every one has an error. */
-int batch_run(const batch *what, const output_options *how);
+int batch_run(const batch *many, const output_options *how);
 
 #endif

@@ -49,12 +49,12 @@ static void describe_results(FILE *stream)
 /* ---- One contact ---- */
 
 typedef struct {
-    results found;
-    bool row;
+    results answer;
+    bool as_row;
     results_wanted wanted;
-} answer;
+} job;
 
-static void write_list(const answer *one, records *rows)
+static void write_list(const job *one, records *rows)
 {
     static const char *const columns[] = {"quantity", "value", "meaning"};
     for (int i = 0; i < 3; i++)
@@ -64,13 +64,13 @@ static void write_list(const answer *one, records *rows)
         if (!results_include(one->wanted, i))
             continue;
         rows->format->value(rows, columns[0], cell_text(result_kinds[i].name));
-        rows->format->value(rows, columns[1], one->found.value[i]);
+        rows->format->value(rows, columns[1], one->answer.value[i]);
         rows->format->value(rows, columns[2], cell_text(result_kinds[i].meaning));
         rows->format->end_row(rows);
     }
 }
 
-static void write_row(const answer *one, records *rows)
+static void write_row(const job *one, records *rows)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(one->wanted, i))
@@ -78,155 +78,133 @@ static void write_row(const answer *one, records *rows)
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(one->wanted, i))
-            rows->format->value(rows, result_kinds[i].name, one->found.value[i]);
+            rows->format->value(rows, result_kinds[i].name, one->answer.value[i]);
     rows->format->end_row(rows);
 }
 
-static bool write_answer(void *of_answer, records *rows, bool show_progress)
+static bool write_rows(void *of_job, records *rows, bool show_progress)
 {
     (void)show_progress;
-    const answer *one = of_answer;
-    if (one->row)
+    const job *one = of_job;
+    if (one->as_row)
         records_describe(rows, result_kinds, RESULT_COUNT);
     rows->format->begin(rows);
-    if (one->row)
-        write_row(one, rows);
-    else
-        write_list(one, rows);
+    (one->as_row ? write_row : write_list)(one, rows);
     rows->format->end(rows);
     return records_are_sound(rows);
 }
 
-static int answer_one(const contact_case *what, answer *one, const output_options *how)
+static void write_answer_to(const contact_case *setup, job *one, const output_options *how)
 {
     char complaint[COMPLAINT_SIZE];
-    if (!results_compute(what, one->wanted, &one->found, complaint))
-        return failure("%s", complaint);
-    const int status = output_options_write(how, write_answer, one);
-    if (status == STATUS_DONE)
-        doubts_say(one->found.doubts, "");
-    return status;
+    if (!results_compute(setup, one->wanted, &one->answer, complaint))
+        failure("%s", complaint);
+    output_options_write(how, write_rows, one);
+    doubts_say(one->answer.doubts, "");
 }
 
-static int solve_one(const input_texts *texts, answer *one, const output_options *how)
+static void solve_one(const input_texts *texts, job *one, const output_options *how)
 {
-    contact_case what;
+    contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    return case_read(texts, CASE_OF_SOLVE, &what, complaint) ? answer_one(&what, one, how)
-                                                             : usage_error("%s", complaint);
+    if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
+        usage_error("%s", complaint);
+    write_answer_to(&setup, one, how);
 }
 
 /* ---- After a history ---- */
 
-static int go_through(const load_source *from, char decimal_sign, contact_case *what,
-                      rwedge_contact *contact)
+static void solve_history(const input_texts *texts, const load_source *from, job *one,
+                          const output_options *how)
 {
-    const int status = load_source_apply(from, decimal_sign, what->f, contact);
-    if (status != STATUS_DONE)
-        return status;
-    rwedge_contact_loads(contact, &what->P, &what->M, &what->Q, &what->sigma);
-    what->after = contact;
-    return what->P > 0 ? STATUS_DONE
-                       : failure("%s: the last load has P = 0, which separates the bodies; "
-                                 "allowed: a last P above 0",
-                                 from->file != NULL ? from->file : "--load");
-}
-
-static int solve_history(const input_texts *texts, const load_source *from, answer *one,
-                         const output_options *how)
-{
-    contact_case what;
-    char complaint[COMPLAINT_SIZE];
-    int status = load_source_check(from, texts);
-    if (status == STATUS_DONE && !case_read(texts, CASE_OF_COURSE, &what, complaint))
-        status = usage_error("%s", complaint);
-    if (status != STATUS_DONE)
-        return status;
+    contact_case setup;
     rwedge_contact *contact;
-    const int32_t made = case_contact(&what, &contact);
-    status = made == RWEDGE_OK ? go_through(from, how->decimal_sign, &what, contact)
-                               : failure("the contact: %s", rwedge_strerror(made));
-    if (status == STATUS_DONE)
-        status = answer_one(&what, one, how);
+    char complaint[COMPLAINT_SIZE];
+    load_source_check(from, texts);
+    if (!case_read(texts, CASE_OF_COURSE, &setup, complaint))
+        usage_error("%s", complaint);
+    const int32_t status = case_contact(&setup, &contact);
+    if (status != RWEDGE_OK)
+        failure("the contact: %s", rwedge_strerror(status));
+    load_source_apply(from, how->decimal_sign, setup.f, contact);
+    rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
+    if (!(setup.P > 0))
+        failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
+                "0",
+                from->file != NULL ? from->file : "--load");
+    setup.after = contact;
+    write_answer_to(&setup, one, how);
     rwedge_contact_destroy(contact);
-    return status;
 }
 
 /* ---- The command ---- */
 
-static int read_layout(const arguments *given, bool *row)
+static bool read_layout(const arguments *given)
 {
     const char *text = given->value[OPTION_LAYOUT];
-    *row = text != NULL && strcmp(text, "row") == 0;
-    if (text != NULL && !*row && strcmp(text, "list") != 0)
-        return usage_error("--layout %s: unknown layout; allowed: list, row", text);
-    if (text != NULL && !*row && given->value[OPTION_INPUT_FILE] != NULL)
-        return usage_error(
-            "--layout list: a file has a row for each contact; allowed with --input: row");
-    return STATUS_DONE;
+    const bool as_row = text != NULL && strcmp(text, "row") == 0;
+    if (text != NULL && !as_row && strcmp(text, "list") != 0)
+        usage_error("--layout %s: unknown layout; allowed: list, row", text);
+    if (text != NULL && !as_row && given->value[OPTION_INPUT_FILE] != NULL)
+        usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
+    return as_row;
 }
 
-static int read_yield_factor(const arguments *given, const input_texts *texts, bool *wanted)
+static bool read_yield_factor(const arguments *given, const input_texts *texts)
 {
-    *wanted = given->value[OPTION_YIELD_FACTOR] != NULL;
+    const bool wanted = given->value[OPTION_YIELD_FACTOR] != NULL;
     const bool strength =
         input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
-    if (*wanted && !strength && given->value[OPTION_INPUT_FILE] == NULL)
-        return usage_error("--yield-factor: needs --k or --yield-stress");
-    return STATUS_DONE;
+    if (wanted && !strength && given->value[OPTION_INPUT_FILE] == NULL)
+        usage_error("--yield-factor: needs --k or --yield-stress");
+    return wanted;
 }
 
 /* A file of contacts, or one of loads. */
-static int check_files(const batch *many, const load_source *from)
+static void check_files(const batch *many, const load_source *from)
 {
     if (many->path != NULL && load_source_is_given(from))
-        return usage_error("--%s: given together with --input; allowed: one of the two",
-                           from->file != NULL ? "history" : "load");
+        usage_error("--%s: given together with --input; allowed: one of the two",
+                    from->file != NULL ? "history" : "load");
     if (many->encoding == NULL)
-        return STATUS_DONE;
+        return;
     if (many->path == NULL && from->file == NULL)
-        return usage_error("--encoding %s: needs --input or --history", many->encoding);
-    return text_input_check(many->encoding);
+        usage_error("--encoding %s: needs --input or --history", many->encoding);
+    text_input_check(many->encoding);
 }
 
-static int solve_given(const batch *many, const load_source *from, answer *one,
-                       const output_options *how)
+static void check_threads(const arguments *given, const batch *many)
 {
-    if (many->path != NULL)
-        return batch_run(many, how);
-    return load_source_is_given(from) ? solve_history(&many->constants, from, one, how)
-                                      : solve_one(&many->constants, one, how);
+    if (given->value[OPTION_THREADS] != NULL && many->path == NULL)
+        usage_error("--threads %s: needs --input", given->value[OPTION_THREADS]);
 }
 
 static int solve(const arguments *given)
 {
     output_options how;
-    answer one;
+    job one;
     batch many = {.path = given->value[OPTION_INPUT_FILE],
                   .encoding = given->value[OPTION_ENCODING]};
     const load_source from = load_source_of(given);
     input_texts_from_options(given, &many.constants);
-    int status = arguments_no_operand(given);
-    if (status == STATUS_DONE)
-        status = output_options_read(given, &how);
-    if (status == STATUS_DONE)
-        status = output_options_spare(&how, many.path != NULL ? many.path : from.file);
-    if (status == STATUS_DONE)
-        status = check_files(&many, &from);
-    if (status == STATUS_DONE)
-        status = threads_read(given, &many.threads);
-    if (status == STATUS_DONE && given->value[OPTION_THREADS] != NULL && many.path == NULL)
-        status = usage_error("--threads %s: needs --input", given->value[OPTION_THREADS]);
-    if (status == STATUS_DONE)
-        status = read_layout(given, &one.row);
-    if (status == STATUS_DONE)
-        status = read_yield_factor(given, &many.constants, &one.wanted.yield_factor);
-    if (status != STATUS_DONE)
-        return status;
+    arguments_no_operand(given);
+    output_options_read(given, &how);
+    output_options_spare(&how, many.path != NULL ? many.path : from.file);
+    check_files(&many, &from);
+    many.threads = threads_read(given);
+    check_threads(given, &many);
+    one.as_row = read_layout(given);
+    one.wanted.yield_factor = read_yield_factor(given, &many.constants);
     one.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
                        input_is_given(&many.constants, INPUT_SIGMA);
     many.wanted = one.wanted;
-    return solve_given(&many, &from, &one, &how);
+    if (many.path != NULL)
+        return batch_run(&many, &how);
+    if (load_source_is_given(&from))
+        solve_history(&many.constants, &from, &one, &how);
+    else
+        solve_one(&many.constants, &one, &how);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "[OPTION...]", describe_results, OPTION_LOAD};

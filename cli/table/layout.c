@@ -8,15 +8,15 @@
 
 #include <rwedge.h>
 
-int64_t plan_size(const plan *what)
+int64_t plan_size(const plan *job)
 {
     double size = 1; /* the product of the counts may not fit an integer */
-    for (int i = 0; i < what->table->axis_count; i++)
-        size *= (double)what->axis[what->table->axis[i]].count;
+    for (int i = 0; i < job->table->axis_count; i++)
+        size *= (double)job->axis[job->table->axis[i]].count;
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
-static bool not_computed(const table *which, const double value[], int32_t status)
+static void refuse(const table *which, const double value[], int32_t status)
 {
     char where[160] = "";
     for (int i = 0; i < which->axis_count; i++) {
@@ -27,7 +27,6 @@ static bool not_computed(const table *which, const double value[], int32_t statu
     }
     progress_erase();
     failure("%s at %s: %s", which->name, where, rwedge_strerror(status));
-    return false;
 }
 
 /* ---- What is computed ahead ---- */
@@ -39,124 +38,110 @@ typedef struct {
 } computed;
 
 /* The combination of index i; the last axis runs fastest. */
-static void set_combination(const plan *what, int64_t i, double value[])
+static void set_combination(const plan *job, int64_t i, double value[])
 {
-    for (int axis = what->table->axis_count - 1; axis >= 0; axis--) {
-        const int variable = what->table->axis[axis];
-        const range *values = &what->axis[variable];
+    for (int axis = job->table->axis_count - 1; axis >= 0; axis--) {
+        const int variable = job->table->axis[axis];
+        const range *values = &job->axis[variable];
         value[variable] = range_value(values, i % values->count);
         i /= values->count;
     }
 }
 
 /* The same for a grid: along its rows. */
-static void set_grid_combination(const plan *what, int64_t i, double value[])
+static void set_grid_combination(const plan *job, int64_t i, double value[])
 {
-    const range *across = &what->axis[what->table->across];
-    if (table_depends_on(what->table, NU))
-        value[NU] = range_value(&what->axis[NU], 0); /* its one value, unless it runs across */
-    value[A_OVER_B] = range_value(&what->axis[A_OVER_B], i / across->count);
-    value[what->table->across] = range_value(across, i % across->count);
+    const range *across = &job->axis[job->table->across];
+    if (table_depends_on(job->table, NU))
+        value[NU] = range_value(&job->axis[NU], 0); /* its one value, unless it runs across */
+    value[A_OVER_B] = range_value(&job->axis[A_OVER_B], i / across->count);
+    value[job->table->across] = range_value(across, i % across->count);
 }
 
 static void compute(const void *of_plan, int64_t i, void *result)
 {
-    const plan *what = of_plan;
+    const plan *job = of_plan;
     computed *to = result;
-    (what->grid ? set_grid_combination : set_combination)(what, i, to->value);
-    to->status = what->table->row(to->value, to->row);
+    (job->grid ? set_grid_combination : set_combination)(job, i, to->value);
+    to->status = job->table->row(to->value, to->row);
 }
 
-/* The next in order; NULL, with the reason said, where it could not be computed. */
-static const computed *next_computed(const plan *what, ahead *work)
+/* The next row in order; ends the command where it could not be computed. */
+static const cell *next_row(const plan *job, ahead *work)
 {
     const computed *next = ahead_next(work);
     progress_step();
-    return next->status == RWEDGE_OK || not_computed(what->table, next->value, next->status) ? next
-                                                                                             : NULL;
+    if (next->status != RWEDGE_OK)
+        refuse(job->table, next->value, next->status);
+    return next->row;
 }
 
 /* ---- Layouts ---- */
 
-static bool write_long(const plan *what, records *rows, ahead *work)
+static void write_long(const plan *job, records *rows, ahead *work)
 {
-    const int64_t size = plan_size(what);
+    const int64_t size = plan_size(job);
     for (int64_t i = 0; i < size && records_go_on(rows); i++) {
-        const computed *one = next_computed(what, work);
-        if (one == NULL)
-            return false;
-        for (int k = 0; k < what->table->column_count; k++)
-            rows->format->value(rows, what->table->column[k], one->row[k]);
+        const cell *row = next_row(job, work);
+        for (int k = 0; k < job->table->column_count; k++)
+            rows->format->value(rows, job->table->column[k], row[k]);
         rows->format->end_row(rows);
     }
-    return records_go_on(rows);
 }
 
-static void write_long_header(const plan *what, records *rows)
+static void write_long_header(const plan *job, records *rows)
 {
-    for (int i = 0; i < what->table->column_count; i++)
-        rows->format->name(rows, what->table->column[i]);
+    for (int i = 0; i < job->table->column_count; i++)
+        rows->format->name(rows, job->table->column[i]);
     rows->format->end_header(rows);
 }
 
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
-static void name_across(const plan *what, const records *rows, int64_t i, char name[NUMBER_SIZE])
+static void name_across(const plan *job, const records *rows, int64_t i, char name[NUMBER_SIZE])
 {
-    number_write(range_value(&what->axis[what->table->across], i), NUMBER_DIGITS,
-                 rows->decimal_sign, name);
+    number_write(range_value(&job->axis[job->table->across], i), NUMBER_DIGITS, rows->decimal_sign,
+                 name);
 }
 
-static void write_grid_header(const plan *what, records *rows)
+static void write_grid_header(const plan *job, records *rows)
 {
-    rows->format->name(rows, what->table->column[what->quantity]);
-    for (int64_t i = 0; i < what->axis[what->table->across].count && records_go_on(rows); i++) {
+    rows->format->name(rows, job->table->column[job->quantity]);
+    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
-        name_across(what, rows, i, name);
+        name_across(job, rows, i, name);
         rows->format->name(rows, name);
     }
     rows->format->end_header(rows);
 }
 
-static bool write_grid_row(const plan *what, records *rows, double a_over_b, ahead *work)
+static void write_grid_row(const plan *job, records *rows, double a_over_b, ahead *work)
 {
-    rows->format->value(rows, what->table->column[what->quantity], cell_number(a_over_b));
-    for (int64_t i = 0; i < what->axis[what->table->across].count && records_go_on(rows); i++) {
+    rows->format->value(rows, job->table->column[job->quantity], cell_number(a_over_b));
+    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
-        const computed *one = next_computed(what, work);
-        if (one == NULL)
-            return false;
-        name_across(what, rows, i, name);
-        rows->format->value(rows, name, one->row[what->quantity]);
+        name_across(job, rows, i, name);
+        rows->format->value(rows, name, next_row(job, work)[job->quantity]);
     }
     rows->format->end_row(rows);
-    return records_go_on(rows);
 }
 
-static bool write_grid(const plan *what, records *rows, ahead *work)
+static void write_grid(const plan *job, records *rows, ahead *work)
 {
-    for (int64_t i = 0; i < what->axis[A_OVER_B].count; i++)
-        if (!write_grid_row(what, rows, range_value(&what->axis[A_OVER_B], i), work))
-            return false;
-    return true;
+    for (int64_t i = 0; i < job->axis[A_OVER_B].count && records_go_on(rows); i++)
+        write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i), work);
 }
 
 bool plan_write(void *plan_to_write, records *rows, bool show_progress)
 {
-    const plan *what = plan_to_write;
-    ahead *work = ahead_start(what->threads, plan_size(what), sizeof(computed), compute, what);
-    if (work == NULL)
-        return false;
-    progress_start(show_progress, plan_size(what), what->grid ? "values" : "rows");
+    const plan *job = plan_to_write;
+    ahead *work = ahead_start(job->threads, plan_size(job), sizeof(computed), compute, job);
+    progress_start(show_progress, plan_size(job), job->grid ? "values" : "rows");
     records_describe(rows, table_columns, COLUMN_KINDS);
     rows->format->begin(rows);
-    if (what->grid)
-        write_grid_header(what, rows);
-    else
-        write_long_header(what, rows);
-    const bool done = (what->grid ? write_grid : write_long)(what, rows, work);
+    (job->grid ? write_grid_header : write_long_header)(job, rows);
+    (job->grid ? write_grid : write_long)(job, rows, work);
     ahead_stop(work);
     rows->format->end(rows);
     progress_erase();
-    /* that, output_finish() says */
-    return records_are_sound(rows) && (done || rows->out->error != 0);
+    return records_are_sound(rows);
 }

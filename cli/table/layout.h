@@ -15,10 +15,10 @@ typedef struct {
 } plan;
 
 /* How many values it computes. */
-int64_t plan_size(const plan *what);
+int64_t plan_size(const plan *job);
 
-/* Writes it, with progress; the records hold what went wrong with writing. False, with a
- * message, where a value cannot be computed or written as the format needs it. */
+/* Writes it, with progress. Ends the command where a value cannot be computed, or written as the
+ * format needs it; the output holds what went wrong with writing. */
 bool plan_write(void *plan_to_write, records *rows, bool show_progress);
 
 #endif

@@ -77,43 +77,38 @@ static void describe_tables(FILE *stream)
           stream);
 }
 
-static int choose_table(const arguments *given, plan *what)
+static void choose_table(const arguments *given, plan *job)
 {
     char allowed[160] = "";
     for (int i = 0; i < TABLE_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (given->operand == NULL || given->operand[0] == NULL)
-        return usage_error("the name of a table must follow; allowed: %s", allowed);
-    what->table = table_named(given->operand[0]);
-    if (what->table == NULL)
-        return usage_error("%s: unknown table; allowed: %s", given->operand[0], allowed);
+        usage_error("the name of a table must follow; allowed: %s", allowed);
+    job->table = table_named(given->operand[0]);
+    if (job->table == NULL)
+        usage_error("%s: unknown table; allowed: %s", given->operand[0], allowed);
     if (given->operand[1] != NULL)
-        return usage_error("%s: unexpected; allowed: one table, and options", given->operand[1]);
-    return STATUS_DONE;
+        usage_error("%s: unexpected; allowed: one table, and options", given->operand[1]);
 }
 
-static int refuse_variable(const table *which, int variable, const char *text)
+static void refuse_variable(const table *which, int variable, const char *text)
 {
     char allowed[160] = "";
     for (int i = which->axis_count - 1; i >= 0; i--)
         list_add(allowed, sizeof allowed, ", ", "--%s", variables[which->axis[i]].option);
-    return usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option,
-                       text, which->name, allowed);
+    usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text,
+                which->name, allowed);
 }
 
-static int read_variables(const arguments *given, plan *what)
+static void read_variables(const arguments *given, plan *job)
 {
     for (int i = 0; i < VARIABLE_COUNT; i++) {
         const char *text = given->value[OPTION_VARIABLE + i];
-        int status = STATUS_DONE;
-        if (table_depends_on(what->table, i))
-            status = variable_read(&variables[i], text, &what->axis[i]);
+        if (table_depends_on(job->table, i))
+            variable_read(&variables[i], text, &job->axis[i]);
         else if (text != NULL)
-            status = refuse_variable(what->table, i, text);
-        if (status != STATUS_DONE)
-            return status;
+            refuse_variable(job->table, i, text);
     }
-    return STATUS_DONE;
 }
 
 /* The smallest value above 0; HUGE_VAL where there is none. A range ascends or descends: it is one
@@ -132,101 +127,88 @@ static double smallest_tip(const range *tips)
 }
 
 /* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
-static int check_tips(const arguments *given, plan *what)
+static void check_tips(const arguments *given, const plan *job)
 {
-    if (!table_depends_on(what->table, NU))
-        return STATUS_DONE;
-    const double tip = smallest_tip(&what->axis[A_OVER_B]);
-    if (tip >= 1 || !isnan(rwedge_elastic_limit(tip, 0, 0)))
-        return STATUS_DONE;
-    return usage_error(
-        "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-        given->value[OPTION_VARIABLE + A_OVER_B], what->table->name);
+    if (!table_depends_on(job->table, NU))
+        return;
+    const double tip = smallest_tip(&job->axis[A_OVER_B]);
+    if (tip < 1 && isnan(rwedge_elastic_limit(tip, 0, 0)))
+        usage_error(
+            "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
+            given->value[OPTION_VARIABLE + A_OVER_B], job->table->name);
 }
 
 /* The variable with the most values is the one to name. */
-static int check_size(const arguments *given, const plan *what)
+static void check_size(const arguments *given, const plan *job)
 {
-    if (plan_size(what) <= RANGE_VALUES_MAX)
-        return STATUS_DONE;
+    if (plan_size(job) <= RANGE_VALUES_MAX)
+        return;
     int widest = A_OVER_B;
     for (int i = 0; i < VARIABLE_COUNT; i++)
-        if (what->axis[i].count > what->axis[widest].count)
+        if (job->axis[i].count > job->axis[widest].count)
             widest = i;
     const char *text = given->value[OPTION_VARIABLE + widest];
-    return usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
-                       variables[widest].option, text != NULL ? text : variables[widest].usual);
+    usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
+                variables[widest].option, text != NULL ? text : variables[widest].usual);
 }
 
-static int check_grid(const arguments *given, const plan *what)
+static void check_grid(const arguments *given, const plan *job)
 {
-    if (what->table->across == VARIABLE_COUNT)
-        return usage_error(
-            "--layout grid: %s has one variable, and nothing to go across; allowed: long",
-            what->table->name);
-    if (what->table->across != NU && table_depends_on(what->table, NU) && what->axis[NU].count > 1)
-        return usage_error(
+    if (job->table->across == VARIABLE_COUNT)
+        usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
+                    job->table->name);
+    if (job->table->across != NU && table_depends_on(job->table, NU) && job->axis[NU].count > 1)
+        usage_error(
             "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
             given->value[OPTION_VARIABLE + NU]);
-    return STATUS_DONE;
 }
 
-static int read_layout(const arguments *given, plan *what)
+static void read_layout(const arguments *given, plan *job)
 {
     const char *text = given->value[OPTION_LAYOUT];
-    what->grid = text != NULL && strcmp(text, "grid") == 0;
-    if (text != NULL && !what->grid && strcmp(text, "long") != 0)
-        return usage_error("--layout %s: unknown layout; allowed: long, grid", text);
-    return what->grid ? check_grid(given, what) : STATUS_DONE;
+    job->grid = text != NULL && strcmp(text, "grid") == 0;
+    if (text != NULL && !job->grid && strcmp(text, "long") != 0)
+        usage_error("--layout %s: unknown layout; allowed: long, grid", text);
+    if (job->grid)
+        check_grid(given, job);
 }
 
-static int read_quantity(const arguments *given, plan *what)
+static void read_quantity(const arguments *given, plan *job)
 {
     const char *text = given->value[OPTION_QUANTITY];
-    what->quantity = what->table->quantity;
-    if (text == NULL)
-        return STATUS_DONE;
-    if (!what->grid)
-        return usage_error(
-            "--quantity %s: it chooses what a grid shows; allowed with: --layout grid", text);
     char allowed[160] = "";
-    for (int i = what->table->quantity; i < what->table->column_count; i++) {
-        list_add(allowed, sizeof allowed, ", ", "%s", what->table->column[i]);
-        what->quantity = i;
-        if (strcmp(text, what->table->column[i]) == 0)
-            return STATUS_DONE;
+    job->quantity = job->table->quantity;
+    if (text == NULL)
+        return;
+    if (!job->grid)
+        usage_error("--quantity %s: it chooses what a grid shows; allowed with: --layout grid",
+                    text);
+    for (int i = job->table->quantity; i < job->table->column_count; i++) {
+        list_add(allowed, sizeof allowed, ", ", "%s", job->table->column[i]);
+        job->quantity = i;
+        if (strcmp(text, job->table->column[i]) == 0)
+            return;
     }
-    return usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, what->table->name,
-                       allowed);
-}
-
-static int read_threads(const arguments *given, plan *what)
-{
-    return threads_read(given, &what->threads);
-}
-
-static int read_plan(const arguments *given, plan *what)
-{
-    static int (*const steps[])(const arguments *, plan *) = {
-        choose_table, read_variables, check_tips, read_layout, read_quantity, read_threads};
-    int status = STATUS_DONE;
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++)
-        status = steps[i](given, what);
-    return status == STATUS_DONE ? check_size(given, what) : status;
+    usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, job->table->name,
+                allowed);
 }
 
 static int write_table(const arguments *given)
 {
-    plan what = {0};
+    plan job = {0};
     output_options how;
-    int status = read_plan(given, &what);
-    if (status == STATUS_DONE)
-        status = output_options_read(given, &how);
-    if (status == STATUS_DONE)
-        status = output_options_write(&how, plan_write, &what);
+    choose_table(given, &job);
+    read_variables(given, &job);
+    check_tips(given, &job);
+    read_layout(given, &job);
+    read_quantity(given, &job);
+    job.threads = threads_read(given);
+    check_size(given, &job);
+    output_options_read(given, &how);
+    output_options_write(&how, plan_write, &job);
     for (int i = 0; i < VARIABLE_COUNT; i++)
-        range_free(&what.axis[i]);
-    return status;
+        range_free(&job.axis[i]);
+    return STATUS_DONE;
 }
 
 static const char *table_name(int i)

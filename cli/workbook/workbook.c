@@ -29,19 +29,10 @@ static void describe(FILE *stream)
         stream);
 }
 
-static int write_file(const char *path)
-{
-    output out;
-    output_open(&out, path);
-    book_write(&out);
-    output_finish(&out);
-    return STATUS_DONE;
-}
-
 static const char *const formats[] = {"xlsx", NULL};
 
 /* The comma is that of the files; the cells of a workbook have no sign. */
-static int write_sheets(const arguments *given)
+static void write_sheets(const arguments *given)
 {
     const bool comma = given->value[OPTION_DECIMAL_COMMA] != NULL;
     csv_files files = {given->operand, comma ? ',' : '.'};
@@ -54,31 +45,38 @@ static int write_sheets(const arguments *given)
             output_options_spare(&how, files.path[i]);
         else
             usage_error("%s: unexpected; allowed: up to %d files", files.path[i], CSV_SHEETS_MAX);
-    return output_options_write(&how, csv_sheets_write, &files);
+    output_options_write(&how, csv_sheets_write, &files);
 }
 
-static int write_given(const arguments *given)
+static void write_book(const arguments *given, const char *path)
+{
+    output out;
+    if (given->value[OPTION_DIGITS] != NULL)
+        usage_error("--digits: the workbook has its own; allowed with: CSV files");
+    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+        usage_error("--decimal-comma: a workbook has no sign; allowed with: CSV files");
+    output_format_choose(given, formats, "");
+    if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
+        usage_error("--output -: a workbook is not for a terminal; allowed: the name of a file, or "
+                    "a redirected -");
+    if (xlsx_missing() != NULL)
+        failure("%s: %s", path, xlsx_missing());
+    output_open(&out, path);
+    book_write(&out);
+    output_finish(&out);
+}
+
+static int workbook(const arguments *given)
 {
     const char *path = given->value[OPTION_OUTPUT];
     if (path == NULL || path[0] == '\0')
-        return usage_error(
+        usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
     if (given->operand != NULL && given->operand[0] != NULL)
-        return write_sheets(given);
-    if (given->value[OPTION_DIGITS] != NULL)
-        return usage_error("--digits: the workbook has its own; allowed with: CSV files");
-    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
-        return usage_error("--decimal-comma: a workbook has no sign; allowed with: CSV files");
-    const char *format;
-    const int status = output_format_choose(given, formats, "", &format);
-    if (status != STATUS_DONE)
-        return status;
-    if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
-        return usage_error("--output -: a workbook is not for a terminal; allowed: the name of a "
-                           "file, or a redirected -");
-    if (xlsx_missing() != NULL)
-        return failure("%s: %s", path, xlsx_missing());
-    return write_file(path);
+        write_sheets(given);
+    else
+        write_book(given, path);
+    return STATUS_DONE;
 }
 
 static const syntax grammar = {options, "[FILE.csv...] -o FILE", describe, 0};
@@ -88,4 +86,4 @@ const command workbook_command = {"workbook",
                                   "a spreadsheet that computes, with its tables and charts",
                                   &grammar,
                                   NULL,
-                                  write_given};
+                                  workbook};

@@ -27,7 +27,6 @@ WIDTH, THIN = 1.4, 0.6  # of lines, points
 SURFACE_POINTS, COLUMNS, ROWS = 801, 241, 97
 LEVELS = 12  # of contours, at most
 STEPS = 32  # of a line between two turning points of a loop
-NODES = 1000  # of the quadrature of a displacement: its error is below 1e-5 f theta b
 
 Units = tuple[str, str]
 
@@ -172,27 +171,11 @@ def displacement(contact: Contact) -> float:
     Parameters
     ----------
     contact : Contact
-        loaded without moment and bulk tension, Q alone changed since P was constant
+        loaded
 
-    Raises
-    ------
-    ValueError
-        with a moment or a bulk tension
-
-    The centre sticks: it is A/pi times the integral of the traction -q times ln(b/(2|s|)). Error below 1e-5 f theta b.
-    Source: new.
+    Source: ``Contact.displacement``.
     """
-    if contact.M != 0 or contact.sigma != 0:
-        raise Error("the displacement is that of a contact without moment and bulk tension")
-    b = _loaded(contact)
-    edges = np.unique([0.0, contact.stick_half_width, b]) if contact.stick_half_width < b else np.array([0.0, b])
-    u = (np.arange(NODES) + 0.5) / NODES
-    places, weight = u**3 * (10 - 15 * u + 6 * u**2), 30 * (u * (1 - u)) ** 2 / NODES  # dense at both ends
-    total = 0.0
-    for start, end in zip(edges[:-1], edges[1:]):
-        s, weights = start + (end - start) * places, (end - start) * weight
-        total += float(np.sum(-contact.tractions(s)[1] * np.log(b / (2 * s)) * weights))
-    return 2 * contact.A / math.pi * total
+    return float(contact.displacement(_loaded(contact)))
 
 
 def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = None, **line: Any) -> Any:
@@ -201,7 +184,7 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     Parameters
     ----------
     contact : Contact
-        loaded, without moment and bulk tension; it stays as it is
+        loaded; it stays as it is
     Q : array_like
         force/length, the turning points, |Q| <= f P
     ax, units

@@ -14,15 +14,12 @@ flock 9
 export LC_ALL=C # the same order of files everywhere, and so the same bytes
 skip() { echo "SKIPPED: $*"; exit 77; }
 
-# compile ARGUMENTS... - with vectors of two numbers, which every browser has since 2023
-options='--target=wasm32-wasi -msimd128 -std=gnu99 -O2 -DNDEBUG -ffp-contract=off'
-# shellcheck disable=SC2086
-compile() { clang $options "$@"; }
+. "$here/options.sh"
 
 for command in clang wasm-ld python3 cmake dpkg-source; do
     command -v $command >/dev/null || skip "$command is not here"
 done
-compile -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
+clang $options -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
     skip "clang has no libc.a or libclang_rt.builtins-wasm32.a for wasm32-wasi: $(tail -n 1 log)"
 sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL cannot be fetched: $(grep '^E: ' log | head -n 1)"
 
@@ -36,9 +33,8 @@ if ! {
             -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF &&
         cmake --build library --target rwedge_objects &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
-        # shellcheck disable=SC2046,SC2086
-        compile -Iinclude "$top/packages/dgelsd.c" $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o $exports \
-            -mexec-model=reactor -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o rwedge.wasm
+        # shellcheck disable=SC2086
+        sh "$here/link.sh" rwedge.wasm $exports
 } >log 2>&1; then
     cat log >&2
     exit 1

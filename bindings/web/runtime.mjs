@@ -3,7 +3,7 @@
 import { functions, statuses } from "./description.mjs";
 import { wasm } from "./wasm.mjs";
 
-const library = new WebAssembly.Instance(new WebAssembly.Module(wasm)).exports;
+export const library = new WebAssembly.Instance(new WebAssembly.Module(wasm)).exports;
 library._initialize();
 
 // The library's memory as doubles. It is another array after the memory has grown.

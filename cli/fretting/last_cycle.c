@@ -8,20 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-const measure_kind measure_kinds[MEASURE_COUNT] = {
-    [MEASURE_STRESS_RANGE] = {"stress_range", "largest less smallest sxx", false},
-    [MEASURE_SWT] = {"swt", "Smith, Watson and Topper's parameter, on the critical plane", false},
-    [MEASURE_SWT_ANGLE] = {"swt_angle", "from the surface's normal to that of the plane, deg",
-                           true},
-    [MEASURE_FATEMI_SOCIE] = {"fatemi_socie", "Fatemi and Socie's; needs a yield stress", false},
-    [MEASURE_FS_ANGLE] = {"fs_angle", "that of its plane", true},
-    [MEASURE_SLIP_RANGE] = {"slip_range", "largest less smallest slip", false},
-    [MEASURE_RUIZ_F1] = {"ruiz_f1", "largest |q| * slip range", false},
-    [MEASURE_RUIZ_F2] = {"ruiz_f2", "F1 * largest sxx; 0 in compression", false},
-    [MEASURE_ENERGY_PER_AREA] = {"energy_per_area", "dissipated by friction, integral of q d(slip)",
-                                 false},
-};
-
 /* ---- The loads ---- */
 
 static void *room_for(size_t count)

@@ -4,25 +4,7 @@
 #define CLI_LAST_CYCLE_H
 
 #include "history/course.h"
-
-enum {
-    MEASURE_STRESS_RANGE,
-    MEASURE_SWT,
-    MEASURE_SWT_ANGLE, /* in degrees, as the other angle */
-    MEASURE_FATEMI_SOCIE,
-    MEASURE_FS_ANGLE,
-    MEASURE_SLIP_RANGE,
-    MEASURE_RUIZ_F1,
-    MEASURE_RUIZ_F2,
-    MEASURE_ENERGY_PER_AREA,
-    MEASURE_COUNT
-};
-
-typedef struct {
-    const char *column, *meaning;
-    bool is_angle;
-} measure_kind;
-extern const measure_kind measure_kinds[MEASURE_COUNT];
+#include "model/measures.h"
 
 /* Of one place; NAN where there is none. */
 typedef struct {

@@ -136,20 +136,10 @@ static bool is_tilt_possible(const rw_step *step)
     return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
-/* The energy of a step off the centre, which has led from `before` to the present memory: NaN where
- * there is no single integral for it. */
-static double share_off_centre(const rwedge_contact *contact, const rw_memory *before,
-                               const rw_step *step, int slip)
+/* Whether slip reaches all of the path. */
+static bool slides(const rw_departure *departure)
 {
-    const rw_geometry *g = &contact->geometry;
-    const rw_memory *after = &contact->memory;
-    if (slip == 0)
-        return 0;
-    const bool slides = after->count == 2;
-    if (step->to_P != step->from_P || slides)
-        return NAN;
-    return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_edge_work(before, after, g->a);
+    return departure->slip != 0 && departure->corner.load == 0;
 }
 
 static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
@@ -166,8 +156,8 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].tilt = step->to.tilt;
     if (contact->f == 0)
         rw_memory_restart(memory, step->to, 0);
-    else if (departure->slip != 0 && departure->corner.load == 0)
-        rw_memory_restart(memory, step->to, departure->slip); /* it slides */
+    else if (slides(departure))
+        rw_memory_restart(memory, step->to, departure->slip);
     else
         rw_memory_advance(memory, departure, step->to);
     if (memory->count == 1) {
@@ -175,8 +165,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         memory->corners[0].stretch = step->to.stretch;
     }
     measure_new_corners(contact, step);
-    const bool slides = rw_memory_slides(memory);
-    contact->slid_from = slides ? fmax(contact->slid_from, step->to.load) : 0;
+    contact->slid_from = rw_memory_slides(memory) ? fmax(contact->slid_from, step->to.load) : 0;
 }
 
 /* The carry may be negative. */
@@ -185,26 +174,6 @@ static void add_energy(rwedge_contact *contact, double share)
     const double more = contact->energy_carry + share, before = contact->energy;
     contact->energy = isnan(more) ? before : fmax(before, before + more);
     contact->energy_carry = more - (contact->energy - before);
-}
-
-static int32_t go_centred(rwedge_contact *contact, rw_loads to, const rw_step *step,
-                          const rw_departure *departure)
-{
-    const double load = step->to.load, shear = step->to.shear;
-    const double share = share_centred(contact, step);
-    if (isgreater(contact->energy + share, RW_LARGEST))
-        return RWEDGE_ERANGE;
-    if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0, load,
-                                 shear))
-        return RWEDGE_ENOMEM;
-    go(contact, &to, step, departure);
-    add_energy(contact, share);
-    if (load == 0) {
-        contact->was_off_centre = false;
-        contact->is_origin_known = true;
-    }
-    return RWEDGE_OK;
 }
 
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
@@ -236,30 +205,43 @@ static rw_patch common_part(rw_patch one, rw_patch other)
     return (rw_patch){fmax(one.left, other.left), fmin(one.right, other.right)};
 }
 
-static int32_t go_off_centre(rwedge_contact *contact, rw_loads to, const rw_step *step,
-                             const rw_departure *departure)
+/* The energy of a step, NaN where there is no single integral for it. */
+static double share_of(const rwedge_contact *contact, const rw_step *step,
+                       const rw_departure *departure)
 {
-    const int slip = departure->slip;
-    rw_memory before;
-    if (!rw_memory_copy(&contact->memory, &before))
-        return RWEDGE_ENOMEM;
-    const bool is_known = keeps_origin(contact, step, slip);
+    const rw_geometry *g = &contact->geometry;
+    if (step->to.load == 0 || rw_memory_is_plain(&contact->memory, step->to))
+        return share_centred(contact, step);
+    if (contact->f == 0 || departure->slip == 0)
+        return 0;
+    if (step->to_P != step->from_P || slides(departure))
+        return NAN;
+    return contact->f * g->theta * (contact->f * g->theta / g->A) *
+           rw_edge_work(&contact->memory, departure, g->a);
+}
+
+static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
+                     const rw_departure *departure)
+{
+    const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
+    const bool keeps = keeps_origin(contact, step, departure->slip) && !slides(departure);
     const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
                                  ? contact->settled
-                                 : rw_memory_end(&before)->patch;
+                                 : rw_memory_end(&contact->memory)->patch;
+    const double share = share_of(contact, step, departure);
+    if (isgreater(contact->energy + share, RW_LARGEST))
+        return RWEDGE_ERANGE;
     if (!rw_memory_reserve(&contact->memory, 2) ||
-        !rw_slip_origins_advance(&contact->origins, &contact->memory, slip != 0, step->to.load,
-                                 step->to.shear)) {
-        rw_memory_destroy(&before);
+        !rw_slip_origins_advance(&contact->origins, &contact->memory, departure->slip != 0,
+                                 step->to.load, step->to.shear))
         return RWEDGE_ENOMEM;
-    }
     go(contact, &to, step, departure);
-    const bool slides = contact->memory.count == 2 && slip != 0;
-    contact->was_off_centre = true;
-    contact->settled = common_part(settled, step->patch);
-    contact->is_origin_known = is_known && !slides;
-    add_energy(contact, share_off_centre(contact, &before, step, slip));
-    rw_memory_destroy(&before);
+    add_energy(contact, share);
+    contact->was_off_centre = off_centre || (contact->was_off_centre && !is_separated);
+    if (off_centre)
+        contact->settled = common_part(settled, step->patch);
+    if (off_centre || is_separated)
+        contact->is_origin_known = keeps || is_separated;
     return RWEDGE_OK;
 }
 
@@ -277,12 +259,10 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
-    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || departure.corner.load == 0 ||
+    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || slides(&departure) ||
                                                 has_width(departure.corner.patch))))
         return RWEDGE_ERANGE;
-    if (!is_off_centre(contact, &step))
-        return go_centred(contact, to, &step, &departure);
-    return go_off_centre(contact, to, &step, &departure);
+    return go_on(contact, to, &step, &departure);
 }
 
 static double at(double t, double from, double to)

@@ -103,20 +103,19 @@ static double layer_integral(const layer *l)
     return sum;
 }
 
-double rw_edge_work(const rw_memory *before, const rw_memory *after, double a)
+double rw_edge_work(const rw_memory *path, const rw_departure *departure, double a)
 {
-    const rw_corner *end = rw_memory_end(after), *front = end - 1;
-    layer l = {.a = a, .to = front->patch, .contact = rw_patch_pressing(a, end->patch)};
+    const rw_corner *front = &departure->corner;
+    const rw_patch contact = rw_memory_end(path)->patch;
+    layer l = {.a = a, .to = front->patch, .contact = rw_patch_pressing(a, contact)};
     rw_pressing reached = rw_patch_pressing(a, front->patch);
     double sum_of_all = 0;
-    for (size_t i = 1; i < before->count; i++) {
-        const rw_corner *corner = &before->corners[i];
-        if (corner->load <= front->load)
-            continue;
+    for (size_t i = departure->kept; i < path->count; i++) {
+        const rw_corner *corner = &path->corners[i];
         l.from = l.to;
-        l.to = i + 1 < before->count ? corner->patch : end->patch;
+        l.to = corner->patch;
         l.start = reached;
-        l.weight = 1 - end->ratio * corner->ratio;
+        l.weight = 1 - departure->slip * corner->ratio;
         sum_of_all += layer_integral(&l);
         reached = rw_patch_pressing(a, l.to);
         l.inner = sum(l.inner, l.weight, reached, l.start);

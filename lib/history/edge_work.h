@@ -5,8 +5,9 @@
 
 #include "history/memory.h"
 
-/* The integral of |p| times the slip of a step under constant load and moment, which took the path
- * from `before` to `after`, over the two annuli that slip; p in theta/A, the slip in f theta. */
-double rw_edge_work(const rw_memory *before, const rw_memory *after, double a);
+/* The integral of |p| times the slip of a step under constant load and moment over the two annuli
+ * that slip; p in theta/A, the slip in f theta. The path is that before the step, the departure the
+ * front of slip, its patch known. */
+double rw_edge_work(const rw_memory *path, const rw_departure *departure, double a);
 
 #endif

@@ -147,17 +147,15 @@ static outside outside_of(double a, rw_patch patch)
                  .patch = patch,
                  .m = rw_patch_middle(patch),
                  .s = rw_patch_half_width(patch),
-                 .delta = rw_patch_pressing(a, patch).tilt,
                  .ends = rw_corners_of(a, patch),
                  .flank = patch.right >= a};
     o.clear[0] = (patch.right + a) / o.s;
     o.clear[1] = (patch.right - a) / o.s;
-    rw_eccentric_init(&o.potential, a, patch);
     return o;
 }
 
 /* x > right */
-static double right_gap(const outside *o, double x)
+static double right_gap(outside *o, double x)
 {
     const double whole = w_at(o, o->patch.right, x);
     const double rounding = o->flank ? whole : fmin(whole, w_at(o, o->patch.right, o->a));
@@ -167,8 +165,11 @@ static double right_gap(const outside *o, double x)
     if (!o->flank && closed < rounding)
         gap += 2 / RW_PI * integrate(slope, o, closed, rounding);
     const double from = o->flank ? closed : rounding;
-    if (from < whole)
+    if (from < whole) {
+        o->delta = rw_patch_pressing(o->a, o->patch).tilt;
+        rw_eccentric_init(&o->potential, o->a, o->patch);
         gap += integrate(plain_slope, o, from, whole);
+    }
     return o->s * gap;
 }
 
@@ -177,7 +178,7 @@ double rw_patch_gap(double a, rw_patch patch, double x)
     if (x >= patch.left && x <= patch.right)
         return 0;
     const bool is_right = x > patch.right;
-    const outside o = outside_of(a, is_right ? patch : (rw_patch){-patch.right, -patch.left});
+    outside o = outside_of(a, is_right ? patch : (rw_patch){-patch.right, -patch.left});
     return right_gap(&o, is_right ? x : -x);
 }
 

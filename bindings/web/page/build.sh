@@ -4,6 +4,7 @@
 # where what it needs cannot be had.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../../.." && pwd)
 mkdir -p "$1/page"
 folder=$(cd "$1" && pwd)
 output=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
@@ -14,4 +15,14 @@ for command in node npm; do
 done
 sh "$here/../build.sh" "$folder"
 sh "$here/packages.sh" "$here" "$folder/page" || skip "the packages of the page cannot be fetched"
-node "$here/make/page.mjs" "$folder/web/package" "$folder/page/node_modules" "$output" "$(clang --version | head -n 1)"
+
+# The library with the model, which is the tool's too.
+cd "$folder/web"
+sh "$top/packages/sources.sh" sources libcsv >log 2>&1 || skip "the sources of libcsv cannot be fetched: $(grep '^E: ' log | head -n 1)"
+exports=$(sed -n 's/^EXPORTED.* \**\([a-z_]*\)(.*/\1/p' "$here"/model/*.c)
+exports="$exports $(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h")"
+# shellcheck disable=SC2046
+sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$top/cli" -Isources/libcsv "$here"/model/*.c \
+    "$top"/cli/model/*.c "$top"/cli/text/list.c "$top"/cli/text/number.c "$top"/cli/text/utf8.c "$top"/cli/input/csv_input.c \
+    "$top"/cli/input/csv_row.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
+node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tests the page that is shipped: test.sh BUILD. Its size, its security policy, its words; and that the sources make it so now.
+# Tests the page: test.sh BUILD. The one that is shipped: its size, its security policy, its words, that the sources make it so now.
+# What it computes, beside the tool, in Node.
 #     test.sh --long BUILD    in the browsers of this machine too
 set -eu
 long=no
@@ -8,32 +9,37 @@ long=no
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../../.." && pwd)
 build=$(cd "$1" && pwd)
-page=$top/tables/rounded-wedge.html
+page=$top/tables/rounded-wedge.html now=$build/page/rounded-wedge.html status=0
 fail() { echo "FAILED: $*"; exit 1; }
+
+mkdir -p "$build/page"
+sh "$here/build.sh" "$build" "$now" || exit $?
+if [ -x "$build/cli/rwedge" ]; then
+    node "$here/test/model.mjs" "$build" "$build/cli/rwedge" || fail "the model beside the tool"
+fi
 
 size=$(wc -c <"$page")
 [ "$size" -lt 1500000 ] || fail "the page has $size bytes; allowed: fewer than 1500000"
 policy=$(sed -n 's/.*http-equiv="Content-Security-Policy" content="\([^"]*\)".*/\1/p' "$page" | sed "s/'sha256-[^']*'/HASH/g")
-allowed="default-src 'none'; script-src HASH 'wasm-unsafe-eval'; style-src HASH"
+allowed="default-src 'none'; script-src HASH 'wasm-unsafe-eval'; worker-src blob:; style-src HASH"
 [ "$policy" = "$allowed; img-src data: blob:; base-uri 'none'; form-action 'none'" ] || fail "the page's policy is: $policy"
 ! grep -qE '<(script|link|img|iframe)[^>]* (src|href)=' "$page" || fail "the page names another file"
 for words in 'GNU GENERAL PUBLIC LICENSE' 'Permission to use, copy, modify' 'd3-contour' 'E10' 'Int. J. Mech. Sci. 40'; do
     grep -q "$words" "$page" || fail "the page does not say: $words"
 done
-# The verdicts are those of the workbook. Its texts are C strings over several lines: they are joined first.
-workbook=$(tr -d '"\n' <"$top/cli/workbook/calculator/calculator.c" | sed 's/\\//g; s/  */ /g')
+# The verdicts are those of the workbook. Texts may be C strings over several lines: they are joined first.
+joined() { tr -d '"\n' <"$1" | sed 's/\\//g; s/  */ /g'; }
+workbook=$(joined "$top/cli/workbook/calculator/calculator.c") model=$(joined "$top/cli/model/verdict.c")
 for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibrium.' 'YIELDS: P is above the load at first yield.' \
     'CAUTION: no yield stress is given, so there is no safety'; do
     echo "$workbook" | grep -qF "$words" || fail "the workbook does not say: $words"
-    grep -qF "$words" "$here/src/case/status.js" || fail "the page does not say: $words"
+    echo "$model" | grep -qF "$words" || fail "the page does not say: $words"
 done
 echo "ok: $size bytes, no connection, licences and words"
 
 # Another clang gives the library other bytes: then all the rest is compared.
 made_by() { sed -n 's/^<!-- The library inside was compiled by \(.*\)\. -->$/\1/p' "$1"; }
 rest() { sed "s/AGFzbQ[A-Za-z0-9+/=]*//; s/sha256-[^']*//; /^<!-- The library inside/d" "$1"; }
-now=$build/page/rounded-wedge.html status=0
-sh "$here/build.sh" "$build" "$now"
 if [ "$(made_by "$page")" = "$(made_by "$now")" ]; then
     cmp "$page" "$now" || fail "the page is not what the sources make now; ./tables/generate.sh writes it"
     echo "ok: it is what the sources make now"
@@ -50,4 +56,4 @@ sh "$here/packages.sh" "$here/test" "$build/page/test" || { echo "SKIPPED: the p
 cp "$here"/test/*.mjs "$build/page/test"
 python=$build/python/venv/bin/python
 "$python" -c 'import rwedge' 2>/dev/null || python='' # bindings/python/test.sh installs it there
-node "$build/page/test/browsers.mjs" "$page" "$build/cli/rwedge" "$build/page/test/node_modules/axe-core/axe.min.js" "$python"
+node "$build/page/test/browsers.mjs" "$now" "$build/cli/rwedge" "$build/page/test/node_modules/axe-core/axe.min.js" "$python"

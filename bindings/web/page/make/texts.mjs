@@ -30,7 +30,7 @@ const inPage = [
     "internmap",
 ];
 
-function licences(modules, binding) {
+function licences(modules, folder) {
     const found = inPage.map((name) => {
         const { version, license } = JSON.parse(readFileSync(`${modules}/${name}/package.json`, "utf8"));
         return {
@@ -38,10 +38,15 @@ function licences(modules, binding) {
             text: readFileSync(`${modules}/${name}/LICENSE`, "utf8").trim(),
         };
     });
-    return [{ name: "in the library", text: readFileSync(`${binding}/NOTICE`, "utf8").trim() }, ...found];
+    const read = (name) => readFileSync(`${folder}/web/${name}`, "utf8").trim();
+    return [
+        { name: "in the library", text: read("package/NOTICE") },
+        { name: "libcsv, reading of rows (LGPL-2.1-or-later)", text: read("sources/libcsv/COPYING.LESSER") },
+        ...found,
+    ];
 }
 
-export function texts(top, modules, binding) {
+export function texts(top, modules, folder) {
     const { marked } = createRequire(`${modules}/`)("marked");
     const read = (name) => readFileSync(`${top}/${name}`, "utf8");
     const html = (text) => marked.parse(withoutLinks(text), { async: false });
@@ -54,6 +59,6 @@ export function texts(top, modules, binding) {
         formulas: html(section(library, "The paper's formulas")),
         citation: read("CITATION.cff"),
         licence: read("LICENSE"),
-        licences: licences(modules, binding),
+        licences: licences(modules, folder),
     };
 }

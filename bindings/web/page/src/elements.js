@@ -23,11 +23,11 @@ export function download(name, blob) {
 }
 
 /** A button that copies a text, and says so for a while. */
-export function copyButton(label, text) {
+export function copyButton(label, text, done = () => "Copied") {
     const button = element("button", { type: "button" }, label);
     button.addEventListener("click", async () => {
         const copied = await copy(text());
-        button.textContent = copied ? "Copied" : "Select the text and copy it";
+        button.textContent = copied ? done() : "Select the text and copy it";
         setTimeout(() => (button.textContent = label), 2000);
     });
     return button;

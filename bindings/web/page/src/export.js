@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as a command and as a program: both give the numbers that are shown.
-import { inputNames, isGiven, readInput } from "./case/inputs.js";
 import { wholeNumber } from "./number.js";
-import { words } from "words";
+import { inputs } from "./words.js";
 
-function given(texts) {
-    return inputNames
-        .filter((name) => isGiven(texts, name))
-        .map((name) => [name, wholeNumber(readInput(name, texts[name]).value)]);
-}
+const numbersOf = (model) => Object.entries(model.inputs).map(([name, value]) => [name, wholeNumber(value)]);
 
 /** The command for the case: rwedge solve --E1 210000 ... */
-export function asCommand(texts) {
-    const options = given(texts).map(([name, value]) => `--${words.inputs[name].option} ${value}`);
-    const factor = isGiven(texts, "k") || isGiven(texts, "yield_stress") ? " --yield-factor" : "";
+export function asCommand(model) {
+    const options = numbersOf(model).map(([name, value]) => `--${inputs[name].option} ${value}`);
+    const factor = "k" in model.inputs || "yield_stress" in model.inputs ? " --yield-factor" : "";
     return `rwedge solve ${options.join(" ")}${factor}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);
 
 /** A program in Python for the case, with the package rwedge. */
-export function asPython(texts) {
-    const value = Object.fromEntries(given(texts).map(([name, number]) => [name, inPython(number)]));
+export function asPython(model) {
+    const value = Object.fromEntries(numbersOf(model).map(([name, number]) => [name, inPython(number)]));
     const theta = value.theta ?? `math.radians(${value.theta_deg})`;
     const a = value.a ?? `rwedge.rounding(theta, ${value.radius})`;
     const k = value.k ?? (value.yield_stress && `${value.yield_stress} / math.sqrt(3)`);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library as WebAssembly, and its statuses as values where they are no mistake.
+// The library as WebAssembly, with the model of the tool; and its statuses as values where they are no mistake.
 import * as rwedge from "rwedge";
+import { adopt, library } from "rwedge-runtime";
 
 export { rwedge };
 export const { Contact, statuses } = rwedge;
@@ -32,3 +33,47 @@ export const status = {
         }
     },
 };
+
+// ---- The model: ../model/*.c ----
+
+const bytes = () => new Uint8Array(library.memory.buffer);
+
+function placed(text) {
+    const letters = new TextEncoder().encode(text),
+        address = library.malloc(letters.length + 1);
+    bytes().set(letters, address);
+    bytes()[address + letters.length] = 0;
+    return address;
+}
+
+function textAt(address) {
+    const from = bytes().subarray(address);
+    return new TextDecoder().decode(from.subarray(0, from.indexOf(0)));
+}
+
+/** Calls a function of the model with texts and numbers. */
+function call(name, values) {
+    const texts = [];
+    const passed = values.map((value) => {
+        if (typeof value !== "string") return value;
+        texts.push(placed(value));
+        return texts.at(-1);
+    });
+    try {
+        return library[name](...passed);
+    } finally {
+        texts.forEach(library.free);
+    }
+}
+
+/** What the model answers: records of a kind and fields, as texts. */
+export function ask(name, ...values) {
+    const text = textAt(call(`page_${name}`, values));
+    return text === "" ? [] : text.split("\x1e").map((record) => record.split("\x1f"));
+}
+
+/** NaN where the text is no number with a decimal point. */
+export const numberOf = (text) => call("page_number", [text]);
+
+/** The contact of the last answer, under its loads. */
+export const answeredContact = () => adopt(Object.create(Contact.prototype), "contact", library.page_contact());

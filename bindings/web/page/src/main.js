@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: its state, its parts, and when they are drawn.
 import { readAddress, writeAddress } from "./address.js";
-import { inputNames } from "./case/inputs.js";
 import { asCommand, asPython } from "./export.js";
-import { copyButton, element } from "./elements.js";
+import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
 import { drawingOf } from "./left/drawing.js";
 import { makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
+import { measures } from "./stresses.js";
 import { makeTabs } from "./tabs/tabs.js";
 import { unitsRemark, unitSystems } from "./units.js";
+import { inputNames } from "./words.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
@@ -39,17 +40,20 @@ function take(given) {
         ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
     );
     for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
-    if (!unitSystems[state.units]) state.units = settings.units;
+    if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
+    if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
     state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 6;
     state.sign = state.sign === "," ? "," : ".";
 }
 
-function address() {
+function wholeAddress() {
     const changed = Object.keys(settings).filter((name) => String(state[name]) !== settings[name]);
-    const text = writeAddress({
-        ...state.texts,
-        ...Object.fromEntries(changed.map((name) => [name, String(state[name])])),
-    });
+    return writeAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, String(state[name])])) });
+}
+
+/** What is pasted may be too long for it. */
+function address() {
+    const text = wholeAddress();
     return text.length <= LONGEST ? text : writeAddress({ ...state.texts, tab: state.tab });
 }
 
@@ -57,6 +61,7 @@ let waiting = 0;
 /** The address follows a little later: browsers refuse many changes a second. */
 function remember() {
     clearTimeout(waiting);
+    tooLong.hidden = wholeAddress().length <= LONGEST;
     waiting = setTimeout(() => {
         if (location.hash !== address()) history.replaceState(null, "", address());
     }, 250);
@@ -68,6 +73,24 @@ const tabs = makeTabs(state, () => model, remember);
 const drawing = element("div", { class: "drawing" });
 const status = element("p", { class: "status", role: "status", id: "status" });
 const exports = element("div", {});
+const tooLong = element(
+    "p",
+    { class: "note bad", id: "too-long", role: "status", hidden: true },
+    "The pasted rows are too long for a link: it leaves them out, and they are gone when the page is loaded again. ",
+    element("button", { type: "button", onclick: saveCase }, "Save all of it as a file"),
+);
+
+function saveCase() {
+    download("rounded-wedge-case.txt", new Blob([wholeAddress()], { type: "text/plain" }));
+}
+
+/** A file that was saved here. */
+async function openCase({ target }) {
+    const [file] = target.files;
+    if (!file) return;
+    show(readAddress((await file.text()).trim()));
+    target.value = "";
+}
 
 function showExports() {
     const whole = Boolean(model.results);
@@ -75,7 +98,7 @@ function showExports() {
         .querySelectorAll("pre")
         .forEach(
             (pre, i) =>
-                (pre.textContent = whole ? [asCommand, asPython][i](state.texts) : "The status says what is missing."),
+                (pre.textContent = whole ? [asCommand, asPython][i](model) : "The status says what is missing."),
         );
 }
 
@@ -92,6 +115,14 @@ function render() {
     remember();
 }
 
+/** What is typed has the chosen decimal sign too. */
+function rewriteNumbers() {
+    const [from, to] = state.sign === "," ? [".", ","] : [",", "."];
+    const rewritten = (text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text);
+    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = rewritten(text);
+    for (const name of ["probe_x", "probe_y"]) state[name] = rewritten(state[name]);
+}
+
 function setting(name, label, options) {
     const select = element(
         "select",
@@ -100,6 +131,7 @@ function setting(name, label, options) {
     );
     select.addEventListener("change", () => {
         state[name] = name === "digits" ? Number(select.value) : select.value;
+        if (name === "sign") rewriteNumbers();
         render();
     });
     return {
@@ -118,7 +150,13 @@ const chosen = [
 function build() {
     document.getElementById("settings").append(
         ...chosen.map((one) => element("span", {}, ...one.parts)),
-        copyButton("Copy a link to this case", () => location.href.replace(/#.*/, "") + address()),
+        copyButton(
+            "Copy a link to this case",
+            () => location.href.replace(/#.*/, "") + address(),
+            () => (tooLong.hidden ? "Copied" : "Copied without the pasted rows"),
+        ),
+        element("label", { for: "open-case" }, "Open a saved case"),
+        element("input", { type: "file", id: "open-case", accept: ".txt,text/plain", onchange: openCase }),
     );
     const details = element(
         "details",
@@ -142,14 +180,16 @@ function build() {
     document
         .getElementById("case")
         .replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
-    document.getElementById("answers").append(status, tabs.list, ...tabs.panels);
+    document.getElementById("answers").append(tooLong, status, tabs.list, ...tabs.panels);
 }
 
-function begin() {
-    take(readAddress(location.hash));
+function show(texts) {
+    take(texts);
     for (const one of chosen) one.show();
     render();
 }
+
+const begin = () => show(readAddress(location.hash));
 
 build();
 begin();

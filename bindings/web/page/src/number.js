@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as they are typed, with a decimal point or comma, and as they are shown.
+import { numberOf } from "./library.js";
 
-const written = /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i;
+const mayBeThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
 
-/** NaN where the text is no number. Both decimal signs are read; a sign for thousands is none. */
-export function readNumber(text) {
-    const plain = text.trim().replace(/\u2212/g, "-");
-    return written.test(plain) ? Number(plain.replace(",", ".")) : NaN;
+/** With a decimal point, as the model reads it. A comma that may separate thousands stays, unless it was chosen as decimal sign. */
+export function withPoint(text, sign) {
+    const plain = text.trim().replaceAll("\u2212", "-").replace(/\s/g, " ");
+    const isDecimal = plain.split(",").length === 2 && !plain.includes(".");
+    return isDecimal && (sign === "," || !mayBeThousands.test(plain)) ? plain.replace(",", ".") : plain;
 }
 
-/** Whether others would read 1,234 as a thousand and more. */
-export const mayBeThousands = (text) => /^[+-]?[1-9]\d{0,2},\d{3}$/.test(text.trim());
+/** NaN where the text is no number. */
+export const readNumber = (text, sign) => numberOf(withPoint(text, sign));
 
 /** So many significant digits, as the tool writes them (printf's %g); nothing for NaN. */
 export function writeNumber(value, digits, sign = ".") {

@@ -62,26 +62,26 @@ export function gridOf({ left, right }) {
 }
 
 /** The stresses on the grid, and one measure of them. */
-export function fieldOf({ contact, what }, grid, measure) {
+export function fieldOf({ contact, setup }, grid, measure) {
     const s = contact.stresses(grid.x, grid.y),
         values = new Float64Array(NX * NY),
         { of } = measures[measure];
-    for (let i = 0; i < values.length; i++) values[i] = of(s.sxx[i], s.syy[i], s.txy[i], what.nu1);
+    for (let i = 0; i < values.length; i++) values[i] = of(s.sxx[i], s.syy[i], s.txy[i], setup.nu1);
     return { ...s, values };
 }
 
 /** All numbers of one place; null where there are none. */
-export function valuesAt({ contact, what }, place) {
+export function valuesAt({ contact, setup }, place) {
     const s = status.orNull(() => contact.stresses(place.x, place.y));
     if (!s) return null;
     const { s1, s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
     return {
         ...s,
-        szz: rwedge.out_of_plane_stress(s.sxx, s.syy, what.nu1),
+        szz: rwedge.out_of_plane_stress(s.sxx, s.syy, setup.nu1),
         s1,
         s2,
         angle: (angle * 180) / Math.PI,
-        tau_max: rwedge.largest_shear(s.sxx, s.syy, s.txy, what.nu1),
-        von_mises: rwedge.von_mises(s.sxx, s.syy, s.txy, what.nu1),
+        tau_max: rwedge.largest_shear(s.sxx, s.syy, s.txy, setup.nu1),
+        von_mises: rwedge.von_mises(s.sxx, s.syy, s.txy, setup.nu1),
     };
 }

@@ -12,8 +12,11 @@ const made = (length, force, stress) => ({
     deg: "\u00b0",
     none: "",
     text: "",
-    "stress^2": `${stress}\u00b2`,
+    "force*stress/length": `${force}/${length}\u00b7${stress}`,
 });
+
+/** Those of a name, or the usual ones. */
+export const unitsOf = (name) => (Object.hasOwn(unitSystems, name) ? unitSystems[name] : unitSystems.mm).unit;
 
 export const unitSystems = {
     mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa") },
@@ -21,12 +24,7 @@ export const unitSystems = {
     in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
     any: {
         name: "any consistent units",
-        unit: {
-            ...made("length", "force", "stress"),
-            force: "force",
-            "1/stress": "1/stress",
-            "stress^2": "stress\u00b2",
-        },
+        unit: { ...made("length", "force", "stress"), force: "force", "1/stress": "1/stress" },
     },
 };
 

@@ -58,9 +58,14 @@ export const enter = (page, texts) =>
         }
     }, texts);
 
+/** Waits for what is computed aside. */
+export const settled = (page) =>
+    page.waitForFunction(() => !document.querySelector('[aria-busy="true"]'), { timeout: 60000 });
+
 /** The numbers of the tab that is seen, by their names. */
-export const shownNumbers = (page) =>
-    page.evaluate(() =>
+export async function shownNumbers(page) {
+    await settled(page);
+    return page.evaluate(() =>
         Object.fromEntries(
             [...document.querySelectorAll('[role="tabpanel"]:not([hidden]) [data-name]')].map((cell) => [
                 cell.dataset.name,
@@ -68,6 +73,7 @@ export const shownNumbers = (page) =>
             ]),
         ),
     );
+}
 
 export const statusOf = (page) =>
     page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);

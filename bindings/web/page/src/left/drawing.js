@@ -98,16 +98,16 @@ function drawingText(shape) {
 const schematic = { a: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
 
 /** The drawing of a case; one of no particular contact where there are no results. */
-export function drawingOf({ what, contact, results }) {
+export function drawingOf({ setup, contact, results }) {
     if (!results) return drawingText(schematic);
     const x = placesAcross(results.left, results.right, 60);
     const { p } = contact.tractions(x),
         most = Math.max(...p.map(Math.abs));
     return drawingText({
-        ...what,
+        ...setup,
         left: results.left,
         right: results.right,
-        tilt: results.tilt / what.theta,
+        tilt: results.tilt / setup.theta,
         stickLeft: results.stick_left,
         stickRight: results.stick_right,
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs of the case: fields with units, complaints and sliders, around the drawing.
 import { element } from "../elements.js";
-import { alternatives, dimensions, isGiven, readInput } from "../case/inputs.js";
 import { rwedge } from "../library.js";
-import { mayBeThousands, readNumber, writeNumber } from "../number.js";
-import { SQRT_3 } from "../case/contact_case.js";
-import { words } from "words";
+import { writeNumber } from "../number.js";
+import { alternatives, inputs } from "../words.js";
 import { slider } from "./slider.js";
 
 const groups = [
@@ -33,18 +31,18 @@ const labels = {
 const choiceTexts = { theta: "rad", theta_deg: "deg", a: "a", radius: "R", k: "k", yield_stress: "Y" };
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
 
-/** The same input the other way, to 15 digits: radians or degrees, a or radius, k or Y. Empty where it cannot be told. */
-function converted(from, value, texts) {
-    const angle = readNumber(texts.theta ?? "") || (readNumber(texts.theta_deg ?? "") * Math.PI) / 180;
-    const other = {
+/** The same input the other way: radians or degrees, a or radius, k or Y. */
+function converted(from, numbers) {
+    const value = numbers[from],
+        angle = numbers.theta ?? (numbers.theta_deg * Math.PI) / 180;
+    return {
         theta: (value * 180) / Math.PI,
         theta_deg: (value * Math.PI) / 180,
         a: rwedge.radius(angle, value),
         radius: rwedge.rounding(angle, value),
-        k: value * SQRT_3,
-        yield_stress: value / SQRT_3,
+        k: value * Math.sqrt(3),
+        yield_stress: value / Math.sqrt(3),
     }[from];
-    return Number.isFinite(other) ? writeNumber(other, 15) : "";
 }
 
 /** One field. It reads and writes texts; change() is called after each change. */
@@ -67,11 +65,7 @@ class Field {
         this.unit = element("span", { class: "unit" });
         this.note = element("p", { id: `${id}-note`, class: "note", "aria-live": "polite" });
         this.input.addEventListener("input", () => this.type(this.input.value));
-        this.slider = slider(
-            name,
-            () => this.state,
-            (text) => this.type(text),
-        );
+        this.slider = slider(name, (text) => this.type(text));
         const row = element(
             "div",
             { class: "row" },
@@ -102,31 +96,30 @@ class Field {
         return this.choice;
     }
 
+    /** To 15 digits; what is no number stays as it is. */
     choose(way) {
         const from = this.name,
-            text = this.state.texts[from] ?? "";
-        const value = isGiven(this.state.texts, from) ? readInput(from, text).value : undefined;
-        const other = value === undefined ? text : converted(from, value, this.state.texts);
+            other = from in this.numbers ? converted(from, this.numbers) : NaN,
+            text = Number.isFinite(other) ? writeNumber(other, 15, this.state.sign) : (this.state.texts[from] ?? "");
         for (const each of this.ways) this.state.way[each] = each === way;
-        this.type(other);
+        this.type(text);
     }
 
     show(model) {
+        this.numbers = model.inputs;
         const text = this.state.texts[this.name] ?? "";
         if (this.input.value.trim() !== text.trim()) this.input.value = text;
         this.label.textContent = labels[this.name];
-        this.label.title = words.inputs[this.name].help;
+        this.label.title = inputs[this.name].meaning;
         this.input.placeholder = hints[this.name] ?? "";
         if (this.choice) this.choice.value = this.name;
         this.unit.textContent =
-            this.choice && dimensions[this.name].match(/rad|deg/) ? "" : model.unit[dimensions[this.name]];
+            this.choice && inputs[this.name].unit.match(/rad|deg/) ? "" : model.unit[inputs[this.name].unit];
         const wrong = model.faults.filter((fault) => this.ways.includes(fault.input));
         this.input.setAttribute("aria-invalid", wrong.length > 0);
         this.note.className = wrong.length > 0 ? "note bad" : "note";
-        this.note.textContent =
-            wrong.map((fault) => fault.text).join("; ") ||
-            (mayBeThousands(text) ? `read as ${readNumber(text)}: the comma is a decimal sign` : "");
-        this.slider?.show(this.name);
+        this.note.textContent = wrong.map((fault) => fault.text).join("; ");
+        this.slider?.show(this.name, model);
     }
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides.
 import { element } from "../elements.js";
-import { isGiven, readInput } from "../case/inputs.js";
 import { writeNumber } from "../number.js";
 
 const steps = 200;
-const valueOf = (texts, name) => (isGiven(texts, name) ? (readInput(name, texts[name]).value ?? NaN) : NaN);
 
 /** From -1 to 1 and back, about the number from which the drag began. */
 const byFactor = { to: (base, share) => base * 10 ** share, from: (base, value) => Math.log10(value / base) };
@@ -20,8 +18,8 @@ const ways = {
 
 class Slider {
     /** name: of the input as it is given now; base: the number from which the drag began. */
-    constructor(field, state, type) {
-        Object.assign(this, { field, state, type, name: field, base: NaN });
+    constructor(field, type) {
+        Object.assign(this, { field, type, name: field, base: NaN });
         const label = `${field}, slider`;
         this.input = element("input", { type: "range", min: -steps, max: steps, step: 1, "aria-label": label });
         this.input.addEventListener("input", () => this.drag());
@@ -29,34 +27,33 @@ class Slider {
     }
 
     begin() {
-        const { texts } = this.state();
+        const { inputs } = this.model;
         const isShear = this.field === "Q"; // which runs as far as the friction
-        this.base = isShear ? (valueOf(texts, "f") || 0) * valueOf(texts, "P") : valueOf(texts, this.name);
+        this.base = isShear ? (inputs.f ?? 0) * inputs.P : (inputs[this.name] ?? NaN);
     }
 
     drag() {
         if (this.input.dataset.moving !== "yes") this.begin();
         this.input.dataset.moving = "yes";
         const value = ways[this.field].to(this.base, this.input.valueAsNumber / steps);
-        if (Number.isFinite(value)) this.type(writeNumber(value, 4));
+        if (Number.isFinite(value)) this.type(writeNumber(value, 4, this.model.sign));
     }
 
     letGo() {
         this.input.dataset.moving = "no";
-        this.show(this.name);
+        this.show(this.name, this.model);
     }
 
-    show(name) {
-        this.name = name;
+    show(name, model) {
+        Object.assign(this, { name, model });
         if (document.activeElement === this.input && this.input.dataset.moving === "yes") return;
         this.begin();
-        const { texts } = this.state();
         const ifEmpty = this.field === "Q" || this.field === "f" ? 0 : NaN;
-        const share = ways[this.field].from(this.base, valueOf(texts, name) || ifEmpty);
+        const share = ways[this.field].from(this.base, model.inputs[name] || ifEmpty);
         this.input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
-        this.input.setAttribute("aria-valuetext", texts[name] ?? "empty");
+        this.input.setAttribute("aria-valuetext", model.texts[name] ?? "empty");
     }
 }
 
-/** Nothing where the input has no slider. state() has the texts; type(text) takes what is dragged to. */
-export const slider = (field, state, type) => (ways[field] ? new Slider(field, state, type) : null);
+/** Nothing where the input has no slider. type(text) takes what is dragged to. */
+export const slider = (field, type) => (ways[field] ? new Slider(field, type) : null);

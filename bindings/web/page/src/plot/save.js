@@ -63,6 +63,7 @@ function saveButtons(name, svg, table) {
 export function savedPlot(name, table) {
     const plot = element("div");
     const buttons = saveButtons(name, () => plot.querySelector("svg"), table);
+    buttons.hidden = true;
     const draw = (text) => {
         plot.innerHTML = text;
         buttons.hidden = !plot.querySelector("svg");

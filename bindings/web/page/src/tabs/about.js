@@ -14,7 +14,7 @@ const html = () => `
 <p>A wedge with a rounded apex is pressed onto an elastically similar half-plane: contact law, pressure, partial slip, stresses, first yield, cycles of loads. The library
 <b>rwedge ${escaped(rwedge.version())}</b> is inside this file and computes every number here. The file asks for nothing from a network, and its security policy forbids it to.</p>
 <p>Source: M. Ciavarella, D. A. Hills, G. Monno, \u201cContact problems for a wedge with rounded apex\u201d, Int. J. Mech. Sci. 40 (1998) 977\u2013988.</p>
-<p>It holds for plane strain, small angles and bodies that are large beside the contact. ${escaped(unitsRemark)} Decimal points and commas are both read.</p>
+<p>It holds for plane strain, small angles and bodies that are large beside the contact. ${escaped(unitsRemark)} In a field, decimal points and commas are both read; a comma that may separate thousands is refused unless the comma is the chosen sign, which is that of pasted rows.</p>
 <p>Status: green is OK; amber says what makes the numbers doubtful; red says what is wrong and what is allowed. Q below f P, and \u03c3, are taken to have grown together from 0 under constant P and M;
 other histories are in the tab Cycle.</p>
 <h2>Conventions</h2>${texts.conventions}

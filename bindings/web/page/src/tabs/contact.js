@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
 import { element } from "../elements.js";
-import { resultKinds, safetyOnStrength } from "../case/results.js";
+import { safetyOnStrength } from "../solution.js";
+import { resultKinds } from "../words.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";
 import { withUnit } from "../model.js";
@@ -10,15 +11,15 @@ import { noResults, tableText } from "./table.js";
 
 const minus = (numbers) => numbers.map((v) => -v + 0);
 
-function tractions({ contact, what, results }) {
+function tractions({ contact, setup, results }) {
     const x = placesAcross(results.left, results.right, 400),
         { p, q } = contact.tractions(x);
     return [
         { name: "pressure \u2212p", column: "minus_p", style: "one", x, y: minus(p) },
-        ...(what.f > 0
+        ...(setup.f > 0
             ? [
                   { name: "shear \u2212q", column: "minus_q", style: "two", x, y: minus(q) },
-                  { name: "limit f|p|", column: "f_p", style: "thin", x, y: p.map((v) => what.f * Math.abs(v)) },
+                  { name: "limit f|p|", column: "f_p", style: "thin", x, y: p.map((v) => setup.f * Math.abs(v)) },
               ]
             : []),
     ];
@@ -28,7 +29,7 @@ function plotOf(model, curves) {
     const { left, right, stick_left: from, stick_right: to } = model.results;
     const sticks = from !== null && to > from;
     const bands =
-        model.what.f === 0
+        model.setup.f === 0
             ? []
             : sticks
               ? [
@@ -48,10 +49,10 @@ function plotOf(model, curves) {
 
 /** All that "rwedge solve" says, and the workbook's safety on strength. */
 function resultRows(model) {
-    const rows = resultKinds.map(({ name, meaning, dimension }) => ({
+    const rows = resultKinds.map(({ name, meaning, unit }) => ({
         name,
         meaning,
-        unit: model.unit[dimension],
+        unit: model.unit[unit],
         value: model.write(model.results[name]),
     }));
     const at = rows.findIndex((row) => row.name === "safety") + 1;

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
 import { element } from "../elements.js";
-import { answerOf, usualLoads } from "../cycle/answer.js";
-import { measureKinds } from "../cycle/measures.js";
-import { readCase } from "../case/contact_case.js";
+import { Aside } from "../aside.js";
 import { roomy } from "../plot/axes.js";
 import { curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";
 import { withUnit } from "../model.js";
+import { measureKinds } from "../words.js";
 import { tableText } from "./table.js";
 
-function unitOf(name, unit) {
-    return (
-        {
-            stress_range: unit.stress,
-            swt: unit.stress,
-            slip_range: unit.length,
-            ruiz_f1: unit["force/length"],
-            ruiz_f2: `${unit["force/length"]}\u00b7${unit.stress}`,
-            energy_per_area: unit["force/length"],
-        }[name] ?? ""
-    );
-}
+const unitOf = (name, unit) => unit[measureKinds.find((kind) => kind.name === name).unit];
 
 /** A measure along the surface, and where it is worst. */
 function alongText({ x, measured, worst }, { unit, write }, name, title) {
@@ -71,24 +59,32 @@ function loopTable({ loop }) {
 
 function remarkOf(found, state) {
     if (found.complaint) return found.complaint;
-    const usual = state.loads.trim() ? "" : "No table is given: this is Q to and fro under constant P. ";
-    return usual + (found.slipKnown ? "" : "The slip has no closed form after these loads.");
+    const usual = "No table is given: P and M of the case come first, then its Q and \u03c3 go to and fro";
+    const slip = "The slip has no closed form after these loads";
+    return [!state.loads.trim() && usual, found.unused, !found.slipKnown && slip].filter(Boolean).join(". ");
 }
 
 /** What is typed, and the remark on it. */
 function makeEntries() {
     return {
-        loads: element("textarea", { id: "loads", rows: 5, spellcheck: "false", "aria-describedby": "loads-note" }),
+        loads: element("textarea", {
+            id: "loads",
+            rows: 5,
+            spellcheck: "false",
+            placeholder: "P\tQ",
+            "aria-describedby": "loads-note",
+        }),
         cycles: element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
         note: element("p", { id: "loads-note", class: "note", "aria-live": "polite" }),
     };
 }
 
-function showEntries({ loads, cycles, note }, state, texts, found) {
+function showEntries({ loads, cycles }, state) {
     if (document.activeElement !== loads) loads.value = state.loads;
     if (document.activeElement !== cycles) cycles.value = state.cycles;
-    const { what } = readCase(texts, { withLoads: false });
-    loads.placeholder = what ? usualLoads(what) : "P\tQ";
+}
+
+function showRemark({ loads, note }, state, found) {
     loads.setAttribute("aria-invalid", Boolean(found.complaint));
     note.className = found.complaint ? "note bad" : "note";
     note.textContent = remarkOf(found, state);
@@ -129,13 +125,20 @@ function panelOf({ loads, cycles, note }, answers) {
 
 export function makeCycle(state, changed) {
     const entries = makeEntries(),
-        answers = makeAnswers();
+        answers = makeAnswers(),
+        aside = new Aside("cycle");
+    const panel = panelOf(entries, answers);
     let model;
+    const draw = (found) => {
+        panel.removeAttribute("aria-busy");
+        showRemark(entries, state, found);
+        answers.show(found, model);
+    };
     const show = (present) => {
         model = present;
-        const found = answerOf(model.texts, state.loads, Number(state.cycles));
-        showEntries(entries, state, model.texts, found);
-        answers.show(found, model);
+        showEntries(entries, state);
+        panel.setAttribute("aria-busy", "true");
+        aside.ask([model.texts, state.loads, state.sign, state.cycles], draw);
     };
     for (const name of ["loads", "cycles"])
         entries[name].addEventListener("input", () => {
@@ -143,5 +146,5 @@ export function makeCycle(state, changed) {
             show(model);
             changed();
         });
-    return { panel: panelOf(entries, answers), show };
+    return { panel, show };
 }

@@ -52,7 +52,7 @@ export class Probe {
         const u = ((event.clientX - rect.left) / rect.width) * width;
         const at = placeAt(u, ((event.clientY - rect.top) / rect.height) * height, this.grid);
         if (!at) return;
-        [this.state.probe_x, this.state.probe_y] = [writeNumber(at.x, 5), writeNumber(at.y, 5)];
+        [this.state.probe_x, this.state.probe_y] = [at.x, at.y].map((value) => writeNumber(value, 5, this.state.sign));
         this.showFields();
         this.showValues();
     }
@@ -68,7 +68,7 @@ export class Probe {
             this.values.textContent = "";
             return;
         }
-        const [x, y] = keys.map((key) => readNumber(this.state[key]));
+        const [x, y] = keys.map((key) => readNumber(this.state[key], this.state.sign));
         const found = Number.isFinite(x) && y >= 0 ? valuesAt(this.model, { x, y }) : null;
         this.values.innerHTML = found
             ? tableText("Stresses at the place", this.rows(found))

@@ -2,7 +2,7 @@
 // The tab Strength: the elastic limit over friction for this a/b, its two branches, the present point, both safeties.
 import { element } from "../elements.js";
 import { rwedge, status } from "../library.js";
-import { isOffCentre, safetyOnStrength } from "../case/results.js";
+import { isOffCentre, safetyOnStrength } from "../solution.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";
 import { noResults, tableText } from "./table.js";
@@ -12,28 +12,34 @@ const COUNT = 101;
 /** Friction from 0 on, as far as the tables go and beyond the present one. */
 const frictions = (f) => Float64Array.from({ length: COUNT }, (_, i) => (Math.max(0.8, 1.25 * f) * i) / (COUNT - 1));
 
-function branches({ what, results }) {
+function branches({ setup, results }) {
     const alpha = results.a_over_b,
-        f = frictions(what.f);
-    const each = (branch) => f.map((v) => status.orNull(() => branch(alpha, v, what.nu1))?.limit ?? NaN);
+        f = frictions(setup.f);
+    const each = (branch) => f.map((v) => status.orNull(() => branch(alpha, v, setup.nu1))?.limit ?? NaN);
     return [
-        { name: "elastic limit", column: "P_over_bk", style: "one", x: f, y: rwedge.elastic_limit(alpha, f, what.nu1) },
+        {
+            name: "elastic limit",
+            column: "P_over_bk",
+            style: "one",
+            x: f,
+            y: rwedge.elastic_limit(alpha, f, setup.nu1),
+        },
         { name: "below surface", column: "P_over_bk_subsurface", style: "two", x: f, y: each(rwedge.subsurface_yield) },
         { name: "at surface", column: "P_over_bk_surface", style: "three", x: f, y: each(rwedge.surface_yield) },
     ];
 }
 
 /** The load of the case, where a yield stress is given. */
-function presentPoint({ what, results, write }) {
+function presentPoint({ setup, results, write }) {
     const y = results.load_over_bk;
-    return y === null ? [] : [{ x: what.f, y, name: `this load, P/(bk) = ${write(y)}`, below: true }];
+    return y === null ? [] : [{ x: setup.f, y, name: `this load, P/(bk) = ${write(y)}`, below: true }];
 }
 
 /** Where yield moves to the surface: the limit has a kink there. */
-function criticalPoint({ what, results }) {
+function criticalPoint({ setup, results }) {
     const x = results.f_critical;
     if (!(x > 0)) return [];
-    return [{ x, y: rwedge.elastic_limit(results.a_over_b, x, what.nu1), name: "critical friction" }];
+    return [{ x, y: rwedge.elastic_limit(results.a_over_b, x, setup.nu1), name: "critical friction" }];
 }
 
 /** A branch far above the limit is left out of the picture, not out of the table. */
@@ -100,7 +106,7 @@ export function makeStrength() {
         if (reason) return;
         curves = branches(model);
         plot.draw(plotOf(model, curves));
-        if (isOffCentre(model.what)) remark.textContent = offCentreRemark;
+        if (isOffCentre(model.setup)) remark.textContent = offCentreRemark;
         numbers.innerHTML = numbersText(model);
     };
     return { panel: element("div", {}, ...plot.parts, remark, numbers), show };

@@ -9,11 +9,11 @@ import { Probe } from "./probe.js";
 import { noResults } from "./table.js";
 
 /** Where the von Mises stress is largest, in words; nothing where it is infinite. */
-function hardestText({ hardest, what, unit, write }) {
+function hardestText({ hardest, setup, unit, write }) {
     if (!hardest) return "";
     const place = `x = ${write(hardest.x)}, y = ${write(hardest.y)} ${unit.length}`;
     const text = `Largest von Mises stress: ${write(hardest.von_mises)} ${unit.stress} at ${place}`;
-    return Number.isNaN(what.k)
+    return Number.isNaN(setup.k)
         ? `${text}.`
         : `${text}; it yields there first, at ${write(hardest.factor)} times these stresses.`;
 }

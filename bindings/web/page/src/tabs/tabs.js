@@ -63,7 +63,7 @@ export function makeTabs(state, model, changed) {
         open(names[(names.indexOf(state.tab) + step + names.length) % names.length], true);
     });
     const show = (present) => {
-        if (!parts[state.tab]) state.tab = names[0];
+        if (!Object.hasOwn(parts, state.tab)) state.tab = names[0];
         for (const name of names) {
             const seen = name === state.tab;
             parts[name].box.hidden = !seen;

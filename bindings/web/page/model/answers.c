@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the page asks about one contact: the words of the model, and the answer to a case. */
+#include "answers.h"
+
+#include "field_texts.h"
+#include "records.h"
+
+#include "model/measures.h"
+#include "model/verdict.h"
+
+#include "text/list.h"
+#include "text/number.h"
+
+#include <rwedge.h>
+
+/* ---- Words ---- */
+
+static void write_input_words(void)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char name[INPUT_NAME_SIZE];
+        records_add("input");
+        records_text(input_column(i, name));
+        records_text(input_kinds[i].option);
+        records_text(input_kinds[i].unit);
+        records_text(input_kinds[i].meaning);
+        const int other = input_alternative(i);
+        records_text(other > i ? input_column(other, name) : "");
+    }
+}
+
+EXPORTED const char *page_words(void)
+{
+    records_begin();
+    write_input_words();
+    for (int i = 0; i < RESULT_COUNT; i++) {
+        records_add("result");
+        records_text(result_kinds[i].name);
+        records_text(result_kinds[i].unit);
+        records_text(result_kinds[i].meaning);
+    }
+    for (int i = 0; i < MEASURE_COUNT; i++) {
+        records_add("measure");
+        records_text(measure_kinds[i].column);
+        records_text(measure_kinds[i].unit);
+        records_text(measure_kinds[i].meaning);
+    }
+    return records_end();
+}
+
+/* NAN where the text is none; the decimal sign is a point. */
+EXPORTED double page_number(const char *text)
+{
+    double value;
+    return number_read_cell(text, '.', &value) ? value : NAN;
+}
+
+/* ---- One contact ---- */
+
+static rwedge_contact *loaded;
+
+/* The contact of the last answer, under its loads; the caller destroys it. NULL where there is
+ * none. */
+EXPORTED rwedge_contact *page_contact(void)
+{
+    rwedge_contact *contact = loaded;
+    loaded = NULL;
+    return contact;
+}
+
+void answers_keep(rwedge_contact *contact)
+{
+    rwedge_contact_destroy(page_contact());
+    loaded = contact;
+}
+
+static void refuse(int input, const char *complaint)
+{
+    char name[INPUT_NAME_SIZE];
+    records_add("refused");
+    records_text(input < INPUT_COUNT ? input_column(input, name) : "");
+    records_text(complaint);
+}
+
+static void write_verdict(verdict result)
+{
+    records_add("verdict");
+    records_text(result.colour);
+    records_text(result.text);
+}
+
+/* The numbers of all inputs that are given, and a refusal of each that is none. */
+static bool write_inputs(const input_texts *texts)
+{
+    char complaint[COMPLAINT_SIZE], name[INPUT_NAME_SIZE], all[1000] = "";
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        double value;
+        if (!input_is_given(texts, i))
+            continue;
+        if (!input_read(texts, i, &value, complaint)) {
+            refuse(i, complaint);
+            list_add(all, sizeof all, "; ", "%s", complaint);
+            continue;
+        }
+        records_add("input");
+        records_text(input_column(i, name));
+        records_number(value);
+    }
+    if (all[0] != '\0')
+        write_verdict(verdict_of_fault(RWEDGE_OK, all));
+    return all[0] == '\0';
+}
+
+static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
+{
+    char complaint[COMPLAINT_SIZE];
+    load_fault fault = {.input = INPUT_COUNT, .status = RWEDGE_OK};
+    bool there = case_is_complete(texts, needs, complaint);
+    if (there && !case_read(texts, needs, setup, complaint)) {
+        fault = case_fault(setup);
+        there = false;
+    }
+    if (!there) {
+        refuse(fault.input, complaint);
+        write_verdict(verdict_of_fault(fault.status, complaint));
+        return false;
+    }
+    const struct {
+        const char *name;
+        double value;
+    } numbers[] = {{"E1", setup->E1}, {"nu1", setup->nu1},     {"theta", setup->theta},
+                   {"a", setup->a},   {"P", setup->P},         {"M", setup->M},
+                   {"Q", setup->Q},   {"sigma", setup->sigma}, {"f", setup->f},
+                   {"k", setup->k},   {"A", setup->A}};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        records_add("case");
+        records_text(numbers[i].name);
+        records_number(numbers[i].value);
+    }
+    return true;
+}
+
+/* Where the stress under the loads is hardest: any k gives the place. */
+static void write_hardest(const contact_case *setup, results *answer)
+{
+    const bool strong = !isnan(setup->k);
+    const double k = strong ? setup->k : setup->theta / setup->A;
+    double factor, x, y;
+    if (rwedge_contact_yield_factor(loaded, setup->nu1, k, &factor, &x, &y) != RWEDGE_OK)
+        return;
+    if (strong)
+        answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
+    if (!(factor > 0)) /* infinite at a sharp apex */
+        return;
+    records_add("hardest");
+    records_number(factor);
+    records_number(x);
+    records_number(y);
+    records_number(1.7320508075688772 * k / factor);
+}
+
+static void write_results(const contact_case *setup)
+{
+    results answer;
+    char complaint[COMPLAINT_SIZE];
+    const results_wanted wanted = {.edges = true};
+    if (case_loaded(setup, &loaded) != RWEDGE_OK ||
+        !results_compute(setup, wanted, &answer, complaint)) {
+        answers_keep(NULL);
+        refuse(INPUT_COUNT, complaint);
+        write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
+        return;
+    }
+    write_hardest(setup, &answer);
+    for (int i = 0; i < RESULT_COUNT; i++) {
+        const cell *value = &answer.value[i];
+        records_add(value->text != NULL ? "text" : "number");
+        records_text(result_kinds[i].name);
+        if (value->text != NULL)
+            records_text(value->text);
+        else
+            records_number(value->number);
+    }
+    write_verdict(verdict_of(&answer));
+}
+
+/* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict. */
+EXPORTED const char *page_answer(char *lines)
+{
+    contact_case setup;
+    const input_texts texts = field_texts(lines);
+    answers_keep(NULL);
+    records_begin();
+    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
+        write_results(&setup);
+    return records_end();
+}
+
+static double number_of(const input_texts *texts, int input)
+{
+    char complaint[COMPLAINT_SIZE];
+    double value;
+    return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
+}
+
+bool answers_course(char *lines, contact_case *setup, load *form)
+{
+    input_texts texts = field_texts(lines);
+    answers_keep(NULL);
+    if (!write_inputs(&texts))
+        return false;
+    *form = (load){number_of(&texts, INPUT_P), number_of(&texts, INPUT_M),
+                   number_of(&texts, INPUT_Q), number_of(&texts, INPUT_SIGMA)};
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+        texts.text[i] = NULL;
+    return write_case(&texts, CASE_OF_COURSE, setup);
+}

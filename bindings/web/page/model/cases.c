@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the page asks about a pasted table of cases, a row each. */
+#include "field_texts.h"
+#include "pasted.h"
+#include "records.h"
+
+#include "model/case_table.h"
+#include "model/verdict.h"
+
+/* The form gives what the columns do not, not even the other way: the radius for a. */
+static void leave_to_columns(const header *names, input_texts *constants)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        const int other = input_alternative(i);
+        if (header_has_input(names, i) || (other >= 0 && header_has_input(names, other)))
+            constants->text[i] = NULL;
+    }
+    if (header_has_input(names, INPUT_E2) || header_has_input(names, INPUT_NU2))
+        constants->text[INPUT_E2] = constants->text[INPUT_NU2] = NULL;
+}
+
+static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
+                  char complaint[COMPLAINT_SIZE])
+{
+    bool wanted[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        wanted[i] = true;
+    table->constants = field_texts(lines);
+    /* the form stands for no column that is nearly named: nothing is given but the columns */
+    if (!header_find(first->cell, first->count, wanted, NULL, &table->names, complaint))
+        return false;
+    leave_to_columns(&table->names, &table->constants);
+    for (int i = 0; i < INPUT_COUNT; i++)
+        table->constants.is_cell[i] = header_has_input(&table->names, i);
+    table->constants.cell_decimal_sign = decimal_sign;
+    table->constants.how_comma = "if that is chosen above";
+    table->constants.where_else = "columns, or the case at the left";
+    return case_table_begin(table, complaint);
+}
+
+static void write_head(const case_table *table)
+{
+    records_add("columns");
+    for (size_t i = 0; i < table->names.count; i++)
+        records_text(table->names.name[i]);
+    records_add("results");
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (table->shown[i])
+            records_text(result_kinds[i].name);
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char name[INPUT_NAME_SIZE];
+        if (!input_is_given(&table->constants, i))
+            continue;
+        records_add("constant");
+        records_text(input_column(i, name));
+        records_text(table->constants.text[i]);
+    }
+}
+
+static void write_row(const case_table *table, const csv_row *row)
+{
+    results answer;
+    char complaint[COMPLAINT_SIZE] = "misplaced quotes";
+    const bool solved =
+        !row->malformed && case_table_solve(table, row->cell, row->count, &answer, complaint);
+    records_add("row");
+    records_text(solved ? verdict_of(&answer).colour : "red");
+    records_text(solved ? "" : complaint);
+    for (size_t i = 0; i < table->names.count; i++)
+        records_text(i < row->count ? row->cell[i] : "");
+    for (int i = 0; i < RESULT_COUNT && solved; i++) {
+        if (!table->shown[i])
+            continue;
+        if (answer.value[i].text != NULL)
+            records_text(answer.value[i].text);
+        else
+            records_number(answer.value[i].number);
+    }
+}
+
+/* The rows below the names; false, with the problem, where they cannot be read on. */
+static bool write_rows(csv_input *in, const case_table *table, const char **problem)
+{
+    bool is_unused[HEADER_COLUMNS] = {false};
+    char unused[COMPLAINT_SIZE] = "";
+    csv_row row;
+    while (pasted_next(in, &row, problem)) {
+        write_row(table, &row);
+        if (row.count == table->names.count)
+            header_note_unused(&table->names, row.cell, is_unused);
+        csv_row_free(&row);
+    }
+    header_write_unused(&table->names, is_unused, unused, sizeof unused);
+    records_add("unused");
+    records_text(unused);
+    return (*problem)[0] == '\0';
+}
+
+/* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
+ * constants, rows with their colour and fault, columns that are not used. */
+EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
+{
+    csv_input *in = pasted_open(text);
+    csv_row first = {0};
+    const char *problem;
+    char complaint[COMPLAINT_SIZE];
+    case_table table = {0};
+    records_begin();
+    if (!pasted_next(in, &first, &problem))
+        records_refuse(problem);
+    else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
+        records_refuse(complaint);
+    else {
+        write_head(&table);
+        if (!write_rows(in, &table, &problem))
+            records_refuse(problem);
+    }
+    csv_row_free(&first);
+    csv_input_close(in);
+    return records_end();
+}

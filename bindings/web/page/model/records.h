@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Records of texts and numbers, as one text that JavaScript takes apart. */
+#ifndef PAGE_RECORDS_H
+#define PAGE_RECORDS_H
+
+/* What JavaScript calls. */
+#define EXPORTED
+
+/* Begins anew: the text before is lost. */
+void records_begin(void);
+
+/* A record begins with its kind; fields follow. */
+void records_add(const char *kind);
+void records_text(const char *text);
+void records_number(double number); /* empty where it is not a number; inf is one */
+
+/* In place of all that was added: what is wrong. */
+void records_refuse(const char *why);
+
+/* The whole; an empty text without memory. */
+const char *records_end(void);
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long work is done aside, in a worker: typing goes on, and the next question ends the one before. The worker runs this page's script.
+import { answerOf } from "./cycle/answer.js";
+import { solveRows } from "./tables.js";
+
+const tasks = { rows: solveRows, cycle: answerOf };
+
+/** In the worker: answers what it is asked. */
+export function serve() {
+    self.onmessage = ({ data: [task, values] }) => {
+        try {
+            self.postMessage(tasks[task](...values));
+        } catch (error) {
+            self.postMessage({ complaint: `This cannot be computed: ${error.message}` });
+        }
+    };
+}
+
+/** The script of the page, as it stands in it. */
+const script = globalThis.document?.currentScript?.textContent;
+
+/** Questions of one kind. The last one is answered. */
+export class Aside {
+    constructor(task) {
+        this.task = task;
+        this.busy = false;
+    }
+
+    start() {
+        const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+        this.worker = new Worker(address);
+        URL.revokeObjectURL(address);
+    }
+
+    /** then(answer) follows, unless another question does. The same question is not asked again. */
+    ask(values, then) {
+        const question = JSON.stringify(values);
+        if (question === this.question) return this.busy ? undefined : then(this.answer);
+        if (this.busy) {
+            this.worker.terminate();
+            this.worker = null;
+        }
+        if (!this.worker) this.start();
+        Object.assign(this, { question, busy: true });
+        this.worker.onmessage = ({ data }) => {
+            Object.assign(this, { answer: data, busy: false });
+            then(data);
+        };
+        this.worker.postMessage([this.task, values]);
+    }
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
+import { answeredContact, ask } from "./library.js";
+import { withPoint } from "./number.js";
+
+const number = (text) => (text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text));
+
+const takers = {
+    refused: (answer, input, text) => answer.faults.push({ input, text }),
+    input: (answer, name, value) => (answer.inputs[name] = number(value)),
+    case: (answer, name, value) => ((answer.setup ??= {})[name] = number(value)),
+    hardest(answer, ...numbers) {
+        const [factor, x, y, von_mises] = numbers.map(number);
+        answer.hardest = { factor, x, y, von_mises };
+    },
+    number: (answer, name, value) => ((answer.results ??= {})[name] = value === "" ? null : number(value)),
+    text: (answer, name, value) => ((answer.results ??= {})[name] = value === "" ? null : value),
+    verdict: (answer, colour, text) => (answer.verdict = { colour, text }),
+    load(answer, ...numbers) {
+        const [P, M, Q, sigma] = numbers.map(number);
+        answer.loads.push({ P, M, Q, sigma });
+    },
+    unused: (answer, text) => (answer.unused = text),
+};
+
+/** The texts as lines for the model. */
+export const linesOf = (texts, sign) =>
+    Object.entries(texts)
+        .map(([name, text]) => `${name}=${withPoint(text, sign)}`)
+        .join("\n");
+
+/**
+ * From records of the model: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, loads, unused }. setup
+ * has the numbers of the case, where it is one.
+ */
+export function taken(records) {
+    const answer = {
+        inputs: {},
+        faults: [],
+        setup: null,
+        hardest: null,
+        results: null,
+        verdict: null,
+        loads: [],
+        unused: "",
+    };
+    for (const [kind, ...fields] of records) takers[kind](answer, ...fields);
+    return answer;
+}
+
+let held = null;
+
+/** The case as it stands, with its contact under its loads. One at a time: the one before is freed. */
+export function solveHolding(texts, sign) {
+    held?.free();
+    const answer = taken(ask("answer", linesOf(texts, sign)));
+    held = answer.results ? answeredContact() : null;
+    return { ...answer, contact: held };
+}
+
+export const isOffCentre = ({ M, sigma }) => M !== 0 || sigma !== 0;
+
+/** The factor by which the yield stress may fall, as in the workbook. */
+export const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the model: inputs, results of "rwedge solve", measures of "rwedge fretting".
+import { ask } from "./library.js";
+
+const records = ask("words");
+const ofKind = (kind) => records.filter((record) => record[0] === kind).map((record) => record.slice(1));
+const kinds = (kind) => ofKind(kind).map(([name, unit, meaning]) => ({ name, unit, meaning }));
+
+/** By name, in the tool's order. */
+export const inputs = Object.fromEntries(
+    ofKind("input").map(([name, option, unit, meaning]) => [name, { option, unit, meaning }]),
+);
+export const inputNames = Object.keys(inputs);
+
+/** Two ways to give the same: the other way of the first. */
+export const alternatives = Object.fromEntries(
+    ofKind("input").flatMap(([name, , , , other]) => (other ? [[name, other]] : [])),
+);
+
+export const resultKinds = kinds("result");
+export const measureKinds = kinds("measure");
+export const isAngle = ({ unit }) => unit === "deg";

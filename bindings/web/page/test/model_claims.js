@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page computes, beside the tool: numbers as they are pasted, refusals, unused columns.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { test } from "node:test";
+import { answerOf } from "../src/cycle/answer.js";
+import { readNumber } from "../src/number.js";
+import { solveHolding } from "../src/solution.js";
+import { goThrough, solveRows } from "../src/tables.js";
+import { inputs } from "../src/words.js";
+
+const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
+const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
+const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${inputs[name].option}`, text]);
+
+function run(args, input) {
+    return spawnSync(process.env.TOOL, args, { encoding: "utf8", input });
+}
+
+/** What the tool says of a row of these texts. */
+function toolError(texts) {
+    const table = Object.values({ names: Object.keys(texts), row: Object.values(texts) }).map((cells) =>
+        cells.join("\t"),
+    );
+    const [names, row] = run(["solve", "--input", "-", "--format", "tsv"], `${table.join("\n")}\n`).stdout.split("\n");
+    return row?.split("\t")[names.split("\t").indexOf("error")];
+}
+
+test("a thousands comma in pasted rows is refused, not read as a decimal comma", () => {
+    const { rows } = solveRows("P\tQ\n12,000\t1,200\n", { ...bodies, yield_stress: "900" }, ".");
+    assert.match(rows[0].error, /^P 12,000: the normal force must be a number above 0; the decimal sign is a point/);
+    assert.deepEqual(rows[0].values, []);
+});
+
+test("a thousands comma in the loads of a cycle is refused", () => {
+    const { complaint } = goThrough(bodies, "P\tQ\n3,000\t1,000\n3,000\t-1,000\n", ".", "3");
+    assert.equal(complaint, "line 2: P 3,000: must be a number, with a decimal point");
+});
+
+test("a thousands comma in a field is refused, a decimal comma is read", () => {
+    const { faults } = solveHolding({ ...bodies, P: "12,000" }, ".");
+    assert.deepEqual([faults.length, faults[0].input], [1, "P"]);
+    assert.match(faults[0].text, /the decimal sign is a point, or a comma that separates no thousands/);
+    assert.equal(solveHolding({ ...bodies, P: "12,5" }, ".").inputs.P, 12.5);
+    assert.equal(solveHolding({ ...bodies, P: "12,500" }, ",").inputs.P, 12.5);
+});
+
+test("the decimal comma is read in pasted rows where it is chosen", () => {
+    const { rows } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
+    const told = run([
+        "solve",
+        ...optionsOf({ ...bodies, yield_stress: "900", P: "300.5", Q: "40.25" }),
+        "--layout",
+        "row",
+    ]).stdout;
+    const [names, values] = told.split("\n").map((line) => line.split(","));
+    const { results } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
+    const safety = Number(rows[0].values[results.indexOf("safety")]);
+    assert.ok(Math.abs(safety / Number(values[names.indexOf("safety")]) - 1) < 1e-12);
+});
+
+test("surplus cells in the loads of a cycle are refused as by the tool", () => {
+    const loads = "P,Q\n300,25,20,5\n300,75,-20,5\n";
+    const told = run(["fretting", "-", ...optionsOf(bodies)], loads).stderr;
+    const { complaint } = goThrough(bodies, loads, ".", "3");
+    assert.equal(complaint, "line 2: 4 cells in this row, 2 in the header");
+    assert.ok(told.includes(complaint), told);
+});
+
+test("a column that nearly has an input's name is refused, though the form gives the input", () => {
+    for (const name of ["Q / N", "Q [N/mm]", "Q in N", "Q_N", "mu"]) {
+        const { complaint } = solveRows(`P\t${name}\n300\t80\n`, { ...usual }, ".");
+        assert.match(complaint, new RegExp(`^column '${name.replace(/[[\]/]/g, "\\$&")}': `), name);
+    }
+});
+
+test("columns that are not used are named, above the rows and in their warnings", () => {
+    const solved = solveRows("P\tT\n300\t80\n", usual, ".");
+    assert.equal(solved.unused, "columns with numbers that are not used: 'T'");
+    assert.ok(solved.rows[0].values.at(-1).includes(solved.unused));
+    assert.equal(goThrough(bodies, "P\tQ\tT\n300\t20\t7\n300\t-20\t7\n", ".", "3").unused, solved.unused);
+});
+
+test("an empty cell, too few cells and misplaced quotes cost their row alone", () => {
+    const { rows } = solveRows('case,P,Q\nfirst,300,\nsecond,300\n"third"x,300,20\nlast,300,20\n', usual, ".");
+    assert.deepEqual(
+        rows.map(({ error }) => error),
+        ["Q: the cell is empty", "2 cells in this row, 3 in the header", "misplaced quotes", ""],
+    );
+});
+
+test("twenty thousand digits are refused at once", () => {
+    const began = Date.now();
+    assert.ok(Number.isNaN(readNumber("1".repeat(20000) + "x", ".")));
+    assert.equal(solveHolding({ ...usual, P: "9".repeat(20000) }, ".").verdict.colour, "red");
+    assert.ok(Date.now() - began < 500);
+});
+
+const wrong = [
+    ["E1", "-1"],
+    ["E1", "inf"],
+    ["nu1", "0.6"],
+    ["E2", "70000"],
+    ["theta", "2"],
+    ["a", "-0.1"],
+    ["P", "0"],
+    ["M", "1.2.3"],
+    ["M", "1e12"],
+    ["Q", "20 N"],
+    ["Q", "50"],
+    ["sigma", "5000"],
+    ["f", "-0.1"],
+    ["k", "1e61"],
+];
+
+test("refusals are the tool's", () => {
+    for (const [name, text] of wrong) {
+        const { faults } = solveHolding({ ...usual, [name]: text }, ".");
+        assert.deepEqual(
+            [faults.length, faults[0].text],
+            [1, toolError({ ...usual, [name]: text })],
+            `${name} = ${text}`,
+        );
+    }
+});
+
+test("all wrong fields are named at a time", () => {
+    const { faults, verdict } = solveHolding({ ...usual, P: "x", f: "y" }, ".");
+    assert.deepEqual(
+        faults.map((fault) => fault.input),
+        ["P", "f"],
+    );
+    assert.ok(verdict.text.startsWith("CHECK THE INPUTS: P x: ") && verdict.text.includes("; f y: "));
+});
+
+test("what yields under the loads and what would in full sliding are told apart", () => {
+    const told = (k) => solveHolding({ ...usual, k }, ".");
+    assert.ok(told("330").results.yield_factor > 1 && told("330").results.safety < 1);
+    assert.equal(told("330").verdict.colour, "amber");
+    assert.match(told("330").verdict.text, /^CAUTION: .*full sliding; under these loads it does not yield$/);
+    assert.match(told("250").verdict.text, /^YIELDS: the stress under these loads/);
+    const steep = solveHolding({ ...usual, theta: "0.5", k: "250" }, ".");
+    assert.match(steep.verdict.text, /^YIELDS: .* CAUTION: theta is above 0.1 rad/);
+    assert.deepEqual(told("900").verdict, { colour: "green", text: "OK" });
+});
+
+test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {
+    const texts = {
+        E1: "10",
+        nu1: ".5",
+        E2: "inf",
+        theta: ".1",
+        radius: "100",
+        P: "1",
+        Q: ".2",
+        f: ".5",
+        sigma: ".04",
+    };
+    const { results } = solveHolding(texts, ".");
+    assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
+});
+
+test("a cycle without a table is that of the tool after P and M", () => {
+    for (const texts of [{}, { M: "1" }, { sigma: "10" }]) {
+        const { P, Q, ...rest } = { ...usual, ...texts };
+        const { M = "0", sigma = "0", ...bodiesAlone } = rest;
+        const table = `P,M,Q,sigma\n${P},${M},${Q},${sigma}\n${P},${M},-${Q},-${sigma}\n`;
+        const told = run(["fretting", "-", "--load", `${P},${M},0,0`, ...optionsOf(bodiesAlone)], table);
+        const worst = Object.fromEntries(
+            [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]),
+        );
+        const answer = answerOf({ ...usual, ...texts }, "", ".", "3");
+        assert.equal(answer.complaint, undefined);
+        assert.ok(
+            Math.abs(answer.worst.swt.value / Number(worst.swt[2]) - 1) < 5e-6,
+            `${answer.worst.swt.value} ${told.stderr}`,
+        );
+    }
+    assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3").complaint, /both are 0$/);
+});

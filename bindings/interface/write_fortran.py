@@ -72,7 +72,7 @@ def interface_of(f: Function) -> str:
     what = "function" if result else "subroutine"
     head = f"{'pure ' if is_pure(f) else ''}{what} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
     bind = f'bind(C, name="rwedge_{f.name}")' + (f" result({result})" if result else "")
-    lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [f"        {head} &", f"            &{bind}"]
+    lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [folded(f"{head} &", 8), f"            &{bind}"]
     groups = [in_c(p) for p in f.parameters] + ([(TYPES[f.returns], result)] if result else [])
     used = sorted({k for kind, _ in groups for k in ("c_double", "c_int32_t", "c_ptr", "c_size_t") if k in kind})
     lines.append(f"            import :: {', '.join(used)}")

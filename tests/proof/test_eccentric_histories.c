@@ -9,11 +9,12 @@
 enum { LEVELS = 3, COARSEST = 50, LEGS = 8, HISTORIES = 6 };
 
 /* How the legs of a history go. */
-typedef enum { IN_PHASE, SLIP_ONLY, RISING, FALLING, ANYTHING, KINDS } path;
+typedef enum { IN_PHASE, SLIP_ONLY, RISING, FALLING, ROCKING, ANYTHING, KINDS } path;
 
-static const char *const NAMES[KINDS] = {"P, M constant; Q, sigma in phase", "P, M constant",
-                                         "P, M rise and Q, sigma with them",
-                                         "P, M fall in proportion", "anything"};
+static const char *const NAMES[KINDS] = {
+    "P, M constant; Q, sigma in phase",     "P, M constant",
+    "P, M rise and Q, sigma with them",     "P, M fall in proportion",
+    "grown, rocks under constant Q, sigma", "anything"};
 
 /* Mean differences over a history, relative to friction's limit, to the largest slip there could
  * be, and to the energy. */
@@ -43,6 +44,11 @@ static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f,
     if (kind == RISING || (kind == ANYTHING && random_fraction(seed) < 0.3)) {
         const double grown = 1 + 0.1 * random_fraction(seed);
         to.P *= grown, to.M *= grown;
+    }
+    if (kind == ROCKING && leg % 4 != 1) {
+        to.P *= leg % 4 == 2 ? 1.2 : 1;
+        to.M += leg % 4 == 2 ? 0 : 0.15 * to.P * half * signed_fraction(seed);
+        return to;
     }
     if (kind == FALLING || (kind == ANYTHING && random_fraction(seed) < 0.3)) {
         const double grown = 0.8 + 0.2 * random_fraction(seed);
@@ -76,6 +82,13 @@ static void go(boundary_element *solver, int steps, boundary_loads to)
     }
 }
 
+/* Where slip jumps: what is beyond has come into contact since. */
+static bool is_at_a_jump(const rwedge_contact *contact, const boundary_element *solver, double x)
+{
+    return fabs(x - contact->settled.left) < solver->width ||
+           fabs(x - contact->settled.right) < solver->width;
+}
+
 static void compare(const rwedge_contact *contact, const boundary_element *solver, double f,
                     difference *sum)
 {
@@ -88,6 +101,7 @@ static void compare(const rwedge_contact *contact, const boundary_element *solve
         limit += fabs(pressure(contact, x));
         double slipped; /* there may be no closed form of it */
         if (x > left && x < right && i >= solver->first && i < solver->end &&
+            !is_at_a_jump(contact, solver, x) &&
             rwedge_contact_slip(contact, 1, &x, &slipped) == RWEDGE_OK) {
             off[2] += fabs(slipped - solver->slip[i]);
             touching++;

@@ -240,6 +240,13 @@ for kind in "history --at -0.2,0.01" loop; do
     same "$kind after loads" "$(cat in_one)" "$(awk -F, 'NR > 1 && $1 == int($1)' out)"
     same "rows to compare" 4 "$(wc -l <in_one | tr -d ' ')"
 done
+# Two loads are a cycle to and fro: the loop is closed, and not half of one.
+printf 'P,Q\n135.75,30\n135.75,-30\n' >two.csv
+run figure loop --history two.csv $specimen --data
+same "last load" 4 "$(tail -n 1 out | cut -d , -f 1)"
+close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$1 == 4 { print $6 }' out)" 1e-12
+run figure history --at -0.2,0.01 --history two.csv $specimen --data
+same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
 refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
 refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
 refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \

@@ -103,6 +103,15 @@ static void small_differences_keep_their_digits(void **state)
     assert_close(rwedge_von_mises(1, 1 + off, 0, 0.5), sqrt(3) * off / 2, 4 * DBL_EPSILON);
     assert_close(rwedge_largest_shear(1, 1 + off, 0, 0.5), off / 2, 4 * DBL_EPSILON);
     assert_close(angle_of(1, 1 + off, off), atan2(1, 0.5) / 2, 4 * DBL_EPSILON);
+    assert_close(angle_of(1, 1, 1e-20), atan(1), 4 * DBL_EPSILON); /* s1 and s2 round to one */
+    assert_true(angle_of(1, 1, 0) == 0);
+}
+
+/* The domain is that of the arguments. */
+static void measures_may_leave_the_domain_of_stresses(void **state)
+{
+    (void)state;
+    assert_close(rwedge_von_mises(1e60, -1e60, 1e60, 0.3), sqrt(6) * 1e60, 4 * DBL_EPSILON);
 }
 
 static void bad_stresses_are_refused(void **state)
@@ -143,6 +152,7 @@ int main(void)
         cmocka_unit_test(invariants_are_those_of_the_principal_stresses),
         cmocka_unit_test(textbook_stresses),
         cmocka_unit_test(small_differences_keep_their_digits),
+        cmocka_unit_test(measures_may_leave_the_domain_of_stresses),
         cmocka_unit_test(bad_stresses_are_refused),
     };
     return RUN_CLAIMS("stress_measures", tests);

@@ -141,6 +141,12 @@ class Function:
         return self.of("out", "out array")
 
     @property
+    def path(self) -> str:
+        """When there is no closed form, where that is not said by rwedge_contact_obstacle()."""
+        why = self.reasons.get("RWEDGE_EPATH", "")
+        return "" if "closed form is shown" in why else why
+
+    @property
     def pointwise(self) -> bool:
         """Are all its arrays of one size, point by point, with some of them outputs?"""
         sizes = {p.size for p in self.of("in array", "out array")}

@@ -9,7 +9,7 @@ program copies
     type(rwedge_contact), allocatable :: sourced
     type(rwedge_series) :: pressure, s
     type(rwedge_series), allocatable :: sourced_series
-    character(200) :: text
+    character(400) :: text
     integer :: i, stat, refused, failures
     real(c_double) :: b(8), x(2, 3), p(2, 3), q(2, 3), list_p(6), list_q(6)
 
@@ -85,6 +85,9 @@ program copies
 
     call base%load(2000d0, 1300d0, stat, text)
     call claim(trim(text), stat == rwedge_esliding .and. index(text, ': P = 2000.') > 0 .and. index(text, ', Q = 1300.') > 0)
+    call base%apply(2000d0, 100d0, 0d0, 0d0)
+    call base%apply(2000d0, 100d0, 0d0, 500d0, stat, text)
+    call claim(trim(text), stat == rwedge_epath .and. index(text, 'the two edges would slip in opposite directions') > 0)
     call base%tractions([0d0, 1d300], list_p(1:2), list_q(1:2), stat, text)
     call claim(trim(text), stat == rwedge_edomain .and. index(text, 'element 2') > 0 .and. index(text, ': x = ') > 0)
     if (failures > 0) error stop 1

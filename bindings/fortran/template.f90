@@ -113,27 +113,29 @@ contains
     end function
 
     ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments, allowed says what they
-    ! may be, element is the one of its arrays that was refused.
-    subroutine conclude(status, call, values, allowed, stat, errmsg, element)
+    ! may be, element is the one of its arrays that was refused, why when there is no result.
+    subroutine conclude(status, call, values, allowed, stat, errmsg, element, why)
         integer(c_int32_t), intent(in) :: status
         character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer, intent(in), optional :: element
+        character(*), intent(in), optional :: why
         if (present(stat)) stat = status
         if (status == rwedge_ok) return
-        if (present(errmsg)) errmsg = message(status, call, values, allowed, element)
+        if (present(errmsg)) errmsg = message(status, call, values, allowed, element, why)
         if (present(stat)) return
-        write (error_unit, '(a)') message(status, call, values, allowed, element)
+        write (error_unit, '(a)') message(status, call, values, allowed, element, why)
         error stop 1
     end subroutine
 
-    function message(status, call, values, allowed, element) result(text)
+    function message(status, call, values, allowed, element, why) result(text)
         integer(c_int32_t), intent(in) :: status
         character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
         integer, intent(in), optional :: element
+        character(*), intent(in), optional :: why
         character(:), allocatable :: text
         character(24) :: number
         integer :: i
@@ -149,6 +151,7 @@ contains
             text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
         end do
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+        if (present(why) .and. (status == rwedge_epath .or. status == rwedge_eabsent)) text = text // '; ' // why
     end function
 
     ! The i-th name in "name(arguments)", with " = " behind it; nothing where there are no names.

@@ -25,11 +25,11 @@ void input_options_prepare(void)
     }
 }
 
-void input_texts_from_options(const arguments *given, input_texts *texts)
+void input_texts_from_options(const arguments *line, input_texts *texts)
 {
     *texts = (input_texts){.cell_decimal_sign = '.',
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options"};
     for (int i = 0; i < INPUT_COUNT; i++)
-        texts->text[i] = given->value[OPTION_INPUT + i];
+        texts->text[i] = line->value[OPTION_INPUT + i];
 }

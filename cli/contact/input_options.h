@@ -17,6 +17,6 @@ extern struct poptOption input_option_table[], strength_option_table[];
 void input_options_prepare(void);
 
 /* Those on a command line. */
-void input_texts_from_options(const arguments *given, input_texts *texts);
+void input_texts_from_options(const arguments *line, input_texts *texts);
 
 #endif

@@ -22,10 +22,10 @@ struct poptOption load_option_table[] = {
     POPT_TABLEEND,
 };
 
-load_source load_source_of(const arguments *given)
+load_source load_source_of(const arguments *line)
 {
-    return (load_source){given->value[OPTION_HISTORY], given->value[OPTION_LOAD],
-                         given->value[OPTION_ENCODING]};
+    return (load_source){line->value[OPTION_HISTORY], line->value[OPTION_LOAD],
+                         line->value[OPTION_ENCODING]};
 }
 
 bool load_source_is_given(const load_source *from)

@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
     const char *file, *list, *encoding; /* NULL where not given */
 } load_source;
-load_source load_source_of(const arguments *given);
+load_source load_source_of(const arguments *line);
 bool load_source_is_given(const load_source *from);
 
 /* Refuses an encoding without a file, or one that iconv does not know. */

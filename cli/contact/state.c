@@ -48,7 +48,7 @@ static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a 
 
 /* ---- Natural units ---- */
 
-static void refuse_dimensional(const arguments *given, const input_texts *texts)
+static void refuse_dimensional(const arguments *line, const input_texts *texts)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
@@ -58,9 +58,9 @@ static void refuse_dimensional(const arguments *given, const input_texts *texts)
                         "--q-over-fp, --c-over-b",
                         input_name(texts, i, name), texts->text[i]);
     }
-    if (given->value[OPTION_LOAD] != NULL || given->value[OPTION_HISTORY] != NULL)
+    if (line->value[OPTION_LOAD] != NULL || line->value[OPTION_HISTORY] != NULL)
         usage_error("--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
-                    given->value[OPTION_LOAD] != NULL ? "load" : "history");
+                    line->value[OPTION_LOAD] != NULL ? "load" : "history");
 }
 
 /* Reads an input that may be left out. */
@@ -73,9 +73,9 @@ static double read_input(const input_texts *texts, int input, double usual)
     return value;
 }
 
-static double read_shear_ratio(const arguments *given, double alpha)
+static double read_shear_ratio(const arguments *line, double alpha)
 {
-    const char *q = given->value[OPTION_Q_OVER_FP], *c = given->value[OPTION_C_OVER_B];
+    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
     if (q != NULL && c != NULL)
         usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
     if (q != NULL)
@@ -90,17 +90,17 @@ static void check_status(int32_t status, const char *subject)
 }
 
 /* b is the half-width that P has without a moment. */
-static load read_natural_load(const arguments *given, const input_texts *texts, double alpha,
+static load read_natural_load(const arguments *line, const input_texts *texts, double alpha,
                               double f)
 {
     load to = {.P = rwedge_load(alpha),
                .M = read_input(texts, INPUT_M, 0),
                .sigma = read_input(texts, INPUT_SIGMA, 0)};
-    if (given->value[OPTION_C_OVER_B] != NULL && (to.M != 0 || to.sigma != 0))
+    if (line->value[OPTION_C_OVER_B] != NULL && (to.M != 0 || to.sigma != 0))
         usage_error("--c-over-b %s: not with --M or --sigma, which move the stick zone; "
                     "allowed: --q-over-fp",
-                    given->value[OPTION_C_OVER_B]);
-    to.Q = read_shear_ratio(given, alpha) * f * to.P;
+                    line->value[OPTION_C_OVER_B]);
+    to.Q = read_shear_ratio(line, alpha) * f * to.P;
     return to;
 }
 
@@ -128,14 +128,14 @@ static void measure_natural(bool centred, contact_state *state)
     state->slip_unit = NATURAL_THETA * state->length_unit;
 }
 
-static void read_natural(const arguments *given, const input_texts *texts, contact_state *state)
+static void read_natural(const arguments *line, const input_texts *texts, contact_state *state)
 {
-    refuse_dimensional(given, texts);
-    const double alpha = variable_read_one(&variables[A_OVER_B], given->value[OPTION_A_OVER_B]);
+    refuse_dimensional(line, texts);
+    const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
     state->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
     state->a = alpha;
-    const load to = read_natural_load(given, texts, alpha, f);
+    const load to = read_natural_load(line, texts, alpha, f);
     check_status(rwedge_contact_create(NATURAL_THETA, alpha, NATURAL_A, f, &state->contact),
                  "the contact");
     apply_natural(texts, f, to, state);
@@ -144,12 +144,12 @@ static void read_natural(const arguments *given, const input_texts *texts, conta
 
 /* ---- Dimensional ---- */
 
-static void refuse_natural(const arguments *given)
+static void refuse_natural(const arguments *line)
 {
     for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
-        if (given->value[i] != NULL)
+        if (line->value[i] != NULL)
             usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
-                        i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", given->value[i]);
+                        i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
 }
 
 /* P_yield/P, where there is a strength and a load. */
@@ -159,15 +159,15 @@ static double safety_of(const contact_case *setup, double b)
            rwedge_normal_load(setup->theta, setup->a, setup->A, b);
 }
 
-static void read_dimensional(const arguments *given, char decimal_sign, const input_texts *texts,
+static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
                              contact_state *state)
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    const load_source from = load_source_of(given);
+    const load_source from = load_source_of(line);
     const bool has_history = load_source_is_given(&from);
     load_source_check(&from, texts);
-    refuse_natural(given);
+    refuse_natural(line);
     if (!case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
     check_status(case_contact(&setup, &state->contact), "the contact");
@@ -186,17 +186,17 @@ static void read_dimensional(const arguments *given, char decimal_sign, const in
     doubts_say(doubts_of(&setup, state->b, safety_of(&setup, state->b)), "");
 }
 
-void state_read(const arguments *given, char decimal_sign, contact_state *state)
+void state_read(const arguments *line, char decimal_sign, contact_state *state)
 {
     input_texts texts;
     *state = (contact_state){0};
-    input_texts_from_options(given, &texts);
-    const load_source from = load_source_of(given);
+    input_texts_from_options(line, &texts);
+    const load_source from = load_source_of(line);
     load_source_check_encoding(&from);
-    if (given->value[OPTION_A_OVER_B] != NULL)
-        read_natural(given, &texts, state);
+    if (line->value[OPTION_A_OVER_B] != NULL)
+        read_natural(line, &texts, state);
     else
-        read_dimensional(given, decimal_sign, &texts, state);
+        read_dimensional(line, decimal_sign, &texts, state);
 }
 
 zone state_contact_zone(const contact_state *state)

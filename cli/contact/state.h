@@ -30,7 +30,7 @@ typedef struct {
 
 /* Reads the options and applies the loads; decimal_sign is that of a file of loads. Free
  * it. */
-void state_read(const arguments *given, char decimal_sign, contact_state *state);
+void state_read(const arguments *line, char decimal_sign, contact_state *state);
 void state_free(contact_state *state);
 
 /* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there

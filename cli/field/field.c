@@ -66,9 +66,9 @@ static bool ascends(const range *values)
     return true;
 }
 
-static void check_grid(const arguments *given, const grid *points, bool vtk)
+static void check_grid(const arguments *line, const grid *points, bool vtk)
 {
-    const char *const text[] = {given->value[OPTION_X], given->value[OPTION_Y]};
+    const char *const text[] = {line->value[OPTION_X], line->value[OPTION_Y]};
     double outside;
     if (!range_within(&points->y, 0, HUGE_VAL, &outside))
         usage_error("--y %s: depths must not be below 0", text[1]);
@@ -84,19 +84,19 @@ static void check_grid(const arguments *given, const grid *points, bool vtk)
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
 
-static int field(const arguments *given)
+static int field(const arguments *line)
 {
     grid points = {0};
     output_options how;
-    arguments_no_operand(given);
-    output_options_read_of(given, formats, "", &how);
-    output_options_spare(&how, given->value[OPTION_HISTORY]);
-    state_read(given, how.decimal_sign, &points.state);
+    arguments_no_operand(line);
+    output_options_read_of(line, formats, "", &how);
+    output_options_spare(&how, line->value[OPTION_HISTORY]);
+    state_read(line, how.decimal_sign, &points.state);
     const bool vtk = how.format == NULL;
     const double b = points.state.b, middle = (points.state.left + points.state.right) / 2;
-    read_axis("x", given->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
-    read_axis("y", given->value[OPTION_Y], 0, 2 * b, 41, &points.y);
-    check_grid(given, &points, vtk);
+    read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
+    read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
+    check_grid(line, &points, vtk);
     output_options_write(&how, vtk ? grid_write_vtk : grid_write_rows, &points);
     state_free(&points.state);
     range_free(&points.x);

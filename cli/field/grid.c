@@ -70,10 +70,9 @@ static double row_y(const void *of_grid, int64_t row)
     return range_value(&((const grid *)of_grid)->y, row);
 }
 
-static bool stress_at(const void *of_grid, int64_t column, int64_t row, tensor *point)
+static tensor stress_at(const void *of_grid, int64_t column, int64_t row)
 {
-    *point = stress(of_grid, column_x(of_grid, column), row_y(of_grid, row));
-    return true;
+    return stress(of_grid, column_x(of_grid, column), row_y(of_grid, row));
 }
 
 bool grid_write_vtk(void *of_grid, records *rows, bool show_progress)
@@ -86,6 +85,6 @@ bool grid_write_vtk(void *of_grid, records *rows, bool show_progress)
                        .x = column_x,
                        .y = row_y,
                        .stress = stress_at,
-                       .of = points};
+                       .source = points};
     return vtk_write(&file, rows, show_progress);
 }

@@ -130,9 +130,9 @@ static bool write_profile(void *of_plan, records *rows, bool show_progress)
     return records_are_sound(rows);
 }
 
-static void read_points(const arguments *given, plan *job)
+static void read_points(const arguments *line, plan *job)
 {
-    const char *x = given->value[OPTION_X], *points = given->value[OPTION_POINTS];
+    const char *x = line->value[OPTION_X], *points = line->value[OPTION_POINTS];
     if (x != NULL && points != NULL)
         usage_error("--points %s: given together with --x; allowed: one of the two", points);
     const char *complaint = x != NULL ? range_read(x, &job->x) : NULL;
@@ -153,15 +153,15 @@ static void say_unknown_slip(const contact_state *state)
         notice("the slip has no closed form after these loads: the column slip is empty");
 }
 
-static int profile(const arguments *given)
+static int profile(const arguments *line)
 {
     plan job = {0};
     output_options how;
-    arguments_no_operand(given);
-    output_options_read(given, &how);
-    output_options_spare(&how, given->value[OPTION_HISTORY]);
-    read_points(given, &job);
-    state_read(given, how.decimal_sign, &job.state);
+    arguments_no_operand(line);
+    output_options_read(line, &how);
+    output_options_spare(&how, line->value[OPTION_HISTORY]);
+    read_points(line, &job);
+    state_read(line, how.decimal_sign, &job.state);
     if (job.points > 0 && job.state.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");
     output_options_write(&how, write_profile, &job);

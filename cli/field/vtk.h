@@ -11,11 +11,10 @@ typedef struct {
     const char *title;
     bool is_grid;
     int64_t columns, rows;
-    double (*x)(const void *of, int64_t column);
-    double (*y)(const void *of, int64_t row); /* of a grid; else of the point in that column */
-    /* false, with the reason said */
-    bool (*stress)(const void *of, int64_t column, int64_t row, tensor *found);
-    const void *of;
+    double (*x)(const void *source, int64_t column);
+    double (*y)(const void *source, int64_t row); /* of a grid; else of the point in that column */
+    tensor (*stress)(const void *source, int64_t column, int64_t row);
+    const void *source;
 } vtk_points;
 
 /* A rows_writer of output_options.h: legacy VTK, ASCII. The records say only where it goes, and

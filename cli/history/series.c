@@ -28,12 +28,11 @@ static double point_y(const void *of_moment, int64_t row)
     return at->y[at->columns > 0 ? (size_t)row * at->columns : (size_t)row];
 }
 
-static bool stress_at(const void *of_moment, int64_t column, int64_t row, tensor *at)
+static tensor stress_at(const void *of_moment, int64_t column, int64_t row)
 {
     const moment *now = of_moment;
     const places *points = now->points->at;
-    *at = point_stress(now->points, now->contact, (size_t)row * points->columns + (size_t)column);
-    return true;
+    return point_stress(now->points, now->contact, (size_t)row * points->columns + (size_t)column);
 }
 
 static void write_moment(const moment *of, size_t step, const char *path, const output_options *how)
@@ -49,7 +48,7 @@ static void write_moment(const moment *of, size_t step, const char *path, const 
                          .x = point_x,
                          .y = point_y,
                          .stress = stress_at,
-                         .of = of};
+                         .source = of};
     output_options one = *how;
     one.path = path;
     output_options_write(&one, vtk_write, &points);

@@ -14,13 +14,13 @@
 static const struct poptOption *find(const struct poptOption *options, int number)
 {
     for (; options->longName != NULL || options->argInfo != 0; options++) {
-        const struct poptOption *found = NULL;
+        const struct poptOption *match = NULL;
         if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
-            found = find(options->arg, number);
+            match = find(options->arg, number);
         else if (options->val == number)
-            found = options;
-        if (found != NULL)
-            return found;
+            match = options;
+        if (match != NULL)
+            return match;
     }
     return NULL;
 }
@@ -113,9 +113,9 @@ static void append(char **lines, char *value)
     free(value);
 }
 
-static void keep(arguments *given, const syntax *grammar, int number, char *value)
+static void keep(arguments *line, const syntax *grammar, int number, char *value)
 {
-    char **kept = &given->value[number];
+    char **kept = &line->value[number];
     if (*kept == NULL)
         *kept = value != NULL ? value : memory_zeroed(1, 1);
     else if (value != NULL && number == grammar->repeated)
@@ -125,47 +125,47 @@ static void keep(arguments *given, const syntax *grammar, int number, char *valu
                     value);
 }
 
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv)
+bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv)
 {
     int number;
-    *given = (arguments){0};
+    *line = (arguments){0};
     errno = 0;
-    given->context = memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
-    while ((number = poptGetNextOpt(given->context)) > 0) {
-        char *value = poptGetOptArg(given->context);
+    line->context = memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
+    while ((number = poptGetNextOpt(line->context)) > 0) {
+        char *value = poptGetOptArg(line->context);
         check_memory();
-        keep(given, grammar, number, value);
+        keep(line, grammar, number, value);
     }
     check_memory();
     if (number < -1)
-        refuse_option(grammar, given->context, number);
-    if (given->value[OPTION_HELP] != NULL) {
-        show_help(grammar, given->context);
+        refuse_option(grammar, line->context, number);
+    if (line->value[OPTION_HELP] != NULL) {
+        show_help(grammar, line->context);
         return false;
     }
-    given->operand = poptGetArgs(given->context);
+    line->operand = poptGetArgs(line->context);
     check_memory();
     return true;
 }
 
-void arguments_free(arguments *given)
+void arguments_free(arguments *line)
 {
     for (int i = 0; i < OPTION_LIMIT; i++)
-        free(given->value[i]);
-    poptFreeContext(given->context);
+        free(line->value[i]);
+    poptFreeContext(line->context);
 }
 
 int arguments_run(const syntax *grammar, int argc, const char **argv,
-                  int (*run)(const arguments *given))
+                  int (*run)(const arguments *line))
 {
-    arguments given;
-    const int status = arguments_read(&given, grammar, argc, argv) ? run(&given) : STATUS_DONE;
-    arguments_free(&given);
+    arguments line;
+    const int status = arguments_read(&line, grammar, argc, argv) ? run(&line) : STATUS_DONE;
+    arguments_free(&line);
     return status;
 }
 
-void arguments_no_operand(const arguments *given)
+void arguments_no_operand(const arguments *line)
 {
-    if (given->operand != NULL && given->operand[0] != NULL)
-        usage_error("%s: unexpected; allowed: options only", given->operand[0]);
+    if (line->operand != NULL && line->operand[0] != NULL)
+        usage_error("%s: unexpected; allowed: options only", line->operand[0]);
 }

@@ -41,15 +41,15 @@ typedef struct {
 
 /* Reads a command line whose argv[0] is the whole command, "rwedge table". False after --help, with
  * which the command is done. Free the arguments in either case. */
-bool arguments_read(arguments *given, const syntax *grammar, int argc, const char **argv);
-void arguments_free(arguments *given);
+bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv);
+void arguments_free(arguments *line);
 
 /* Reads the command line and hands it to the command; returns the exit status. */
 int arguments_run(const syntax *grammar, int argc, const char **argv,
-                  int (*run)(const arguments *given));
+                  int (*run)(const arguments *line));
 
 /* A mistake where there is a word that is no option. */
-void arguments_no_operand(const arguments *given);
+void arguments_no_operand(const arguments *line);
 
 /* Writes "a, b, c" of the long options, with dashes. */
 void options_list(const struct poptOption *options, char *text, size_t size);

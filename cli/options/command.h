@@ -10,7 +10,7 @@ typedef struct {
     const syntax *grammar;
     /* the words that may follow, NULL after the last; NULL where none may */
     const char *(*operand)(int i);
-    int (*run)(const arguments *given); /* returns the exit status */
+    int (*run)(const arguments *line); /* returns the exit status */
 } command;
 
 #endif

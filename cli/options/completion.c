@@ -8,15 +8,16 @@
 #include <errno.h>
 #include <string.h>
 
-typedef void option_printer(const struct poptOption *option, const command *of);
+typedef void option_printer(const struct poptOption *option, const command *owner);
 
-static void each_option(const struct poptOption *options, const command *of, option_printer *print)
+static void each_option(const struct poptOption *options, const command *owner,
+                        option_printer *print)
 {
     for (; options->longName != NULL || options->argInfo != 0; options++)
         if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
-            each_option(options->arg, of, print);
+            each_option(options->arg, owner, print);
         else if ((options->argInfo & POPT_ARGFLAG_DOC_HIDDEN) == 0)
-            print(options, of);
+            print(options, owner);
 }
 
 static bool takes_file(const struct poptOption *option)
@@ -50,21 +51,21 @@ static void print_quoted(const char *text, const char *special)
     }
 }
 
-static void print_operands(const command *of)
+static void print_operands(const command *owner)
 {
-    for (int i = 0; of->operand != NULL && of->operand(i) != NULL; i++)
-        printf("%s ", of->operand(i));
+    for (int i = 0; owner->operand != NULL && owner->operand(i) != NULL; i++)
+        printf("%s ", owner->operand(i));
 }
 
 /* ---- bash ---- */
 
-static void bash_value(const struct poptOption *option, const command *of)
+static void bash_value(const struct poptOption *option, const command *owner)
 {
     if (option->argDescrip == NULL)
         return;
-    printf("    %s,--%s", of != NULL ? of->name : "", option->longName);
+    printf("    %s,--%s", owner != NULL ? owner->name : "", option->longName);
     if (option->shortName != '\0')
-        printf(" | %s,-%c", of != NULL ? of->name : "", option->shortName);
+        printf(" | %s,-%c", owner != NULL ? owner->name : "", option->shortName);
     fputs(") ", stdout);
     if (takes_words(option)) {
         fputs("words='", stdout);
@@ -74,9 +75,9 @@ static void bash_value(const struct poptOption *option, const command *of)
         puts(takes_file(option) ? "files=yes ;;" : "return ;;");
 }
 
-static void bash_name(const struct poptOption *option, const command *of)
+static void bash_name(const struct poptOption *option, const command *owner)
 {
-    (void)of;
+    (void)owner;
     printf("--%s ", option->longName);
 }
 
@@ -123,9 +124,9 @@ static void print_bash(const command *const commands[], int count, const struct 
 
 /* ---- zsh ---- */
 
-static void zsh_option(const struct poptOption *option, const command *of)
+static void zsh_option(const struct poptOption *option, const command *owner)
 {
-    const char *repeated = of != NULL && of->grammar->repeated == option->val ? "*" : "";
+    const char *repeated = owner != NULL && owner->grammar->repeated == option->val ? "*" : "";
     const char *value = option->argDescrip != NULL ? "=" : "";
     if (option->shortName != '\0')
         printf(" \\\n            '(-%c --%s)'{-%c%s,--%s%s}'[", option->shortName, option->longName,
@@ -177,11 +178,11 @@ static void print_zsh(const command *const commands[], int count, const struct p
 
 /* ---- fish ---- */
 
-static void fish_option(const struct poptOption *option, const command *of)
+static void fish_option(const struct poptOption *option, const command *owner)
 {
     fputs("complete -c rwedge -n ", stdout);
-    if (of != NULL)
-        printf("'__fish_seen_subcommand_from %s'", of->name);
+    if (owner != NULL)
+        printf("'__fish_seen_subcommand_from %s'", owner->name);
     else
         fputs("__fish_use_subcommand", stdout);
     if (option->shortName != '\0')

@@ -5,9 +5,9 @@
 #include "text/message.h"
 #include "text/number.h"
 
-int threads_read(const arguments *given)
+int threads_read(const arguments *line)
 {
-    const char *text = given->value[OPTION_THREADS];
+    const char *text = line->value[OPTION_THREADS];
     int64_t number = ahead_processors();
     if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &number))
         usage_error("--threads %s: must be a whole number from 1 to %d", text, AHEAD_THREADS_MAX);

@@ -12,6 +12,6 @@
         "N"
 
 /* Reads it; where it is not given there is one thread for each processor. */
-int threads_read(const arguments *given);
+int threads_read(const arguments *line);
 
 #endif

@@ -79,10 +79,10 @@ static void refuse_format(const char *text, const char *const formats[], const c
     usage_error("--format %s: unknown format; allowed: %s%s", text, allowed, hint);
 }
 
-const char *output_format_choose(const arguments *given, const char *const formats[],
+const char *output_format_choose(const arguments *line, const char *const formats[],
                                  const char *hint)
 {
-    const char *text = given->value[OPTION_FORMAT], *path = given->value[OPTION_OUTPUT];
+    const char *text = line->value[OPTION_FORMAT], *path = line->value[OPTION_OUTPUT];
     const char *ending = ending_of(path);
     const int asked = place_of(text != NULL ? text : formats[0], formats);
     const int named = place_of(ending, formats);
@@ -139,23 +139,23 @@ static void read_decimal_comma(bool comma, output_options *how)
         how->separator = ';';
 }
 
-void output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+void output_options_read_of(const arguments *line, const char *const formats[], const char *hint,
                             output_options *how)
 {
-    *how = (output_options){.quiet = given->value[OPTION_QUIET] != NULL,
-                            .no_formulas = given->value[OPTION_NO_FORMULAS] != NULL,
-                            .path = given->value[OPTION_OUTPUT]};
+    *how = (output_options){.quiet = line->value[OPTION_QUIET] != NULL,
+                            .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
+                            .path = line->value[OPTION_OUTPUT]};
     if (how->path != NULL && how->path[0] == '\0')
         usage_error("--output '': must be the name of a file, or - for standard output");
-    how->format_name = output_format_choose(given, formats, hint);
+    how->format_name = output_format_choose(line, formats, hint);
     use_format(how);
-    how->digits = read_digits(given->value[OPTION_DIGITS]);
-    read_decimal_comma(given->value[OPTION_DECIMAL_COMMA] != NULL, how);
+    how->digits = read_digits(line->value[OPTION_DIGITS]);
+    read_decimal_comma(line->value[OPTION_DECIMAL_COMMA] != NULL, how);
 }
 
-void output_options_read(const arguments *given, output_options *how)
+void output_options_read(const arguments *line, output_options *how)
 {
-    output_options_read_of(given, row_formats, "", how);
+    output_options_read_of(line, row_formats, "", how);
 }
 
 void output_options_spare(const output_options *how, const char *input)

@@ -31,16 +31,16 @@ extern struct poptOption output_option_table[], other_output_option_table[];
         "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL
 
 /* What is wrong with them ends the command. */
-void output_options_read(const arguments *given, output_options *how);
+void output_options_read(const arguments *line, output_options *how);
 
 /* The same for a command with formats of its own. The list ends with NULL, its first is the
  * default; the hint follows where a message lists them. */
-void output_options_read_of(const arguments *given, const char *const formats[], const char *hint,
+void output_options_read_of(const arguments *line, const char *const formats[], const char *hint,
                             output_options *how);
 
 /* Which of these formats --format asks for, or the ending of the output's name. A contradiction of
  * the two, and an ending that says nothing, are refused. */
-const char *output_format_choose(const arguments *given, const char *const formats[],
+const char *output_format_choose(const arguments *line, const char *const formats[],
                                  const char *hint);
 
 /* Refuses an output that is the input, NULL for none. */

@@ -83,8 +83,8 @@ static void begin(records *rows)
     rows->book = xlsx_begin(message_speaker(), true, &rows->problem);
     if (rows->book == NULL)
         return;
-    const char *const one[] = {"Rows", NULL}, *const *names =
-                                                  rows->sheets != NULL ? rows->sheets : one;
+    const char *const single[] = {"Rows", NULL}, *const *names =
+                                                     rows->sheets != NULL ? rows->sheets : single;
     for (int i = 0; names[i] != NULL; i++)
         xlsx_sheet(rows->book, names[i]);
     if (rows->kinds != NULL)

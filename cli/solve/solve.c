@@ -54,67 +54,67 @@ typedef struct {
     results_wanted wanted;
 } job;
 
-static void write_list(const job *one, records *rows)
+static void write_list(const job *task, records *rows)
 {
     static const char *const columns[] = {"quantity", "value", "meaning"};
     for (int i = 0; i < 3; i++)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++) {
-        if (!results_include(one->wanted, i))
+        if (!results_include(task->wanted, i))
             continue;
         rows->format->value(rows, columns[0], cell_text(result_kinds[i].name));
-        rows->format->value(rows, columns[1], one->answer.value[i]);
+        rows->format->value(rows, columns[1], task->answer.value[i]);
         rows->format->value(rows, columns[2], cell_text(result_kinds[i].meaning));
         rows->format->end_row(rows);
     }
 }
 
-static void write_row(const job *one, records *rows)
+static void write_row(const job *task, records *rows)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(one->wanted, i))
+        if (results_include(task->wanted, i))
             rows->format->name(rows, result_kinds[i].name);
     rows->format->end_header(rows);
     for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(one->wanted, i))
-            rows->format->value(rows, result_kinds[i].name, one->answer.value[i]);
+        if (results_include(task->wanted, i))
+            rows->format->value(rows, result_kinds[i].name, task->answer.value[i]);
     rows->format->end_row(rows);
 }
 
 static bool write_rows(void *of_job, records *rows, bool show_progress)
 {
     (void)show_progress;
-    const job *one = of_job;
-    if (one->as_row)
+    const job *task = of_job;
+    if (task->as_row)
         records_describe(rows, result_kinds, RESULT_COUNT);
     rows->format->begin(rows);
-    (one->as_row ? write_row : write_list)(one, rows);
+    (task->as_row ? write_row : write_list)(task, rows);
     rows->format->end(rows);
     return records_are_sound(rows);
 }
 
-static void write_answer_to(const contact_case *setup, job *one, const output_options *how)
+static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
 {
     char complaint[COMPLAINT_SIZE];
-    if (!results_compute(setup, one->wanted, &one->answer, complaint))
+    if (!results_compute(setup, task->wanted, &task->answer, complaint))
         failure("%s", complaint);
-    output_options_write(how, write_rows, one);
-    doubts_say(one->answer.doubts, "");
+    output_options_write(how, write_rows, task);
+    doubts_say(task->answer.doubts, "");
 }
 
-static void solve_one(const input_texts *texts, job *one, const output_options *how)
+static void solve_one(const input_texts *texts, job *task, const output_options *how)
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
     if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
         usage_error("%s", complaint);
-    write_answer_to(&setup, one, how);
+    write_answer_to(&setup, task, how);
 }
 
 /* ---- After a history ---- */
 
-static void solve_history(const input_texts *texts, const load_source *from, job *one,
+static void solve_history(const input_texts *texts, const load_source *from, job *task,
                           const output_options *how)
 {
     contact_case setup;
@@ -133,29 +133,29 @@ static void solve_history(const input_texts *texts, const load_source *from, job
                 "0",
                 from->file != NULL ? from->file : "--load");
     setup.after = contact;
-    write_answer_to(&setup, one, how);
+    write_answer_to(&setup, task, how);
     rwedge_contact_destroy(contact);
 }
 
 /* ---- The command ---- */
 
-static bool read_layout(const arguments *given)
+static bool read_layout(const arguments *line)
 {
-    const char *text = given->value[OPTION_LAYOUT];
+    const char *text = line->value[OPTION_LAYOUT];
     const bool as_row = text != NULL && strcmp(text, "row") == 0;
     if (text != NULL && !as_row && strcmp(text, "list") != 0)
         usage_error("--layout %s: unknown layout; allowed: list, row", text);
-    if (text != NULL && !as_row && given->value[OPTION_INPUT_FILE] != NULL)
+    if (text != NULL && !as_row && line->value[OPTION_INPUT_FILE] != NULL)
         usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
     return as_row;
 }
 
-static bool read_yield_factor(const arguments *given, const input_texts *texts)
+static bool read_yield_factor(const arguments *line, const input_texts *texts)
 {
-    const bool wanted = given->value[OPTION_YIELD_FACTOR] != NULL;
+    const bool wanted = line->value[OPTION_YIELD_FACTOR] != NULL;
     const bool strength =
         input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
-    if (wanted && !strength && given->value[OPTION_INPUT_FILE] == NULL)
+    if (wanted && !strength && line->value[OPTION_INPUT_FILE] == NULL)
         usage_error("--yield-factor: needs --k or --yield-stress");
     return wanted;
 }
@@ -173,37 +173,36 @@ static void check_files(const batch *many, const load_source *from)
     text_input_check(many->encoding);
 }
 
-static void check_threads(const arguments *given, const batch *many)
+static void check_threads(const arguments *line, const batch *many)
 {
-    if (given->value[OPTION_THREADS] != NULL && many->path == NULL)
-        usage_error("--threads %s: needs --input", given->value[OPTION_THREADS]);
+    if (line->value[OPTION_THREADS] != NULL && many->path == NULL)
+        usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
 }
 
-static int solve(const arguments *given)
+static int solve(const arguments *line)
 {
     output_options how;
-    job one;
-    batch many = {.path = given->value[OPTION_INPUT_FILE],
-                  .encoding = given->value[OPTION_ENCODING]};
-    const load_source from = load_source_of(given);
-    input_texts_from_options(given, &many.constants);
-    arguments_no_operand(given);
-    output_options_read(given, &how);
+    job task;
+    batch many = {.path = line->value[OPTION_INPUT_FILE], .encoding = line->value[OPTION_ENCODING]};
+    const load_source from = load_source_of(line);
+    input_texts_from_options(line, &many.constants);
+    arguments_no_operand(line);
+    output_options_read(line, &how);
     output_options_spare(&how, many.path != NULL ? many.path : from.file);
     check_files(&many, &from);
-    many.threads = threads_read(given);
-    check_threads(given, &many);
-    one.as_row = read_layout(given);
-    one.wanted.yield_factor = read_yield_factor(given, &many.constants);
-    one.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
-                       input_is_given(&many.constants, INPUT_SIGMA);
-    many.wanted = one.wanted;
+    many.threads = threads_read(line);
+    check_threads(line, &many);
+    task.as_row = read_layout(line);
+    task.wanted.yield_factor = read_yield_factor(line, &many.constants);
+    task.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
+                        input_is_given(&many.constants, INPUT_SIGMA);
+    many.wanted = task.wanted;
     if (many.path != NULL)
         return batch_run(&many, &how);
     if (load_source_is_given(&from))
-        solve_history(&many.constants, &from, &one, &how);
+        solve_history(&many.constants, &from, &task, &how);
     else
-        solve_one(&many.constants, &one, &how);
+        solve_one(&many.constants, &task, &how);
     return STATUS_DONE;
 }
 

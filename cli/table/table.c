@@ -77,18 +77,18 @@ static void describe_tables(FILE *stream)
           stream);
 }
 
-static void choose_table(const arguments *given, plan *job)
+static void choose_table(const arguments *line, plan *job)
 {
     char allowed[160] = "";
     for (int i = 0; i < TABLE_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
-    if (given->operand == NULL || given->operand[0] == NULL)
+    if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    job->table = table_named(given->operand[0]);
+    job->table = table_named(line->operand[0]);
     if (job->table == NULL)
-        usage_error("%s: unknown table; allowed: %s", given->operand[0], allowed);
-    if (given->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one table, and options", given->operand[1]);
+        usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
+    if (line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one table, and options", line->operand[1]);
 }
 
 static void refuse_variable(const table *which, int variable, const char *text)
@@ -100,10 +100,10 @@ static void refuse_variable(const table *which, int variable, const char *text)
                 which->name, allowed);
 }
 
-static void read_variables(const arguments *given, plan *job)
+static void read_variables(const arguments *line, plan *job)
 {
     for (int i = 0; i < VARIABLE_COUNT; i++) {
-        const char *text = given->value[OPTION_VARIABLE + i];
+        const char *text = line->value[OPTION_VARIABLE + i];
         if (table_depends_on(job->table, i))
             variable_read(&variables[i], text, &job->axis[i]);
         else if (text != NULL)
@@ -127,7 +127,7 @@ static double smallest_tip(const range *tips)
 }
 
 /* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
-static void check_tips(const arguments *given, const plan *job)
+static void check_tips(const arguments *line, const plan *job)
 {
     if (!table_depends_on(job->table, NU))
         return;
@@ -135,11 +135,11 @@ static void check_tips(const arguments *given, const plan *job)
     if (tip < 1 && isnan(rwedge_elastic_limit(tip, 0, 0)))
         usage_error(
             "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-            given->value[OPTION_VARIABLE + A_OVER_B], job->table->name);
+            line->value[OPTION_VARIABLE + A_OVER_B], job->table->name);
 }
 
 /* The variable with the most values is the one to name. */
-static void check_size(const arguments *given, const plan *job)
+static void check_size(const arguments *line, const plan *job)
 {
     if (plan_size(job) <= RANGE_VALUES_MAX)
         return;
@@ -147,12 +147,12 @@ static void check_size(const arguments *given, const plan *job)
     for (int i = 0; i < VARIABLE_COUNT; i++)
         if (job->axis[i].count > job->axis[widest].count)
             widest = i;
-    const char *text = given->value[OPTION_VARIABLE + widest];
+    const char *text = line->value[OPTION_VARIABLE + widest];
     usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
                 variables[widest].option, text != NULL ? text : variables[widest].usual);
 }
 
-static void check_grid(const arguments *given, const plan *job)
+static void check_grid(const arguments *line, const plan *job)
 {
     if (job->table->across == VARIABLE_COUNT)
         usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
@@ -160,22 +160,22 @@ static void check_grid(const arguments *given, const plan *job)
     if (job->table->across != NU && table_depends_on(job->table, NU) && job->axis[NU].count > 1)
         usage_error(
             "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
-            given->value[OPTION_VARIABLE + NU]);
+            line->value[OPTION_VARIABLE + NU]);
 }
 
-static void read_layout(const arguments *given, plan *job)
+static void read_layout(const arguments *line, plan *job)
 {
-    const char *text = given->value[OPTION_LAYOUT];
+    const char *text = line->value[OPTION_LAYOUT];
     job->grid = text != NULL && strcmp(text, "grid") == 0;
     if (text != NULL && !job->grid && strcmp(text, "long") != 0)
         usage_error("--layout %s: unknown layout; allowed: long, grid", text);
     if (job->grid)
-        check_grid(given, job);
+        check_grid(line, job);
 }
 
-static void read_quantity(const arguments *given, plan *job)
+static void read_quantity(const arguments *line, plan *job)
 {
-    const char *text = given->value[OPTION_QUANTITY];
+    const char *text = line->value[OPTION_QUANTITY];
     char allowed[160] = "";
     job->quantity = job->table->quantity;
     if (text == NULL)
@@ -193,18 +193,18 @@ static void read_quantity(const arguments *given, plan *job)
                 allowed);
 }
 
-static int write_table(const arguments *given)
+static int write_table(const arguments *line)
 {
     plan job = {0};
     output_options how;
-    choose_table(given, &job);
-    read_variables(given, &job);
-    check_tips(given, &job);
-    read_layout(given, &job);
-    read_quantity(given, &job);
-    job.threads = threads_read(given);
-    check_size(given, &job);
-    output_options_read(given, &how);
+    choose_table(line, &job);
+    read_variables(line, &job);
+    check_tips(line, &job);
+    read_layout(line, &job);
+    read_quantity(line, &job);
+    job.threads = threads_read(line);
+    check_size(line, &job);
+    output_options_read(line, &how);
     output_options_write(&how, plan_write, &job);
     for (int i = 0; i < VARIABLE_COUNT; i++)
         range_free(&job.axis[i]);

@@ -13,9 +13,9 @@ typedef struct {
 } branch;
 
 /* RWEDGE_EABSENT is an answer: the branch does not exist there. */
-static int32_t existing(int32_t status, const char *name, branch *found)
+static int32_t existing(int32_t status, const char *name, branch *end)
 {
-    found->name = status == RWEDGE_OK ? name : NULL;
+    end->name = status == RWEDGE_OK ? name : NULL;
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
@@ -49,9 +49,9 @@ static int32_t decisive(const double value[], const branch *below, const branch 
     return RWEDGE_OK;
 }
 
-static cell limit_of(const branch *one)
+static cell limit_of(const branch *end)
 {
-    return one->name != NULL ? cell_number(one->limit) : cell_empty();
+    return end->name != NULL ? cell_number(end->limit) : cell_empty();
 }
 
 static int32_t elastic_limit(const double value[], cell row[])

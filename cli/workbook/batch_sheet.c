@@ -4,7 +4,7 @@
 #include "batch_sheet.h"
 
 #include "workbook/case/formula.h"
-#include "workbook/case/model.h"
+#include "workbook/case/shown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -83,15 +83,15 @@ static void colour_rows(xlsx *book)
                      XLSX_AMBER);
 }
 
-void sheet_batch(xlsx *book, const yield_table *table)
+void sheet_batch(xlsx *book)
 {
-    double nothing[INPUT_CELLS];
     case_values values;
     write_header(book);
-    for (int i = 0; i < INPUT_CELLS; i++)
-        nothing[i] = NAN;
     for (int i = 0; i < BATCH_ROWS; i++) {
-        workbook_compute(table, i < EXAMPLES ? examples[i].input : nothing, &values);
+        if (i < EXAMPLES)
+            shown_values(examples[i].input, &values);
+        else
+            shown_nothing(&values);
         xlsx_text(book, FIRST_ROW + i, CASE_COLUMN, i < EXAMPLES ? examples[i].name : "",
                   XLSX_INPUT);
         write_row(book, FIRST_ROW + i, &values);

@@ -4,10 +4,9 @@
 #define CLI_BATCH_SHEET_H
 
 #include "sheet/xlsx.h"
-#include "workbook/case/yield_table.h"
 
 enum { BATCH_ROWS = 200 };
 
-void sheet_batch(xlsx *book, const yield_table *table);
+void sheet_batch(xlsx *book);
 
 #endif

@@ -50,12 +50,12 @@ static bool fill(xlsx *book, const yield_table *table)
     xlsx_turn_to(book, SHEET_ABOUT);
     sheet_about(book);
     xlsx_turn_to(book, SHEET_CALCULATOR);
-    sheet_calculator(book, table, &values);
+    sheet_calculator(book, &values);
     xlsx_turn_to(book, SHEET_WORKING);
     sheet_working(book, table, &values);
     xlsx_hide_sheet(book);
     xlsx_turn_to(book, SHEET_BATCH);
-    sheet_batch(book, table);
+    sheet_batch(book);
     xlsx_turn_to(book, SHEET_LOOK_UP);
     sheet_look_up(book);
     xlsx_hide_names(book, "rwt_");

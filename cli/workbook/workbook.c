@@ -32,11 +32,11 @@ static void describe(FILE *stream)
 static const char *const formats[] = {"xlsx", NULL};
 
 /* The comma is that of the files; the cells of a workbook have no sign. */
-static void write_sheets(const arguments *given)
+static void write_sheets(const arguments *line)
 {
-    const bool comma = given->value[OPTION_DECIMAL_COMMA] != NULL;
-    csv_files files = {given->operand, comma ? ',' : '.'};
-    arguments others = *given;
+    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
+    csv_files files = {line->operand, comma ? ',' : '.'};
+    arguments others = *line;
     output_options how;
     others.value[OPTION_DECIMAL_COMMA] = NULL;
     output_options_read_of(&others, formats, "", &how);
@@ -48,14 +48,14 @@ static void write_sheets(const arguments *given)
     output_options_write(&how, csv_sheets_write, &files);
 }
 
-static void write_book(const arguments *given, const char *path)
+static void write_book(const arguments *line, const char *path)
 {
     output out;
-    if (given->value[OPTION_DIGITS] != NULL)
+    if (line->value[OPTION_DIGITS] != NULL)
         usage_error("--digits: the workbook has its own; allowed with: CSV files");
-    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+    if (line->value[OPTION_DECIMAL_COMMA] != NULL)
         usage_error("--decimal-comma: a workbook has no sign; allowed with: CSV files");
-    output_format_choose(given, formats, "");
+    output_format_choose(line, formats, "");
     if (path[0] == '-' && path[1] == '\0' && stream_is_terminal(stdout))
         usage_error("--output -: a workbook is not for a terminal; allowed: the name of a file, or "
                     "a redirected -");
@@ -66,16 +66,16 @@ static void write_book(const arguments *given, const char *path)
     output_finish(&out);
 }
 
-static int workbook(const arguments *given)
+static int workbook(const arguments *line)
 {
-    const char *path = given->value[OPTION_OUTPUT];
+    const char *path = line->value[OPTION_OUTPUT];
     if (path == NULL || path[0] == '\0')
         usage_error(
             "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -");
-    if (given->operand != NULL && given->operand[0] != NULL)
-        write_sheets(given);
+    if (line->operand != NULL && line->operand[0] != NULL)
+        write_sheets(line);
     else
-        write_book(given, path);
+        write_book(line, path);
     return STATUS_DONE;
 }
 

@@ -4,9 +4,9 @@
 # accept_path PATH - ends with status 2 where the path has a character that CMake, or the make that it writes for, does not take.
 accept_path()
 {
-    accepted=$(printf '%s' "$1" | tr -d ';$\\":[],|\n\t')
+    accepted=$(printf '%s' "$1" | tr -d '#;$\\":[],|\n\t')
     [ "$accepted" = "$1" ] && return
-    printf '%s: CMake does not take this path: no ; $ \\ " : , | [ ], newline or tab, please.\n' "$1" >&2
+    printf '%s: CMake does not take this path: no # ; $ \\ " : , | [ ], newline or tab, please.\n' "$1" >&2
     exit 2
 }
 

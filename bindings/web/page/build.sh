@@ -21,8 +21,9 @@ cd "$folder/web"
 sh "$top/packages/sources.sh" sources libcsv >log 2>&1 || skip "the sources of libcsv cannot be fetched: $(grep '^E: ' log | head -n 1)"
 exports=$(sed -n 's/^EXPORTED.* \**\([a-z_]*\)(.*/\1/p' "$here"/model/*.c)
 exports="$exports $(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h")"
+cli=$top/cli
 # shellcheck disable=SC2046
-sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$top/cli" -Isources/libcsv "$here"/model/*.c \
-    "$top"/cli/model/*.c "$top"/cli/text/list.c "$top"/cli/text/number.c "$top"/cli/text/utf8.c "$top"/cli/input/csv_input.c \
-    "$top"/cli/input/csv_row.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
+sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
+    "$here"/model/*.c "$cli"/model/*.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/text/number.c "$cli"/text/utf8.c \
+    "$cli"/input/csv_input.c "$cli"/input/csv_row.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
 node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

@@ -14,6 +14,9 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 mkdir -p "$build/page"
 sh "$here/build.sh" "$build" "$now" || exit $?
+imports=$(node -e 'console.log(WebAssembly.Module.imports(new WebAssembly.Module(require("fs").readFileSync(process.argv[1]))).length)' \
+    "$build/page/page.wasm")
+[ "$imports" = 0 ] || fail "the WebAssembly imports something"
 if [ -x "$build/cli/rwedge" ]; then
     node "$here/test/model.mjs" "$build" "$build/cli/rwedge" || fail "the model beside the tool"
 fi

@@ -4,6 +4,7 @@
 
 #include "charts.h"
 #include "workbook/case/formula.h"
+#include "workbook/case/shown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -176,9 +177,9 @@ static void write_notes(xlsx *book)
         xlsx_text(book, RESULT_ROW + LINES + i, LABEL, lines[i], XLSX_NOTE);
 }
 
-void sheet_calculator(xlsx *book, const yield_table *table, case_values *values)
+void sheet_calculator(xlsx *book, case_values *values)
 {
-    workbook_compute(table, example, values);
+    shown_values(example, values);
     xlsx_text(book, 0, LABEL, "Contact of a wedge with a rounded apex and a half-plane",
               XLSX_TITLE);
     xlsx_text(book, 1, LABEL,

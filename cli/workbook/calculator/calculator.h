@@ -4,10 +4,10 @@
 #define CLI_CALCULATOR_H
 
 #include "sheet/xlsx.h"
-#include "workbook/case/model.h"
+#include "workbook/case/cells.h"
 
 /* Fills the sheet that has been turned to; and the values of its case, which the sheet of working
  * cells needs. */
-void sheet_calculator(xlsx *book, const yield_table *table, case_values *values);
+void sheet_calculator(xlsx *book, case_values *values);
 
 #endif

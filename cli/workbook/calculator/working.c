@@ -4,7 +4,6 @@
 
 #include "workbook/case/formula.h"
 #include "workbook/case/rounded.h"
-#include "workbook/case/yield_values.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,21 +91,33 @@ static void write_places(xlsx *book, const yield_table *table)
 /* ---- Curves of the charts -------------------------------------------------------------------- */
 
 static void write_column(xlsx *book, int column, const char *formula, int count,
-                         const yield_table *table, const case_values *values,
-                         double value_of(const yield_table *, const case_values *, int))
+                         const double limit[])
 {
     char text[FORMULA_SIZE];
     for (int i = 0; i < count; i++)
-        formula_cell(book, CURVE_ROW + i, column, formula_at(formula, i + 1, text),
-                     value_of(table, values, i), XLSX_PLAIN);
+        formula_cell(book, CURVE_ROW + i, column, formula_at(formula, i + 1, text), limit[i],
+                     XLSX_PLAIN);
+}
+
+/* The elastic limit over a/b, and over f. */
+static void write_limits(xlsx *book, const yield_table *table, const double v[])
+{
+    double at_tip[TIPS], at_friction[FRICTIONS];
+    for (int i = 0; i < TIPS; i++)
+        at_tip[i] = rwedge_elastic_limit(1 / cosh(table->t[i]), v[CELL_F], v[CELL_NU1]);
+    for (int i = 0; i < FRICTIONS; i++)
+        at_friction[i] = rwedge_elastic_limit(v[CELL_A_OVER_B], table->f[i], v[CELL_NU1]);
+    write_column(book, CURVE_TIP_LIMIT, limit_at_tip, TIPS, at_tip);
+    write_column(book, CURVE_FRICTION_LIMIT, limit_at_friction, FRICTIONS, at_friction);
 }
 
 /* The charts leave out what is #N/A. */
 static void write_marks(xlsx *book, const case_values *values)
 {
     const double *v = values->number;
-    formula_cell(book, CURVE_ROW, CURVE_MARK_TIP, "=IF(rwt_ok=1,rwt_n5,0)", v[WORK_N5], XLSX_PLAIN);
-    formula_cell(book, CURVE_ROW, CURVE_MARK_FRICTION, "=rwt_fr", v[WORK_F], XLSX_PLAIN);
+    formula_cell(book, CURVE_ROW, CURVE_MARK_TIP, "=IF(rwt_ok=1,rwt_n5,0)",
+                 fmin(v[CELL_A_OVER_B], 1), XLSX_PLAIN);
+    formula_cell(book, CURVE_ROW, CURVE_MARK_FRICTION, "=rwt_fr", v[CELL_F], XLSX_PLAIN);
     formula_cell(book, CURVE_ROW, CURVE_MARK_LIMIT, "=IF(ISNUMBER(rw_P_over_bk),rw_P_over_bk,NA())",
                  v[CELL_P_OVER_BK], XLSX_PLAIN);
     formula_cell(book, CURVE_ROW, CURVE_MARK_TENSION,
@@ -126,9 +137,7 @@ static void write_curves(xlsx *book, const yield_table *table, const case_values
     xlsx_name_range(book, "rwt_tips", CURVE_ROW, CURVE_TIP, TIPS, 1);
     for (int i = 0; i < FRICTIONS; i++)
         xlsx_number(book, CURVE_ROW + i, CURVE_FRICTION, table->f[i], XLSX_PLAIN);
-    write_column(book, CURVE_TIP_LIMIT, limit_at_tip, TIPS, table, values, workbook_limit_at_tip);
-    write_column(book, CURVE_FRICTION_LIMIT, limit_at_friction, FRICTIONS, table, values,
-                 workbook_limit_at_friction);
+    write_limits(book, table, values->number);
     write_marks(book, values);
 }
 

@@ -130,10 +130,11 @@ typedef struct {
 
 extern const case_cell case_cells[CELL_COUNT];
 
-/* A value in a cell: a text where there is one, or a number; NAN is an empty text. */
+/* What inputs and results show; NAN is an empty text. Working cells show nothing: they have no
+ * value before a spreadsheet computes. */
 typedef struct {
-    double number[CELL_COUNT];
-    char safety[24], branch[12]; /* texts of CELL_SAFETY and CELL_BRANCH; "" for the number */
+    double number[RESULTS_END];
+    char branch[12]; /* the text of CELL_BRANCH */
 } case_values;
 
 /* What an input must be, for the message and for the check of what is typed. */

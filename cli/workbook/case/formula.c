@@ -154,13 +154,11 @@ const char *input_message(int cell, char text[FORMULA_SIZE])
 static void write_cell(xlsx *book, int row, int column, int cell, const char *formula,
                        const case_values *values, xlsx_style style)
 {
-    const char *text = cell == CELL_SAFETY   ? values->safety
-                       : cell == CELL_BRANCH ? values->branch
-                                             : "";
-    if (text[0] != '\0')
-        xlsx_text_formula(book, row, column, formula, text, style);
+    if (cell == CELL_BRANCH)
+        xlsx_text_formula(book, row, column, formula, values->branch, style);
     else
-        formula_cell(book, row, column, formula, values->number[cell], style);
+        formula_cell(book, row, column, formula, cell < RESULTS_END ? values->number[cell] : NAN,
+                     style);
 }
 
 void named_cell(xlsx *book, int row, int column, int cell, const case_values *values,

@@ -82,6 +82,8 @@ bool pasted_next(csv_input *in, csv_row *row, const char **problem)
     const csv_event event = csv_input_next(in);
     if (event == CSV_FAILED)
         *problem = csv_input_problem(in);
-    return (event == CSV_ROW || event == CSV_MALFORMED) &&
-           csv_row_keep(in, event == CSV_MALFORMED, row);
+    if (event != CSV_ROW && event != CSV_MALFORMED)
+        return false;
+    csv_row_keep(in, event == CSV_MALFORMED, row);
+    return true;
 }

@@ -69,7 +69,14 @@ function remember() {
 
 let model;
 const form = makeForm(state, () => render());
-const tabs = makeTabs(state, () => model, remember);
+const tabs = makeTabs(
+    state,
+    () => model,
+    () => {
+        showStatus();
+        remember();
+    },
+);
 const drawing = element("div", { class: "drawing" });
 const status = element("p", { class: "status", role: "status", id: "status" });
 const exports = element("div", {});
@@ -102,14 +109,23 @@ function showExports() {
         );
 }
 
+/** The tabs of many loads or cases judge these themselves. */
+function showStatus() {
+    const { colour, text } = model.verdict,
+        said = ["cycle", "batch"].includes(state.tab) ? `The case at the left: ${text}` : text;
+    status.className = `status ${colour}`;
+    if (status.textContent !== said) status.textContent = said;
+}
+
 function render() {
     const began = performance.now();
     model = makeModel(state);
     form.show(model);
-    drawing.innerHTML = drawingOf(model);
-    status.className = `status ${model.verdict.colour}`;
-    if (status.textContent !== model.verdict.text) status.textContent = model.verdict.text;
+    if (model.results || drawing.innerHTML === "") drawing.innerHTML = drawingOf(model);
+    drawing.classList.toggle("old", !model.results && drawing.dataset.of === "case");
+    if (model.results) drawing.dataset.of = "case";
     tabs.show(model);
+    showStatus();
     if (exports.querySelector("details").open) showExports();
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
     remember();
@@ -185,6 +201,7 @@ function build() {
 
 function show(texts) {
     take(texts);
+    if (state.sign === ",") rewriteNumbers();
     for (const one of chosen) one.show();
     render();
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn: the solved case, how it is written, and in which units.
-import { writeNumber } from "./number.js";
+import { shown, writeNumber } from "./number.js";
 import { solveHolding } from "./solution.js";
 import { unitsOf } from "./units.js";
 
 export function makeModel(state) {
+    shown.sign = state.sign;
     return {
         ...solveHolding(state.texts, state.sign),
         texts: state.texts,

@@ -25,6 +25,12 @@ export function writeNumber(value, digits, sign = ".") {
     return `${withoutZeros(mantissa).replace(".", sign)}e${exponent[0]}${exponent.slice(1).padStart(2, "0")}`;
 }
 
+/** The decimal sign that was chosen, where a number is drawn or saved without a case. */
+export const shown = { sign: "." };
+
+/** As short as it is, for ticks and files. */
+export const shortNumber = (value) => String(value).replace(".", shown.sign);
+
 const withoutZeros = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
 
 /** All digits: what reads back as the same number, for commands and addresses. */

@@ -50,11 +50,12 @@ export function taken(records) {
 
 let held = null;
 
-/** The case as it stands, with its contact under its loads. One at a time: the one before is freed. */
+/** The case as it stands, with its contact under its loads. One at a time: the next one that has results frees it. */
 export function solveHolding(texts, sign) {
-    held?.free();
     const answer = taken(ask("answer", linesOf(texts, sign)));
-    held = answer.results ? answeredContact() : null;
+    if (!answer.results) return { ...answer, contact: null };
+    held?.free();
+    held = answeredContact();
     return { ...answer, contact: held };
 }
 

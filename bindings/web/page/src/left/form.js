@@ -111,7 +111,9 @@ class Field {
         if (this.input.value.trim() !== text.trim()) this.input.value = text;
         this.label.textContent = labels[this.name];
         this.label.title = inputs[this.name].meaning;
-        this.input.placeholder = hints[this.name] ?? "";
+        const isHalf =
+            this.name === "nu2" ? Number.isFinite(model.inputs.E2) : this.name === "E2" && "nu2" in model.inputs;
+        this.input.placeholder = isHalf ? "needed too" : (hints[this.name] ?? "");
         if (this.choice) this.choice.value = this.name;
         this.unit.textContent =
             this.choice && inputs[this.name].unit.match(/rad|deg/) ? "" : model.unit[inputs[this.name].unit];

@@ -2,6 +2,7 @@
 // Axes of a plot: scales, ticks, grid and labels, as SVG text.
 import { scaleLinear } from "d3-scale";
 import { escaped } from "../elements.js";
+import { shortNumber } from "../number.js";
 
 /** On a narrow screen fewer units across make letters larger. */
 export const narrow = matchMedia("(max-width: 520px)");
@@ -32,7 +33,7 @@ function shortened(scale, count) {
     const ticks = scale.ticks(count),
         most = Math.max(...ticks.map(Math.abs));
     const power = most > 0 && (most < 0.01 || most >= 1e5) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
-    const text = (tick) => String(Number((tick / 10 ** power).toPrecision(8))).replace("-", "\u2212");
+    const text = (tick) => shortNumber(Number((tick / 10 ** power).toPrecision(8))).replace("-", "\u2212");
     return {
         ticks: ticks.map((tick) => ({ at: scale(tick).toFixed(1), text: text(tick) })),
         note: power ? `, in 10${superscript(power)}` : "",

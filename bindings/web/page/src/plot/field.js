@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours of a field on a grid, as the text of an SVG: bands of colour, and what they mean.
+import { shortNumber } from "../number.js";
 import { contours } from "d3-contour";
 import { ticks } from "d3-array";
 import { escaped } from "../elements.js";
@@ -45,7 +46,7 @@ function key(levels, colours, box, unit) {
         const y = box.top + 18 + (levels.length - 1 - i) * height;
         return (
             `<rect x="${x}" y="${y.toFixed(1)}" width="16" height="${height.toFixed(1)}" fill="${colours[i]}"/>` +
-            `<text class="tick" x="${x + 20}" y="${(y + height).toFixed(1)}" dy="0.32em">${i === 0 ? "below" : String(Number(level.toPrecision(6))).replace("-", "\u2212")}</text>`
+            `<text class="tick" x="${x + 20}" y="${(y + height).toFixed(1)}" dy="0.32em">${i === 0 ? "below" : shortNumber(Number(level.toPrecision(6))).replace("-", "\u2212")}</text>`
         );
     });
     return `<text class="tick" x="${x}" y="${box.top + 8}">${escaped(unit)}</text>` + boxes.join("");

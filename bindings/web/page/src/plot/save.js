@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plot as a file: SVG and PNG as it is drawn, in light colours and with white ground; CSV with all digits.
 import { download, element } from "../elements.js";
+import { shortNumber, shown } from "../number.js";
 import plotStyle from "../plot.css";
 
 /** The style with its colours written out: few programs that open an SVG know variables. */
@@ -35,11 +36,12 @@ function savePng(name, svg) {
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgText(svg))}`;
 }
 
-/** Rows of numbers, columns by name. */
-const csvText = (names, rows) =>
-    [names.join(","), ...rows.map((row) => row.map((v) => (v === null || Number.isNaN(v) ? "" : v)).join(","))].join(
-        "\n",
-    ) + "\n";
+/** Rows of numbers, columns by name; as the tool writes them, with ; between cells where the decimal sign is a comma. */
+function csvText(names, rows) {
+    const between = shown.sign === "," ? ";" : ",";
+    const cell = (value) => (value === null || Number.isNaN(value) ? "" : shortNumber(value));
+    return [names, ...rows.map((row) => row.map(cell))].map((row) => row.join(between)).join("\n") + "\n";
+}
 
 /** Three buttons. svg() is the plot, table() is { names, rows }. */
 function saveButtons(name, svg, table) {

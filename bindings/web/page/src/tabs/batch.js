@@ -32,11 +32,19 @@ function csvOf(lines, sign) {
     return lines.map((line) => line.map((cell) => quoted(harmless(cell))).join(between)).join("\n") + "\n";
 }
 
+/** Drawn first: what one looks for. The files have the tool's order. */
+const verdicts = ["safety", "warnings"];
+
 function tableOf({ columns, results, rows }, write) {
-    const head = [...columns, ...results, "error"].map((name) => `<th scope="col">${escaped(name)}</th>`).join("");
+    const order = [
+        ...verdicts.filter((name) => results.includes(name)),
+        ...results.filter((r) => !verdicts.includes(r)),
+    ];
+    const at = order.map((name) => results.indexOf(name));
+    const head = [...columns, "error", ...order].map((name) => `<th scope="col">${escaped(name)}</th>`).join("");
     const shown = (text) => (isNumber(text) ? write(Number(text)) : text);
     const body = rows.slice(0, SHOWN).map(({ colour, error, cells, values }) => {
-        const all = [...cells, ...results.map((_, i) => shown(values[i] ?? "")), error];
+        const all = [...cells, error, ...at.map((i) => shown(values[i] ?? ""))];
         return `<tr class="${colour}">${all.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`;
     });
     return `<table class="numbers rows"><caption class="hidden">Solved rows</caption><thead><tr>${head}</tr></thead><tbody>${body.join("")}</tbody></table>`;
@@ -70,6 +78,7 @@ function pasteArea() {
     const pasted = element("textarea", {
         id: "batch",
         rows: 8,
+        wrap: "off",
         spellcheck: "false",
         "aria-describedby": "batch-note",
         placeholder: example,

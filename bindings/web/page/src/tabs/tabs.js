@@ -17,9 +17,17 @@ const titles = {
     about: ["About", makeAbout],
 };
 
+/** These show the case: without results their last picture stays, greyed. */
+const ofCase = ["contact", "stress", "strength"];
+
 /** Draws a tab. What cannot be computed, far beyond the usual sizes, is said in the tab. */
-function drawSafely({ draw, fault }, model) {
+function drawSafely(part, model) {
+    const { name, draw, fault, panel } = part,
+        keeps = ofCase.includes(name) && !model.results && part.drawn;
     fault.textContent = "";
+    panel.classList.toggle("old", Boolean(keeps));
+    if (keeps) return;
+    part.drawn = Boolean(model.results);
     try {
         draw(model);
     } catch (error) {
@@ -36,7 +44,7 @@ function makePart(name, title, { panel, show: draw }, open) {
     );
     const fault = element("p", { class: "note bad", role: "alert" });
     const attributes = { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}` };
-    return { button, box: element("div", attributes, fault, panel), draw, fault };
+    return { name, button, box: element("div", attributes, fault, panel), panel, draw, fault };
 }
 
 /** The list of tabs, their panels, and show(model). model() is the present case; changed() follows a change of the state. */

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "shown.h"
+
+#include "model/results.h"
+#include "text/message.h"
+#include "text/pi.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+static double given_or(double value, double other)
+{
+    return isnan(value) ? other : value;
+}
+
+static contact_case case_of(const double in[])
+{
+    contact_case setup = {.E1 = in[CELL_E1],
+                          .nu1 = in[CELL_NU1],
+                          .E2 = given_or(in[CELL_E2], in[CELL_E1]),
+                          .nu2 = given_or(in[CELL_NU2], in[CELL_NU1]),
+                          .theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180),
+                          .P = in[CELL_LOAD],
+                          .Q = given_or(in[CELL_Q], 0),
+                          .f = in[CELL_F],
+                          .k = given_or(in[CELL_K], in[CELL_YIELD_STRESS] / sqrt(3))};
+    setup.a = given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * setup.theta);
+    setup.A = rwedge_compliance(setup.E1, setup.nu1, setup.E2, setup.nu2);
+    setup.beta = rwedge_dundurs_beta(setup.E1, setup.nu1, setup.E2, setup.nu2);
+    return setup;
+}
+
+/* The columns of Batch have the names of results; NAN where there is none. */
+static double result_of(const results *answer, const char *column)
+{
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (strcmp(result_kinds[i].name, column) == 0)
+            return answer->value[i].number;
+    return NAN;
+}
+
+void shown_nothing(case_values *shown)
+{
+    for (int i = 0; i < RESULTS_END; i++)
+        shown->number[i] = NAN;
+    shown->branch[0] = '\0';
+}
+
+void shown_values(const double input[INPUT_CELLS], case_values *shown)
+{
+    const contact_case setup = case_of(input);
+    char complaint[COMPLAINT_SIZE];
+    results answer;
+    if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
+        failure("the workbook's example: %s", complaint);
+    shown_nothing(shown);
+    for (int i = 0; i < INPUT_CELLS; i++)
+        shown->number[i] = input[i];
+    for (int i = INPUT_CELLS; i < CELL_WARNINGS; i++)
+        shown->number[i] = result_of(&answer, case_cells[i].column);
+    double *v = shown->number;
+    v[CELL_P_MEAN] = setup.P / (2 * v[CELL_B]);
+    v[CELL_SAFETY_STRENGTH] = v[CELL_P_OVER_BK] / v[CELL_LOAD_OVER_BK];
+    const char *branch = answer.value[RESULT_YIELD_BRANCH].text;
+    snprintf(shown->branch, sizeof shown->branch, "%s", branch);
+}

@@ -637,7 +637,7 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
  * of a cycle under constant P.                                                                  new
  *   b  length, > 0, finite
- * NaN for NULL and when separated; NaN off the centre where the slip has no closed form, as in
+ * NaN when separated; NaN for NULL; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Error below 1e-14 of f theta times the half-width for every remembered
  * point, 1e-6 of it off the centre. */
 RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, double b);
@@ -731,6 +731,170 @@ RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const doubl
                                              const double syy[], const double txy[], double E,
                                              double nu, double k_over_sy, double value[],
                                              double angle[]);
+
+/* ---- Criteria over all planes ---------------------------------------------------------------- */
+
+/* Of a cycle of stresses in plane strain, szz = nu (sxx+syy); for plane stress give nu = 0, or
+ * plane_stress = 1 where E is an argument. No sampling: no plane exceeds the one that is named by
+ * more than the error; where a whole curve of planes is nearly as bad, by more than 1e-7 of it. The
+ * plane's normal is (x, y, z) = (cos(o) sin(a), cos(o) cos(a), sin(o)), a = angle, -pi/2 < a <=
+ * pi/2, o = out_of_plane, 0 <= o <= pi/2, both in rad: the plane contains z where o is 0. The one
+ * with -o is equally bad.
+ * The shear stress on a plane is a path in two dimensions. Its amplitude tau_a is the radius of the
+ * smallest circle around the path: half of the range for a straight path. sn_max is the largest
+ * normal stress on the plane in the cycle, negative in compression.
+ * The order of the loads does not matter. The time grows like n.
+ *   n              number of loads of the cycle, >= 1
+ *   sxx, syy, txy  stresses, of at most 1e60 in magnitude: n each, or as said
+ *   nu             Poisson's ratio, 0 <= nu <= 0.5
+ *   E              Young's modulus, stress, 1e-60 to 1e60
+ *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress */
+
+/* Smith, Watson and Topper's parameter as rwedge_smith_watson_topper(), over all planes.        new
+ *   value, angle, out_of_plane  each receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 s^2
+ * (1+nu)/E, s being the largest stress of the cycle. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_planes(size_t n, const double sxx[],
+                                                     const double syy[], const double txy[],
+                                                     double E, double nu, int32_t plane_stress,
+                                                     double *value, double *angle,
+                                                     double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n,
+                                                           const double sxx[], const double syy[],
+                                                           const double txy[], double E, double nu,
+                                                           int32_t plane_stress, double value[],
+                                                           double angle[], double out_of_plane[]);
+
+/* Fatemi and Socie's parameter over all planes: the largest gamma_a (1 + k sn_max/sy), gamma_a =
+ * 2(1+nu)/E tau_a being the amplitude of the shear strain. rwedge_fatemi_socie() leaves out the
+ * planes that do not contain z; where szz is an extreme principal stress they can be worse.
+ *                                                 Fatemi and Socie (1988), see lib/README.md; new
+ *   k_over_sy      as in rwedge_fatemi_socie()
+ *   value, angle, out_of_plane  each receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 + s
+ * k/sy) s (1+nu)/E. */
+RWEDGE_API int32_t rwedge_fatemi_socie_planes(size_t n, const double sxx[], const double syy[],
+                                              const double txy[], double E, double nu,
+                                              int32_t plane_stress, double k_over_sy, double *value,
+                                              double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sxx[],
+                                                    const double syy[], const double txy[],
+                                                    double E, double nu, int32_t plane_stress,
+                                                    double k_over_sy, double value[],
+                                                    double angle[], double out_of_plane[]);
+
+/* Findley's parameter, a stress: the largest tau_a + k sn_max.                     Findley (1959)
+ *   k              share of the normal stress, 0 or 1e-60 to 1e60; 0.2 to 0.3 for most metals
+ *   value, angle, out_of_plane  each receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1+k)
+ * s. */
+RWEDGE_API int32_t rwedge_findley(size_t n, const double sxx[], const double syy[],
+                                  const double txy[], double nu, double k, double *value,
+                                  double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx[],
+                                        const double syy[], const double txy[], double nu, double k,
+                                        double value[], double angle[], double out_of_plane[]);
+
+/* Susmel's modified Woehler curve, a stress: tau_a + kappa rho, rho = sn_max/tau_a, on the plane of
+ * the largest tau_a; of several the one of the largest sn_max. Safe where it is at most lambda.
+ * 0 where no stress changes.                                          Susmel and Lazzarin (2002)
+ *   kappa          stress, 0 or 1e-60 to 1e60: the fully reversed limits t_A in torsion and s_A in
+ *                  tension give kappa = t_A - s_A/2, lambda = t_A
+ *   value, angle, out_of_plane  each receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error of tau_a below 1e-8
+ * s; of rho below 1e-6 s/tau_a, because the plane is as uncertain as the root of a rounding. */
+RWEDGE_API int32_t rwedge_modified_wohler(size_t n, const double sxx[], const double syy[],
+                                          const double txy[], double nu, double kappa,
+                                          double *value, double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_modified_wohler_field(size_t loads, size_t n, const double sxx[],
+                                                const double syy[], const double txy[], double nu,
+                                                double kappa, double value[], double angle[],
+                                                double out_of_plane[]);
+
+/* McDiarmid's criterion, a ratio: tau_a/t_A + sn_max/(2 su) on the plane of the largest tau_a; of
+ * several the one of the largest sn_max. Safe where it is below 1.               McDiarmid (1991)
+ *   t_A            fully reversed limit in torsion, stress, 1e-60 to 1e60
+ *   su             tensile strength, stress, 1e-60 to 1e60
+ *   value, angle, out_of_plane  each receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-6 s (1/t_A +
+ * 1/su), as in rwedge_modified_wohler(). */
+RWEDGE_API int32_t rwedge_mcdiarmid(size_t n, const double sxx[], const double syy[],
+                                    const double txy[], double nu, double t_A, double su,
+                                    double *value, double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double sxx[],
+                                          const double syy[], const double txy[], double nu,
+                                          double t_A, double su, double value[], double angle[],
+                                          double out_of_plane[]);
+
+/* Crossland's criterion, a stress: the amplitude of sqrt(J2), which is the radius of the smallest
+ * sphere around the path of the stress deviator, plus alpha times the largest hydrostatic stress
+ * (sxx+syy+szz)/3. Not half of the range of sqrt(J2), which a rotating deviator does not have.
+ *                                                                          Crossland (1956)
+ *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
+ *   value  receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
+ * alpha) s, s being the largest stress of the cycle. */
+RWEDGE_API int32_t rwedge_crossland(size_t n, const double sxx[], const double syy[],
+                                    const double txy[], double nu, double alpha, double *value);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value          receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_crossland_field(size_t loads, size_t n, const double sxx[],
+                                          const double syy[], const double txy[], double nu,
+                                          double alpha, double value[]);
+
+/* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the
+ * largest shear stress of the deviator less the centre of the smallest sphere around its path, to
+ * which the residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in
+ * compression, which does no harm.                                            Dang Van (1973)
+ *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
+ *   value  receives one number
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
+ * alpha) s, s being the largest stress of the cycle. */
+RWEDGE_API int32_t rwedge_dang_van(size_t n, const double sxx[], const double syy[],
+                                   const double txy[], double nu, double alpha, double *value);
+
+/* The same at n points.
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value          receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[],
+                                         const double syy[], const double txy[], double nu,
+                                         double alpha, double value[]);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

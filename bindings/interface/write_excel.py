@@ -18,8 +18,7 @@ WIDTH = 128
 # Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
 # field has its own cells.
 NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
-                "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms",
-                "smith_watson_topper_field", "fatemi_socie_field"}
+                "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
 # Declared for the template's own functions.
 NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
 # Basic does not tell a from A.
@@ -124,6 +123,11 @@ def statements(f, name, handle):
     return [f"    {line}" for line in dims + lines]
 
 
+def is_declared(f: Function) -> bool:
+    """A cell has no array of two sizes, so no field."""
+    return f.name not in NOT_DECLARED and not f.name.endswith("_field")
+
+
 def fits_cells(f: Function) -> bool:
     outputs = f.outputs
     return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
@@ -155,7 +159,7 @@ def worksheet_function(f: Function, before: Function) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    declared = [f for f in interface.functions if f.name not in NOT_DECLARED]
+    declared = list(filter(is_declared, interface.functions))
     offered = [f for f in declared if f.name not in NOT_IN_CELLS]
     unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
     if unfit:

@@ -24,8 +24,6 @@ INSTEAD = {
     ("series_fit", "Excel"): "`RWEDGE_SERIES_...` take the samples, and fit them in every cell.",
     ("strerror", "Excel"): "The cell shows `#NUM!`, `#N/A` or `#VALUE!`.",
     ("contact_stress_history", "Excel"): "`RWEDGE_CONTACT_STRESSES` gives the stresses after the last of the loads.",
-    ("smith_watson_topper_field", "Excel"): "`RWEDGE_SMITH_WATSON_TOPPER` is for one point; a cell has no array of two sizes.",
-    ("fatemi_socie_field", "Excel"): "`RWEDGE_FATEMI_SOCIE` is for one point; a cell has no array of two sizes.",
 }
 NO_OBJECT = "No cell holds an object."
 # What is not called by the rule.
@@ -216,11 +214,17 @@ class Excel(Language):
         return self.form(f, self.MADE_OF[f.family] + texts)
 
     def rule(self, f: Function, given: list[str]) -> str:
-        absent = f.name in write_excel.NOT_DECLARED | write_excel.NOT_IN_CELLS
+        absent = not write_excel.is_declared(f) or f.name in write_excel.NOT_IN_CELLS
         return "" if absent else f"={write_excel.cell_name(f)}({', '.join(given)})"
 
 
 LANGUAGES = (C(), Python(), Matlab(), Fortran(), JavaScript(), Excel())
+
+
+def instead_of(f: Function, language: str) -> str:
+    if f.name.endswith("_field"):
+        return f"`RWEDGE_{f.name.removesuffix('_field').upper()}` is for one point; a cell has no array of two sizes."
+    return INSTEAD.get((f.name, language), NO_OBJECT)
 
 
 def calls(f: Function, given: dict) -> list[tuple[str, str, str]]:
@@ -231,5 +235,5 @@ def calls(f: Function, given: dict) -> list[tuple[str, str, str]]:
         if lines[0]:
             result.append((language.name, language.lexer, "\n".join(dict.fromkeys(lines))))
         else:
-            result.append((language.name, "", INSTEAD.get((f.name, language.name), NO_OBJECT)))
+            result.append((language.name, "", instead_of(f, language.name)))
     return result

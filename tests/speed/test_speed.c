@@ -304,6 +304,27 @@ static double calls_of_a_cycle(long loads)
     return calls_of(loads, false);
 }
 
+/* Loads that grow, each remembered because Q/f bends. */
+static double growing_loads(long loads)
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.01, 1, 1e-5, 0.3, &contact), RWEDGE_OK);
+    for (long i = 1; i <= loads; i++)
+        assert_int_equal(rwedge_contact_load(contact, (double)i, 0.1 * (double)(i + i % 2)),
+                         RWEDGE_OK);
+    const double memory = (double)rwedge_contact_memory(contact);
+    rwedge_contact_destroy(contact);
+    return memory;
+}
+
+/* Seen: 0.5; once 0.06, because each load went through all of the memory. */
+static void a_load_takes_the_same_time_however_many_were_before(void **state)
+{
+    (void)state;
+    assert_ratio("a load of 2000 / a load of 40000", growing_loads, LOADS, growing_loads,
+                 20 * LOADS, 0.2);
+}
+
 /* Seen: 15 and 2; once 0.04, because each load was noted with all of its memory. */
 static void a_stress_history_is_not_slower_than_its_calls(void **state)
 {
@@ -332,6 +353,7 @@ int main(void)
         cmocka_unit_test(limits_beat_the_search),
         cmocka_unit_test(yield_factors_take_few_points),
         cmocka_unit_test(a_stress_history_is_not_slower_than_its_calls),
+        cmocka_unit_test(a_load_takes_the_same_time_however_many_were_before),
     };
     return RUN_CLAIMS("speed", tests);
 }

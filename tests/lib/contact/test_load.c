@@ -255,6 +255,28 @@ static void a_step_that_goes_in_parts_goes_in_one(void **state)
     assert_true(compared > 200);
 }
 
+/* The third step reaches back over the first two at both edges. Halfway its front has passed the
+ * older one at the right edge alone: those of Nowell and Hills (1987), whose halves reverse. */
+static void a_line_may_pass_loads_without_a_closed_form(void **state)
+{
+    (void)state;
+    const double R = 178, f = 0.65, P = 488, compliance = rwedge_compliance(74100, .33, 74100, .33);
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create(0.1, 17.8, compliance, f, &contact), RWEDGE_OK);
+    apply(contact, P, 0, 0, 0);
+    apply(contact, P, 0, 200, 100);
+    apply(contact, P, 0, 0, 0);
+    const double half = rwedge_contact_half_width(contact), strain = compliance / 4;
+    const double older = half * sqrt(1 - 200 / (2 * f * P)),
+                 older_middle = strain * 100 * R / f / 2;
+    const double front = half * sqrt(1 - 125 / (2 * f * P)), middle = strain * 30 * R / f / 2;
+    assert_true(middle + front < older_middle + older); /* inside of it at the right */
+    assert_true(middle - front < older_middle - older); /* outside at the left */
+    assert_int_equal(rwedge_contact_apply(contact, P, 0, 125, 30), RWEDGE_EPATH);
+    apply(contact, P, 0, 250, 60);
+    rwedge_contact_destroy(contact);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -266,6 +288,7 @@ int main(void)
         cmocka_unit_test(tiny_contacts_are_refused_what_small_ones_are),
         cmocka_unit_test(patches_without_a_width_are_out_of_range),
         cmocka_unit_test(a_step_that_goes_in_parts_goes_in_one),
+        cmocka_unit_test(a_line_may_pass_loads_without_a_closed_form),
     };
     return RUN_CLAIMS("load", tests);
 }

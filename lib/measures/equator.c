@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Branch and bound, as in worst_plane.c, in one dimension. */
+#include "measures/equator.h"
+
+#include "base/domain.h"
+
+#include <float.h>
+
+enum { ENDS = 2 };
+
+/* No arc is as short: its bound is above the value by less than noise. */
+static const double SHORTEST = 1e-9;
+
+typedef struct {
+    rw_plane_cycle *cycle;
+    const rw_severity *severity;
+    double noise;
+    rw_worst_plane *best;
+    rw_direction *psi;
+} search;
+
+/* ---- One load ---- */
+
+/* What counts by its range, and the normal stress: at the middle, half of its change over the arc,
+ * and what that leaves out. */
+typedef struct {
+    double along, change, rest, peak, peak_change, peak_rest;
+} wave;
+
+static inline wave wave_of(bool is_strain, const rw_item *load, const rw_arc *arc)
+{
+    const double C = arc->psi.cosine, S = arc->psi.sine, h = arc->half;
+    const double swing = load->swing_d * C + load->swing_t * S,
+                 shear = load->swing_t * C - load->swing_d * S;
+    const double turned = h * (load->t * C - load->d * S), square = h * h / 2;
+    return (wave){.along = is_strain ? load->level - load->swing_lift + swing : shear,
+                  .change = h * (is_strain ? shear : -swing),
+                  .rest = square * load->swing_size,
+                  .peak = load->z - load->lift + (load->d * C + load->t * S),
+                  .peak_change = turned,
+                  .peak_rest = square * load->size};
+}
+
+/* ---- All loads on an arc ---- */
+
+/* At the middle; at the ends above all; and what the largest of the loads are at least. */
+typedef struct {
+    double high, low, peak;
+    double top[ENDS], bottom[ENDS], peaks[ENDS];
+    double least_top, most_bottom, least_peak;
+} view;
+
+static const view NOTHING = {
+    .high = -DBL_MAX,
+    .low = DBL_MAX,
+    .peak = -DBL_MAX,
+    .top = {-DBL_MAX, -DBL_MAX},
+    .bottom = {DBL_MAX, DBL_MAX},
+    .peaks = {-DBL_MAX, -DBL_MAX},
+    .least_top = -DBL_MAX,
+    .most_bottom = DBL_MAX,
+    .least_peak = -DBL_MAX,
+};
+
+static void look(const search *w, const rw_arc *arc, size_t n, view *v)
+{
+    *v = NOTHING;
+    for (size_t i = 0; i < n; i++) {
+        const wave l = wave_of(w->severity->is_strain, &w->cycle->item[i], arc);
+        const double spread = fabs(l.change) + l.rest;
+        v->high = rw_larger(v->high, l.along);
+        v->low = rw_smaller(v->low, l.along);
+        v->peak = rw_larger(v->peak, l.peak);
+        for (int k = 0; k < ENDS; k++) {
+            const double sign = 1 - 2 * k;
+            v->top[k] = rw_larger(v->top[k], l.along + sign * l.change + l.rest);
+            v->bottom[k] = rw_smaller(v->bottom[k], l.along + sign * l.change - l.rest);
+            v->peaks[k] = rw_larger(v->peaks[k], l.peak + sign * l.peak_change + l.peak_rest);
+        }
+        v->least_top = rw_larger(v->least_top, l.along - spread);
+        v->most_bottom = rw_smaller(v->most_bottom, l.along + spread);
+        v->least_peak = rw_larger(v->least_peak, l.peak - fabs(l.peak_change) - l.peak_rest);
+    }
+}
+
+/* As bound_of() in worst_plane.c. */
+static double bound_of(const rw_severity *v, const view *at, double severity[ENDS])
+{
+    double amplitude[ENDS], factor[ENDS];
+    for (int k = 0; k < ENDS; k++) {
+        amplitude[k] = (at->top[k] - at->bottom[k]) / 2;
+        severity[k] = rw_severity_of(v, amplitude[k], at->peaks[k]);
+        factor[k] = v->is_sum ? 0 : rw_larger(0, v->offset + v->gain * at->peaks[k]);
+    }
+    return rw_larger(severity[0], severity[1]) +
+           fabs((amplitude[0] - amplitude[1]) * (factor[0] - factor[1])) / 4;
+}
+
+static void record(search *w, const rw_arc *arc, const view *v)
+{
+    const double amplitude = (v->high - v->low) / 2;
+    const double value = rw_severity_of(w->severity, amplitude, v->peak);
+    if (value <= w->best->value)
+        return;
+    *w->best = (rw_worst_plane){.value = value, .amplitude = amplitude, .peak = v->peak};
+    *w->psi = arc->psi;
+}
+
+static bool matters(const wave *l, const view *v)
+{
+    const double spread = fabs(l->change) + l->rest;
+    return l->along + spread >= v->least_top || l->along - spread <= v->most_bottom ||
+           l->peak + fabs(l->peak_change) + l->peak_rest >= v->least_peak;
+}
+
+static size_t keep(search *w, const rw_arc *arc, size_t n, const view *v)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < n; i++) {
+        const wave l = wave_of(w->severity->is_strain, &w->cycle->item[i], arc);
+        if (matters(&l, v))
+            rw_keep_load(w->cycle, i, kept++);
+    }
+    return kept;
+}
+
+rw_arc rw_half_of_arc(const rw_arc *arc, bool is_forward)
+{
+    const double tangent = rw_half_tangent(arc->tangent);
+    return (rw_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
+                    tangent};
+}
+
+static void explore(search *w, const rw_arc *arc, size_t n)
+{
+    view v;
+    double severity[ENDS];
+    look(w, arc, n, &v);
+    record(w, arc, &v);
+    if (bound_of(w->severity, &v, severity) <= w->best->value + w->noise || arc->half < SHORTEST)
+        return;
+    const size_t kept = keep(w, arc, n, &v);
+    const bool is_forward = severity[0] > severity[1];
+    const rw_arc first = rw_half_of_arc(arc, is_forward), second = rw_half_of_arc(arc, !is_forward);
+    explore(w, &first, kept);
+    explore(w, &second, kept);
+}
+
+/* ---- The equator ---- */
+
+#define DIAGONAL 0.70710678118654752
+static const rw_direction CENTRES[RW_ARCS] = {
+    {1, 0},  {DIAGONAL, DIAGONAL},   {0, 1},  {-DIAGONAL, DIAGONAL},
+    {-1, 0}, {-DIAGONAL, -DIAGONAL}, {0, -1}, {DIAGONAL, -DIAGONAL}};
+static const double TANGENT = 0.19891236737965801; /* of pi/16 */
+
+rw_arc rw_equator_arc(int k)
+{
+    return (rw_arc){CENTRES[k], RW_PI / RW_ARCS, TANGENT};
+}
+
+void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
+                       rw_worst_plane *best, rw_direction *psi)
+{
+    search w = {cycle, severity, noise, best, psi};
+    double bound[RW_ARCS], unused[ENDS];
+    for (int k = 0; k < RW_ARCS; k++) {
+        const rw_arc arc = rw_equator_arc(k);
+        view v;
+        look(&w, &arc, cycle->loads, &v);
+        record(&w, &arc, &v);
+        bound[k] = bound_of(severity, &v, unused);
+    }
+    for (int turn = 0; turn < RW_ARCS; turn++) {
+        int worst = 0;
+        for (int k = 1; k < RW_ARCS; k++)
+            if (bound[k] > bound[worst])
+                worst = k;
+        bound[worst] = -DBL_MAX;
+        const rw_arc arc = rw_equator_arc(worst);
+        explore(&w, &arc, cycle->loads);
+    }
+}
+
+/* ---- Away from the equator ---- */
+
+/* On an arc: half of the range of the amplitude's quantity, at least and at most; half of the range
+ * of what it tends to away from the equator; the peak at least and at most; the largest lift. */
+typedef struct {
+    double least, most, beyond, least_peak, most_peak, lift, z;
+} reach;
+
+static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const rw_arc *arc,
+                      size_t n)
+{
+    double high = -DBL_MAX, low = DBL_MAX, top = -DBL_MAX, bottom = DBL_MAX, travel = 0, turn = 0;
+    reach r = {.least_peak = -DBL_MAX, .lift = -DBL_MAX, .z = -DBL_MAX};
+    for (size_t i = 0; i < n; i++) {
+        const rw_item *load = &cycle->item[i];
+        const wave l = wave_of(v->is_strain, load, arc);
+        const double other = v->is_strain ? load->level
+                                          : load->swing_lift - (load->swing_d * arc->psi.cosine +
+                                                                load->swing_t * arc->psi.sine);
+        high = rw_larger(high, l.along), low = rw_smaller(low, l.along);
+        top = rw_larger(top, other), bottom = rw_smaller(bottom, other);
+        r.least_peak = rw_larger(r.least_peak, l.peak);
+        r.lift = rw_larger(r.lift, load->z - l.peak);
+        r.z = rw_larger(r.z, load->z);
+        travel = rw_larger(travel, arc->half * load->swing_size);
+        turn = rw_larger(turn, arc->half * load->size);
+    }
+    r.least = rw_larger(0, (high - low) / 2 - travel);
+    r.most = (high - low) / 2 + travel;
+    r.beyond = (top - bottom) / 2 + (v->is_strain ? 0 : travel);
+    r.most_peak = r.least_peak + turn;
+    r.least_peak -= turn;
+    r.lift += turn;
+    return r;
+}
+
+/* With u the square of sin(beta), the half range r of a strain becomes at most (1-u) r + u beyond,
+ * that of a shear stress at most sqrt((1-u) (r^2 + u beyond^2)); a peak rises by at most u lift. */
+static bool falls_away(const rw_severity *v, const reach *r)
+{
+    const double factor = v->is_sum ? r->least : v->offset + v->gain * r->least_peak;
+    if (r->least <= 0 || factor <= 0)
+        return false;
+    const double ratio = r->beyond / r->least;
+    const double fall = v->is_strain ? 1 - ratio : (1 - ratio * ratio) / 2;
+    return v->gain * rw_larger(0, r->lift) <= fall * factor;
+}
+
+/* Above the amplitude for every beta. */
+static double most_amplitude(const rw_severity *v, const reach *r)
+{
+    if (r->beyond <= r->most)
+        return r->most;
+    return v->is_strain ? r->beyond : (r->most / r->beyond * r->most + r->beyond) / 2;
+}
+
+bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
+                         const rw_arc *arc, size_t n, double value)
+{
+    const reach r = reach_of(cycle, severity, arc, n);
+    return falls_away(severity, &r) || rw_severity_of(severity, most_amplitude(severity, &r),
+                                                      rw_larger(r.most_peak, r.z)) <= value;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The equator of the sphere of normals: the planes that contain z, beta = 0. On it amplitudes have
+ * one component, and the worst plane of all is most often there. */
+#ifndef RW_EQUATOR_H
+#define RW_EQUATOR_H
+
+#include "measures/plane_cycle.h"
+
+#include <stdbool.h>
+
+/* psi within `half` of a direction; the tangent of half of that. */
+typedef struct {
+    rw_direction psi;
+    double half, tangent;
+} rw_arc;
+
+/* ARCS equal arcs make the equator. */
+enum { RW_ARCS = 8 };
+rw_arc rw_equator_arc(int k);
+rw_arc rw_half_of_arc(const rw_arc *arc, bool is_forward);
+
+/* Takes the worst plane of the equator into best and psi if it is worse. */
+void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
+                       rw_worst_plane *best, rw_direction *psi);
+
+/* Whether no plane with psi in the arc, and whatever beta, is worse than the plane of the equator
+ * with the same psi, or than `value`, as far as the first n loads go. */
+bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
+                         const rw_arc *arc, size_t n, double value);
+
+#endif

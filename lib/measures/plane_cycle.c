@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "measures/plane_cycle.h"
+
+#include <float.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+rw_plane_cycle *rw_plane_cycle_create(size_t loads)
+{
+    rw_plane_cycle *cycle = malloc(sizeof *cycle);
+    if (!cycle)
+        return NULL;
+    *cycle = (rw_plane_cycle){.loads = loads,
+                              .item = calloc(loads, sizeof *cycle->item),
+                              .local = calloc(loads, sizeof *cycle->local),
+                              .point = calloc(loads, sizeof *cycle->point)};
+    if (cycle->item && cycle->local && cycle->point)
+        return cycle;
+    rw_plane_cycle_destroy(cycle);
+    return NULL;
+}
+
+void rw_plane_cycle_destroy(rw_plane_cycle *cycle)
+{
+    if (!cycle)
+        return;
+    free(cycle->item);
+    free(cycle->local);
+    free(cycle->point);
+    free(cycle);
+}
+
+void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load)
+{
+    cycle->item[i] = (rw_item){.d = load->d,
+                               .t = load->t,
+                               .z = load->z,
+                               .lift = load->z - load->s,
+                               .size = sqrt(load->d * load->d + load->t * load->t),
+                               .level = load->z + load->shift};
+}
+
+/* What is in the middle between the least and the largest of the loads. */
+static double middle_of(const rw_plane_cycle *cycle, size_t offset)
+{
+    double least = DBL_MAX, most = -DBL_MAX;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const double v = *(const double *)((const char *)&cycle->item[i] + offset);
+        least = rw_smaller(least, v);
+        most = rw_larger(most, v);
+    }
+    return (least + most) / 2;
+}
+
+void rw_plane_cycle_centre(rw_plane_cycle *cycle)
+{
+    const double d = middle_of(cycle, offsetof(rw_item, d)),
+                 t = middle_of(cycle, offsetof(rw_item, t)),
+                 lift = middle_of(cycle, offsetof(rw_item, lift)),
+                 level = middle_of(cycle, offsetof(rw_item, level));
+    for (size_t i = 0; i < cycle->loads; i++) {
+        rw_item *load = &cycle->item[i];
+        load->swing_d = load->d - d;
+        load->swing_t = load->t - t;
+        load->swing_lift = load->lift - lift;
+        load->level -= level;
+        load->swing_size = sqrt(load->swing_d * load->swing_d + load->swing_t * load->swing_t);
+    }
+}
+
+static double largest_stress(const rw_plane_cycle *cycle)
+{
+    double largest = 0;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const rw_item *load = &cycle->item[i];
+        largest = rw_larger(largest, load->size + fabs(load->lift) + fabs(load->z));
+    }
+    return largest;
+}
+
+double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *severity)
+{
+    const double stress = largest_stress(cycle), rounding = 4 * DBL_EPSILON * stress;
+    return rounding *
+           (severity->is_sum ? 1 + severity->gain : severity->offset + severity->gain * stress);
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The loads of a cycle as the search for the worst plane needs them, and directions. On a plane
+ * with the normal (cos(beta) sin(psi/2), cos(beta) cos(psi/2), sin(beta)) a load has the normal
+ * stress
+ *     n = szz - cos^2(beta) lift,   lift = szz - s - (d cos(psi) + t sin(psi)),
+ * and the shear stresses (cos(beta) (t cos(psi) - d sin(psi)), sin(beta) cos(beta) lift). */
+#ifndef RW_PLANE_CYCLE_H
+#define RW_PLANE_CYCLE_H
+
+#include "measures/smallest_ball.h"
+#include "measures/worst_plane.h"
+
+#include <math.h>
+
+typedef struct {
+    double cosine, sine;
+} rw_direction;
+
+/* One component at the centre of a cell, its rates of change, and bounds of what they leave out. */
+typedef struct {
+    double x, y;
+} rw_vector;
+
+typedef struct {
+    rw_vector at, by_psi, by_beta;
+    double peak, peak_by_psi, peak_by_beta;
+    double rest, peak_rest;
+} rw_local;
+
+/* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, on
+ * which no amplitude depends. The strain's amplitude is that of level - cos^2(beta) lift. */
+typedef struct {
+    double d, t, z, lift, size;
+    double swing_d, swing_t, swing_lift, level, swing_size;
+} rw_item;
+
+struct rw_plane_cycle {
+    size_t loads;
+    rw_item *item;
+    rw_local *local;
+    rw_point *point;
+};
+
+static inline double rw_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double rw_smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double rw_severity_of(const rw_severity *v, double amplitude, double peak)
+{
+    if (v->is_sum)
+        return amplitude + v->gain * peak;
+    return rw_larger(0, v->offset + v->gain * peak) * amplitude;
+}
+
+/* The direction turned by the angle whose half has the tangent x, by three shears. (By the usual
+ * two sums of products gcc 12 makes a fused instruction of them, against all options.) */
+static inline rw_direction rw_turned_by(rw_direction u, double x)
+{
+    const double sheared = u.cosine - x * u.sine;
+    const double sine = u.sine + 2 * x / (1 + x * x) * sheared;
+    return (rw_direction){sheared - x * sine, sine};
+}
+
+static inline double rw_half_tangent(double tangent)
+{
+    return tangent / (1 + sqrt(1 + tangent * tangent));
+}
+
+/* Moves load i to the front, behind the `kept` that are there. */
+static inline void rw_keep_load(rw_plane_cycle *cycle, size_t i, size_t kept)
+{
+    const rw_item load = cycle->item[i];
+    cycle->item[i] = cycle->item[kept];
+    cycle->item[kept] = load;
+}
+
+/* What counts as rounding of the severity. */
+double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *severity);
+
+/* Takes the middle off what amplitudes are made of. */
+void rw_plane_cycle_centre(rw_plane_cycle *cycle);
+
+#endif

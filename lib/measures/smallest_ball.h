@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The smallest ball around points in three dimensions; around points of a plane, it is the smallest
+ * circle. */
+#ifndef RW_SMALLEST_BALL_H
+#define RW_SMALLEST_BALL_H
+
+#include <stddef.h>
+
+typedef struct {
+    double x[3];
+} rw_point;
+
+enum { RW_SUPPORT = 4 };
+
+/* The points of its support lie on the ball. Its centre is their mean with the weights, which are
+ * positive and whose sum is 1. */
+typedef struct {
+    rw_point centre;
+    double radius; /* to the farthest point: no point is outside */
+    int count;
+    size_t support[RW_SUPPORT];
+    double weight[RW_SUPPORT];
+} rw_ball;
+
+/* Of n >= 1 points, whose coordinates are between -1e30 and 1e30. Error of the radius and the
+ * centre below 32 epsilon of the largest coordinate. The time grows like n. */
+rw_ball rw_smallest_ball(size_t n, const rw_point points[]);
+
+#endif

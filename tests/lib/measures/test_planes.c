@@ -1,0 +1,510 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The worst of all planes, against closed forms and a scan of the sphere in plain tensors. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+static const double PI = 3.14159265358979323846;
+
+enum { LOADS_MAX = 60 };
+
+typedef enum { SMITH_WATSON_TOPPER, FATEMI_SOCIE, FINDLEY, CRITERIA } criterion;
+
+typedef struct {
+    size_t n;
+    double sxx[LOADS_MAX], syy[LOADS_MAX], txy[LOADS_MAX];
+    double E, nu, k;
+    int32_t plane_stress;
+} cycle;
+
+typedef struct {
+    double value, angle, out_of_plane;
+} worst;
+
+static worst worst_of(const cycle *c, criterion asked)
+{
+    worst w = {NAN, NAN, NAN};
+    int32_t status;
+    if (asked == SMITH_WATSON_TOPPER)
+        status =
+            rwedge_smith_watson_topper_planes(c->n, c->sxx, c->syy, c->txy, c->E, c->nu,
+                                              c->plane_stress, &w.value, &w.angle, &w.out_of_plane);
+    else if (asked == FATEMI_SOCIE)
+        status =
+            rwedge_fatemi_socie_planes(c->n, c->sxx, c->syy, c->txy, c->E, c->nu, c->plane_stress,
+                                       c->k, &w.value, &w.angle, &w.out_of_plane);
+    else
+        status = rwedge_findley(c->n, c->sxx, c->syy, c->txy, c->plane_stress ? 0 : c->nu, c->k,
+                                &w.value, &w.angle, &w.out_of_plane);
+    assert_int_equal(status, RWEDGE_OK);
+    return w;
+}
+
+/* ---- The definitions, in three dimensions ---- */
+
+typedef struct {
+    double x[3];
+} vector;
+
+static double dot(vector a, vector b)
+{
+    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+}
+
+static vector normal_of(double angle, double out)
+{
+    return (vector){{cos(out) * sin(angle), cos(out) * cos(angle), sin(out)}};
+}
+
+static vector traction(const cycle *c, size_t i, vector n)
+{
+    const double nu = c->plane_stress ? 0 : c->nu;
+    return (vector){{c->sxx[i] * n.x[0] + c->txy[i] * n.x[1],
+                     c->txy[i] * n.x[0] + c->syy[i] * n.x[1],
+                     nu * (c->sxx[i] + c->syy[i]) * n.x[2]}};
+}
+
+static double normal_strain(const cycle *c, size_t i, double normal_stress)
+{
+    const double trace = (c->sxx[i] + c->syy[i]) * (c->plane_stress ? 1 : 1 + c->nu);
+    return ((1 + c->nu) * normal_stress - c->nu * trace) / c->E;
+}
+
+/* Of the smallest circle around points of the plane: by all pairs and triples. */
+static double radius_around(size_t n, const double x[], const double y[])
+{
+    double best = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = i + 1; j < n; j++) {
+            best = fmax(best, hypot(x[i] - x[j], y[i] - y[j]) / 2);
+            for (size_t k = j + 1; k < n; k++) {
+                const double a = hypot(x[i] - x[j], y[i] - y[j]),
+                             b = hypot(x[j] - x[k], y[j] - y[k]),
+                             d = hypot(x[k] - x[i], y[k] - y[i]);
+                const double area =
+                    fabs((x[j] - x[i]) * (y[k] - y[i]) - (x[k] - x[i]) * (y[j] - y[i])) / 2;
+                const double longest = fmax(a, fmax(b, d));
+                const bool is_acute = 2 * longest * longest < a * a + b * b + d * d;
+                if (is_acute && area > 1e-9)
+                    best = fmax(best, a * b * d / (4 * area));
+            }
+        }
+    return best;
+}
+
+static double on_plane(const cycle *c, criterion asked, double angle, double out)
+{
+    const vector n = normal_of(angle, out), u = {{cos(angle), -sin(angle), 0}},
+                 v = normal_of(angle, out + PI / 2);
+    double x[LOADS_MAX], y[LOADS_MAX], peak = -HUGE_VAL, top = -HUGE_VAL, bottom = HUGE_VAL;
+    for (size_t i = 0; i < c->n; i++) {
+        const vector t = traction(c, i, n);
+        const double strain = normal_strain(c, i, dot(t, n));
+        x[i] = dot(t, u), y[i] = dot(t, v);
+        peak = fmax(peak, dot(t, n)), top = fmax(top, strain), bottom = fmin(bottom, strain);
+    }
+    if (asked == SMITH_WATSON_TOPPER)
+        return fmax(0, peak) * (top - bottom) / 2;
+    const double amplitude = radius_around(c->n, x, y);
+    if (asked == FINDLEY)
+        return amplitude + c->k * peak;
+    return 2 * (1 + c->nu) / c->E * amplitude * fmax(0, 1 + c->k * peak);
+}
+
+/* Two degrees apart, then ever finer around the worst planes of the scan. */
+static double scanned(const cycle *c, criterion asked)
+{
+    enum { ACROSS = 90, UP = 46, FINER = 30 };
+    double best = -HUGE_VAL, angle = 0, out = 0;
+    for (int i = 0; i < ACROSS; i++)
+        for (int j = 0; j < UP; j++) {
+            const double value = on_plane(c, asked, PI * i / ACROSS, PI / 2 * j / (UP - 1));
+            if (value > best)
+                best = value, angle = PI * i / ACROSS, out = PI / 2 * j / (UP - 1);
+        }
+    double step = PI / ACROSS;
+    for (int turn = 0; turn < FINER; turn++, step *= 0.6)
+        for (int i = -2; i <= 2; i++)
+            for (int j = -2; j <= 2; j++) {
+                const double value = on_plane(c, asked, angle + i * step, out + j * step);
+                if (value > best) {
+                    best = value, angle += i * step, out += j * step;
+                    i = j = -2;
+                }
+            }
+    return best;
+}
+
+/* The unit in which the header states the errors. */
+static double unit_of(const cycle *c, criterion asked)
+{
+    double s = 0;
+    for (size_t i = 0; i < c->n; i++)
+        s = fmax(s, fmax(fabs(c->sxx[i]), fmax(fabs(c->syy[i]), fabs(c->txy[i]))));
+    if (asked == FINDLEY)
+        return (1 + c->k) * s;
+    return (asked == SMITH_WATSON_TOPPER ? s : 1 + s * c->k) * s * (1 + c->nu) / c->E;
+}
+
+static double some_stress(uint64_t *seed)
+{
+    return 2 * random_fraction(seed) - 1;
+}
+
+typedef enum { PROPORTIONAL, ELLIPSE, JUMPS, KINDS } path;
+
+static void draw_cycle(cycle *c, path kind, size_t n, uint64_t *seed)
+{
+    double part[3][3];
+    for (int i = 0; i < 9; i++)
+        part[i / 3][i % 3] = some_stress(seed);
+    *c = (cycle){.n = n,
+                 .E = 1 + 9 * random_fraction(seed),
+                 .nu = 0.5 * random_fraction(seed),
+                 .k = random_fraction(seed),
+                 .plane_stress = random_fraction(seed) < 0.3};
+    for (size_t i = 0; i < n; i++) {
+        const double t = 2 * PI * (double)i / (double)n;
+        double s[3];
+        for (int j = 0; j < 3; j++)
+            s[j] = kind == JUMPS ? some_stress(seed)
+                                 : part[0][j] / 2 + cos(t) * part[1][j] +
+                                       (kind == ELLIPSE ? sin(t) * part[2][j] : 0);
+        c->sxx[i] = s[0], c->syy[i] = s[1], c->txy[i] = s[2];
+    }
+}
+
+/* No scanned plane has more, and the plane that is named has it. */
+static void the_worst_plane_is_that_of_a_scan(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {1, 2, 3, 9};
+    static cycle c;
+    uint64_t seed = 5;
+    for (path kind = 0; kind < KINDS; kind++)
+        for (size_t i = 0; i < 6 * sizeof counts / sizeof *counts; i++)
+            for (criterion asked = 0; asked < CRITERIA; asked++) {
+                draw_cycle(&c, kind, counts[i % 4], &seed);
+                const worst w = worst_of(&c, asked);
+                const double unit = unit_of(&c, asked);
+                assert_within(on_plane(&c, asked, w.angle, w.out_of_plane), w.value, 2e-14 * unit);
+                assert_true(scanned(&c, asked) <= w.value + 1e-14 * unit);
+                assert_true(w.out_of_plane >= 0 && w.out_of_plane <= PI / 2);
+            }
+}
+
+/* ---- Closed forms ---- */
+
+/* Principal stresses of a proportional cycle between -1 and 1 times a tensor. */
+static void principal(const cycle *c, double s[3])
+{
+    double angle;
+    rwedge_principal_stresses(c->sxx[0], c->syy[0], c->txy[0], &s[0], &s[1], &angle);
+    s[2] = c->nu * (c->sxx[0] + c->syy[0]);
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2 - i; j++)
+            if (s[j] < s[j + 1]) {
+                const double swap = s[j];
+                s[j] = s[j + 1], s[j + 1] = swap;
+            }
+}
+
+/* To rounding; where a whole curve of planes is nearly as bad, to what the header says. */
+static void assert_found(double actual, double expected, int *rough)
+{
+    assert_close(actual, expected, 1e-7);
+    *rough += fabs(actual - expected) > 2e-14 * expected;
+}
+
+/* Findley's parameter of a fully reversed proportional cycle, with b and c half of the sum and of
+ * the difference of the outermost principal stresses: k b + c sqrt(1 + k^2), for either sign of
+ * the load. */
+static void findley_of_a_proportional_cycle_is_the_closed_form(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    int rough = 0;
+    for (int i = 0; i < 2000; i++) {
+        cycle c = {.n = 2, .nu = 0.5 * random_fraction(&seed), .k = random_fraction(&seed)};
+        c.sxx[0] = some_stress(&seed), c.syy[0] = some_stress(&seed), c.txy[0] = some_stress(&seed);
+        c.sxx[1] = -c.sxx[0], c.syy[1] = -c.syy[0], c.txy[1] = -c.txy[0];
+        double s[3];
+        principal(&c, s);
+        const double b = fabs(s[0] + s[2]) / 2, half = (s[0] - s[2]) / 2;
+        assert_found(worst_of(&c, FINDLEY).value, c.k * b + half * sqrt(1 + c.k * c.k), &rough);
+    }
+    assert_true(rough < 3);
+}
+
+/* Without a share of the normal stress Fatemi and Socie's parameter is the largest shear strain,
+ * between the outermost principal stresses, wherever szz is. */
+static void the_shear_is_that_between_the_outermost_principal_stresses(void **state)
+{
+    (void)state;
+    uint64_t seed = 12;
+    int away = 0, rough = 0;
+    for (int i = 0; i < 2000; i++) {
+        cycle c = {.n = 2, .E = 1, .nu = 0.5 * random_fraction(&seed)};
+        c.sxx[0] = some_stress(&seed), c.syy[0] = some_stress(&seed), c.txy[0] = some_stress(&seed);
+        double s[3];
+        principal(&c, s);
+        const worst w = worst_of(&c, FATEMI_SOCIE);
+        assert_found(w.value, (1 + c.nu) / c.E * (s[0] - s[2]) / 2, &rough);
+        away += w.out_of_plane > 0.1;
+    }
+    assert_true(away > 100 && rough < 3);
+}
+
+/* Two loads of a contact, P and Q in phase, at x = -0.45 b. */
+static void in_phase_loads_are_worse_off_the_planes_that_contain_z(void **state)
+{
+    (void)state;
+    rwedge_contact *contact;
+    const double nu = 0.3, E = 210e3, A = rwedge_compliance(E, nu, E, nu), theta = 0.1;
+    assert_int_equal(rwedge_contact_create(theta, 10 * theta, A, 0.6, &contact), RWEDGE_OK);
+    const double P[2] = {2000, 400}, Q[2] = {600, 120}, zero[2] = {0, 0};
+    double x, y = 0, sxx[2], syy[2], txy[2], old, angle;
+    assert_int_equal(rwedge_contact_load(contact, P[0], Q[0]), RWEDGE_OK);
+    x = -0.45 * rwedge_contact_half_width(contact);
+    assert_int_equal(
+        rwedge_contact_stress_history(contact, 2, P, zero, Q, zero, 1, &x, &y, sxx, syy, txy),
+        RWEDGE_OK);
+    rwedge_contact_destroy(contact);
+    cycle c = {.n = 2, .E = E, .nu = nu, .k = 1.0 / 500};
+    for (int i = 0; i < 2; i++)
+        c.sxx[i] = sxx[i], c.syy[i] = syy[i], c.txy[i] = txy[i];
+    rwedge_fatemi_socie(2, sxx, syy, txy, E, nu, c.k, &old, &angle);
+    const worst w = worst_of(&c, FATEMI_SOCIE);
+    assert_true(w.value >= old);
+    assert_true(scanned(&c, FATEMI_SOCIE) <= w.value * (1 + 1e-14));
+}
+
+/* ---- Susmel, McDiarmid ---- */
+
+static const double TENSION[2] = {100, -100}, NOTHING[2] = {0, 0};
+
+static void uniaxial_and_torsion_have_the_ratios_1_and_0(void **state)
+{
+    (void)state;
+    double value, angle, out;
+    assert_int_equal(
+        rwedge_modified_wohler(2, TENSION, NOTHING, NOTHING, 0, 7, &value, &angle, &out),
+        RWEDGE_OK);
+    assert_close(value, 50 + 7, 1e-6);
+    assert_int_equal(
+        rwedge_modified_wohler(2, NOTHING, NOTHING, TENSION, 0, 7, &value, &angle, &out),
+        RWEDGE_OK);
+    assert_close(value, 100, 1e-6);
+    assert_int_equal(
+        rwedge_mcdiarmid(2, TENSION, NOTHING, NOTHING, 0, 80, 500, &value, &angle, &out),
+        RWEDGE_OK);
+    assert_close(value, 50.0 / 80 + 50.0 / 1000, 1e-6);
+    assert_int_equal(
+        rwedge_mcdiarmid(2, NOTHING, NOTHING, TENSION, 0, 80, 500, &value, &angle, &out),
+        RWEDGE_OK);
+    assert_close(value, 100.0 / 80, 1e-6);
+}
+
+/* Of the two planes of the same shear amplitude the one in tension. */
+static void of_equal_amplitudes_the_larger_normal_stress_decides(void **state)
+{
+    (void)state;
+    const double sxx[2] = {30, 30}, syy[2] = {-50, -50}, txy[2] = {40, -40};
+    double value, angle, out;
+    assert_int_equal(rwedge_modified_wohler(2, sxx, syy, txy, 0.3, 10, &value, &angle, &out),
+                     RWEDGE_OK);
+    assert_close(value, 40 + 10 * 30 / 40.0, 1e-6);
+    assert_within(fabs(angle), PI / 2, 1e-6);
+    assert_within(out, 0, 1e-6);
+}
+
+/* ---- Crossland, Dang Van ---- */
+
+static void spheres_around_textbook_paths_are_exact(void **state)
+{
+    (void)state;
+    enum { N = 48 };
+    double sxx[N], syy[N], txy[N], value;
+    const double zero[1] = {0}, shear[1] = {123};
+    assert_int_equal(rwedge_crossland(2, NOTHING, NOTHING, TENSION, 0.3, 0.2, &value), RWEDGE_OK);
+    assert_close(value, 100, 1e-15);
+    assert_int_equal(rwedge_crossland(1, zero, zero, shear, 0.3, 0.2, &value), RWEDGE_OK);
+    assert_within(value, 0, 0);
+    for (int axis = 100; axis >= 40; axis -= 60) { /* a circle, an ellipse */
+        for (int i = 0; i < N; i++) {
+            const double t = 2 * PI * i / N;
+            syy[i] = axis * cos(t), sxx[i] = -syy[i], txy[i] = 100 * sin(t);
+        }
+        assert_int_equal(rwedge_crossland(N, sxx, syy, txy, 0.3, 0.2, &value), RWEDGE_OK);
+        assert_close(value, 100, 1e-14);
+    }
+    /* uniaxial tension +-s: sqrt(J2) is s/sqrt(3), the hydrostatic stress s/3 */
+    assert_int_equal(rwedge_crossland(2, TENSION, NOTHING, NOTHING, 0, 0.2, &value), RWEDGE_OK);
+    assert_close(value, 100 / sqrt(3) + 0.2 * 100 / 3, 1e-15);
+}
+
+/* A cycle between 0 and p has the centre p/2: its shear is p/4 about it, whatever the mean, and
+ * compression takes from it. */
+static void dang_van_counts_from_shakedown(void **state)
+{
+    (void)state;
+    double value;
+    const double pulse[2] = {0, 200}, crush[2] = {0, -200};
+    assert_int_equal(rwedge_dang_van(2, TENSION, NOTHING, NOTHING, 0, 0.3, &value), RWEDGE_OK);
+    assert_close(value, 50 + 0.3 * 100 / 3, 1e-14);
+    assert_int_equal(rwedge_dang_van(2, pulse, NOTHING, NOTHING, 0, 0.3, &value), RWEDGE_OK);
+    assert_close(value, 50 + 0.3 * 200 / 3, 1e-14);
+    assert_int_equal(rwedge_dang_van(2, crush, NOTHING, NOTHING, 0, 0.3, &value), RWEDGE_OK);
+    assert_close(value, 50, 1e-14);
+    assert_int_equal(rwedge_dang_van(2, NOTHING, NOTHING, TENSION, 0, 0.3, &value), RWEDGE_OK);
+    assert_close(value, 100, 1e-14);
+}
+
+/* ---- Fields, scales, errors ---- */
+
+static void a_field_has_the_bits_of_its_points_at_every_scale(void **state)
+{
+    (void)state;
+    enum { N = 6, LOADS = 5 };
+    double sxx[LOADS * N], syy[LOADS * N], txy[LOADS * N], value[N], angle[N], out[N];
+    uint64_t seed = 9;
+    for (int i = 0; i < LOADS * N; i++) {
+        const double scale = i % N == 0 ? 1e60 : i % N == 1 ? 1e-60 : 1;
+        sxx[i] = scale * some_stress(&seed), syy[i] = scale * some_stress(&seed);
+        txy[i] = scale * some_stress(&seed);
+    }
+    assert_int_equal(rwedge_findley_field(LOADS, N, sxx, syy, txy, 0.3, 0.25, value, angle, out),
+                     RWEDGE_OK);
+    for (size_t j = 0; j < N; j++) {
+        double x[LOADS], y[LOADS], t[LOADS], v, a, o;
+        const double scale = j == 0 ? 1e60 : j == 1 ? 1e-60 : 1;
+        for (size_t i = 0; i < LOADS; i++)
+            x[i] = sxx[i * N + j], y[i] = syy[i * N + j], t[i] = txy[i * N + j];
+        rwedge_findley(LOADS, x, y, t, 0.3, 0.25, &v, &a, &o);
+        assert_memory_equal(&v, &value[j], sizeof v);
+        assert_memory_equal(&a, &angle[j], sizeof a);
+        assert_memory_equal(&o, &out[j], sizeof o);
+        for (size_t i = 0; i < LOADS; i++)
+            x[i] /= scale, y[i] /= scale, t[i] /= scale;
+        rwedge_findley(LOADS, x, y, t, 0.3, 0.25, &v, &a, &o);
+        assert_close(value[j] / scale, v, 1e-14);
+    }
+}
+
+/* A field of two points, the second of which stands alone too. */
+typedef struct {
+    double sxx[4], syy[4], txy[4];
+    double alone_xx[2], alone_yy[2], alone_xy[2];
+} two_points;
+
+static two_points draw_points(uint64_t *seed)
+{
+    two_points p;
+    for (int i = 0; i < 4; i++)
+        p.sxx[i] = some_stress(seed), p.syy[i] = some_stress(seed), p.txy[i] = some_stress(seed);
+    for (int i = 0; i < 2; i++) {
+        p.alone_xx[i] = p.sxx[2 * i + 1], p.alone_yy[i] = p.syy[2 * i + 1];
+        p.alone_xy[i] = p.txy[2 * i + 1];
+    }
+    return p;
+}
+
+#define ASSERT_FIELD(name, ...)                                                                    \
+    do {                                                                                           \
+        const two_points p = draw_points(&seed);                                                   \
+        double v[2], a[2], o[2], value, angle, out;                                                \
+        assert_int_equal(rwedge_##name##_field(2, 2, p.sxx, p.syy, p.txy, __VA_ARGS__, v, a, o),   \
+                         RWEDGE_OK);                                                               \
+        assert_int_equal(rwedge_##name(2, p.alone_xx, p.alone_yy, p.alone_xy, __VA_ARGS__, &value, \
+                                       &angle, &out),                                              \
+                         RWEDGE_OK);                                                               \
+        assert_true(v[1] == value && a[1] == angle && o[1] == out);                                \
+    } while (0)
+
+#define ASSERT_SPHERE(name)                                                                        \
+    do {                                                                                           \
+        const two_points p = draw_points(&seed);                                                   \
+        double v[2], value;                                                                        \
+        assert_int_equal(rwedge_##name##_field(2, 2, p.sxx, p.syy, p.txy, 0.3, 0.2, v),            \
+                         RWEDGE_OK);                                                               \
+        assert_int_equal(rwedge_##name(2, p.alone_xx, p.alone_yy, p.alone_xy, 0.3, 0.2, &value),   \
+                         RWEDGE_OK);                                                               \
+        assert_true(v[1] == value);                                                                \
+    } while (0)
+
+/* As rwedge_findley_field() above: rwedge_smith_watson_topper_planes_field(),
+ * rwedge_fatemi_socie_planes_field(), rwedge_modified_wohler_field(), rwedge_mcdiarmid_field(),
+ * rwedge_crossland_field(), rwedge_dang_van_field(). */
+static void every_field_has_the_bits_of_its_points(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (int i = 0; i < 20; i++) {
+        ASSERT_FIELD(smith_watson_topper_planes, 2, 0.3, i % 2);
+        ASSERT_FIELD(fatemi_socie_planes, 2, 0.3, i % 2, 0.5);
+        ASSERT_FIELD(modified_wohler, 0.3, 0.5);
+        ASSERT_FIELD(mcdiarmid, 0.3, 0.5, 2);
+        ASSERT_SPHERE(crossland);
+        ASSERT_SPHERE(dang_van);
+    }
+}
+static void refusals_leave_the_results_alone(void **state)
+{
+    (void)state;
+    double value = 5, angle = 6, out = 7;
+    const double bad[2] = {1, HUGE_VAL};
+    assert_int_equal(rwedge_findley(2, bad, NOTHING, NOTHING, 0.3, 0.2, &value, &angle, &out),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_findley(0, bad, NOTHING, NOTHING, 0.3, 0.2, &value, &angle, &out),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_findley(2, TENSION, NOTHING, NULL, 0.3, 0.2, &value, &angle, &out),
+                     RWEDGE_ENULL);
+    assert_int_equal(rwedge_findley(2, TENSION, NOTHING, NOTHING, 0.3, -1, &value, &angle, &out),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_smith_watson_topper_planes(2, TENSION, NOTHING, NOTHING, 1, 0.3, 2,
+                                                       &value, &angle, &out),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_fatemi_socie_planes(2, TENSION, NOTHING, NOTHING, 0, 0.3, 0, 1, &value,
+                                                &angle, &out),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_mcdiarmid(2, TENSION, NOTHING, NOTHING, 0.3, 0, 1, &value, &angle, &out),
+        RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_dang_van(2, TENSION, NOTHING, NOTHING, 0.6, 0, &value), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_crossland(2, TENSION, NOTHING, NOTHING, 0.3, -1, &value),
+                     RWEDGE_EDOMAIN);
+    assert_true(value == 5 && angle == 6 && out == 7);
+}
+
+/* Uniaxial, fully reversed: sqrt(E ea (sm + sa)) is the parameter as a stress. */
+static void uniaxial_smith_watson_topper_is_the_textbook_value(void **state)
+{
+    (void)state;
+    const double sxx[2] = {300, -280}, E = 162000;
+    double value, angle, out;
+    assert_int_equal(rwedge_smith_watson_topper_planes(2, sxx, NOTHING, NOTHING, E, 0.3, 1, &value,
+                                                       &angle, &out),
+                     RWEDGE_OK);
+    assert_close(value, 300 * (290 / E), 1e-14);
+    assert_within(fabs(angle), PI / 2, 1e-7);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_worst_plane_is_that_of_a_scan),
+        cmocka_unit_test(findley_of_a_proportional_cycle_is_the_closed_form),
+        cmocka_unit_test(the_shear_is_that_between_the_outermost_principal_stresses),
+        cmocka_unit_test(in_phase_loads_are_worse_off_the_planes_that_contain_z),
+        cmocka_unit_test(uniaxial_and_torsion_have_the_ratios_1_and_0),
+        cmocka_unit_test(of_equal_amplitudes_the_larger_normal_stress_decides),
+        cmocka_unit_test(spheres_around_textbook_paths_are_exact),
+        cmocka_unit_test(dang_van_counts_from_shakedown),
+        cmocka_unit_test(a_field_has_the_bits_of_its_points_at_every_scale),
+        cmocka_unit_test(every_field_has_the_bits_of_its_points),
+        cmocka_unit_test(refusals_leave_the_results_alone),
+        cmocka_unit_test(uniaxial_smith_watson_topper_is_the_textbook_value),
+    };
+    return RUN_CLAIMS("planes", tests);
+}

@@ -17,14 +17,9 @@ from header import EQUATION, Function, Interface, Parameter, template
 WIDTH = 128
 # Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
 # field has its own cells.
-<<<<<<< HEAD
-NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count", "contact_zones", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
-                "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms",
-                "smith_watson_topper_field", "fatemi_socie_field"}
-=======
-NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
+NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count",
+                "contact_zones", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
                 "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
->>>>>>> main
 # Declared for the template's own functions.
 NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
 # Basic does not tell a from A.

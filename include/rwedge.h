@@ -637,7 +637,7 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
  * of a cycle under constant P.                                                                  new
  *   b  length, > 0, finite
- * NaN for NULL and when separated; NaN off the centre where the slip has no closed form, as in
+ * NaN when separated; NaN for NULL; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Error below 1e-14 of f theta times the half-width for every remembered
  * point, 1e-6 of it off the centre. */
 RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, double b);

@@ -350,9 +350,15 @@ class _{name}(Protocol):
 OF_CYCLE = '''@type_check_only
 class _{name}(Protocol):
     ufunc: ufunc
+    @overload
     def __call__(
         self, {numbers}, *, axis: int = ..., axes: Any = ..., out: Any = ..., casting: str = ..., order: str = ..., dtype: Any = ...,
         subok: bool = ..., signature: Any = ...
+    ) -> {result}: ...
+    @overload
+    def __call__(
+        self, *cycle: Numbers, {named}, axis: int = ..., axes: Any = ..., out: Any = ..., casting: str = ..., order: str = ...,
+        dtype: Any = ..., subok: bool = ..., signature: Any = ...
     ) -> {result}: ...
     def __getattr__(self, name: str) -> Any: ...
 
@@ -364,7 +370,8 @@ def formula_type(f: Function) -> str:
     scalars = ", ".join(f"{p.name}: {'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
     numbers = ", ".join(f"{p.name}: Numbers" for p in f.inputs)
     if is_gufunc(f):
-        return OF_CYCLE.format(name=f.name, numbers=numbers, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
+        named = ", ".join(f"{p.name}: Numbers" for p in f.of("in"))
+        return OF_CYCLE.format(name=f.name, numbers=numbers, named=named, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
     return FORMULA.format(name=f.name, scalars=scalars, numbers=numbers, result=result)
 
 

@@ -100,6 +100,7 @@ one: float = rwedge.load(0.25)
 cycle = contact.cycle({"P": 1000, "Q": [100, -100]}, [0.1, 0.2], 0)
 sxx, syy, txy = cycle
 worst, angle = rwedge.smith_watson_topper(sxx, syy, txy, 200e3, nu=0.3, axis=0)
+worst, angle = rwedge.smith_watson_topper(*cycle, E=200e3, nu=0.3, axis=0)
 contact.load([1000, 1100], 10)
 contact.load("a")  # type: ignore[arg-type]
 named = rwedge.elastic_limit(0.25, f=[0.1, 0.2], nu=0.3, out=None)

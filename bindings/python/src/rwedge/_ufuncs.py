@@ -86,25 +86,24 @@ if np.lib.NumpyVersion(np.__version__) >= "2.0.0":
     _NOTED = _config._make_extobj(invalid="call", call=_note)
     _enter, _leave = _config._extobj_contextvar.set, _config._extobj_contextvar.reset
 else:
-    _NOTED = [8192, 3 << 9, _note]
+    _NOTED, _leave = [8192, 3 << 9, _note], getattr(np, "seterrobj")
 
     def _enter(errors: Any) -> Any:
-        before = np.geterrobj()
-        np.seterrobj(errors)
+        before = getattr(np, "geterrobj")()
+        _leave(errors)
         return before
-
-    _leave = getattr(np, "seterrobj", None)
 
 
 def _tell(text: str) -> None:
     """What numpy.errstate(invalid=...) asks for."""
-    mode, told = np.geterr()["invalid"], np.geterrcall()
+    mode: str = np.geterr()["invalid"]
+    told: Any = np.geterrcall()
     if mode == "warn":
         warnings.warn(text, RuntimeWarning, stacklevel=outside())
     elif mode == "raise":
         raise FloatingPointError(text)
     elif mode == "call" and callable(told):
-        told("invalid value", np.geterrobj()[1] if hasattr(np, "geterrobj") else 8)
+        told("invalid value", 8)
     elif mode == "log" and told is not None:
         told.write(f"Warning: {text}\n")
     elif mode == "print":

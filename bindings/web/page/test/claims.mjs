@@ -301,7 +301,7 @@ export async function an_address_brings_the_state_back({ session, file }) {
         "set-sign": ",",
     });
     await openTab(first, "stress");
-    await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0.02" });
+    await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0,02" });
     await pause(600);
     const hash = await first.evaluate(() => location.hash),
         second = await openPage(session, file, hash);

@@ -224,6 +224,8 @@ def test_wrong_names_are_named():
     for given, named in (((0.25,), {"nu": 0.3}), ((0.25, 0.1), {"f": 0.1, "nu": 0.3}), ((), {"alpha": 0.25})):
         with pytest.raises(TypeError, match=r"elastic_limit\(\) takes alpha, f, nu"):
             rwedge.elastic_limit(*given, **named)
+    with pytest.raises(TypeError, match="takes alpha, f, nu: 1 given by place, and friction by name"):
+        rwedge.elastic_limit(0.25, friction=0.1, nu=0.3)
     with pytest.raises(TypeError, match="friction"):
         rwedge.elastic_limit(0.25, 0.1, 0.3, friction=1)
     assert rwedge.load.outer is not None and rwedge.pressure.nin == 2

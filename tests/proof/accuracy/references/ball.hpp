@@ -53,6 +53,12 @@ class ball
         return *this;
     }
 
+    static ball copy(const arb_t x)
+    {
+        ball result;
+        arb_set(result.v, x);
+        return result;
+    }
     arb_ptr arb() { return v; }
     arb_srcptr arb() const { return v; }
 
@@ -216,7 +222,7 @@ inline ball unknown()
     return exactly(arb_indeterminate);
 }
 
-/* Of the middle alone. */
+/* Of the middle, and of the radius. */
 inline ball midpoint(const ball &x)
 {
     return exactly(arb_get_mid_arb, x);
@@ -225,9 +231,29 @@ inline double middle(const ball &x)
 {
     return arf_get_d(arb_midref(x.arb()), ARF_RND_NEAR);
 }
+inline double radius(const ball &x)
+{
+    return mag_get_d(arb_radref(x.arb()));
+}
+inline double upper_bound(const ball &x)
+{
+    arf_t bound;
+    arf_init(bound);
+    arb_get_ubound_arf(bound, x.arb(), 64);
+    const double upper = arf_get_d(bound, ARF_RND_UP);
+    arf_clear(bound);
+    return upper;
+}
 inline int sign(const ball &x)
 {
     return arf_sgn(arb_midref(x.arb()));
+}
+
+/* Whether x is below 2^-n of the scale, but for a factor of 2. */
+inline bool is_small(const ball &x, const ball &scale, slong n)
+{
+    const arf_srcptr a = arb_midref(x.arb()), b = arb_midref(scale.arb());
+    return arf_is_zero(a) || ARF_EXP(a) < ARF_EXP(b) - n;
 }
 
 inline bool is_zero(const ball &x)

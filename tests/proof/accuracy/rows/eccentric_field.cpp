@@ -385,12 +385,12 @@ ball judge_energy(const probe &call)
 const row ECCENTRIC_FIELD_ROWS[] = {
     {"contact_stresses, off the centre", "after one step of Q and sigma; points dense at all edges",
      "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\|; of the edges found", 1e-13,
-     "1e-13", 1, draw_stresses, judged<judge_stresses>},
+     "1e-13", 1, draw_stresses, judge_stresses},
     {"contact_slip, off the centre", "the same",
      "of f theta b, over 1 - \\|delta\\|; of the edges found", 1e-12, "1e-12", 1, draw_slip,
-     judged<judge_slip>},
+     judge_slip},
     {"contact_dissipated_energy, off the centre", "the same",
      "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|; loads (4)", 1e-12, "1e-12 (4)",
-     0.004, draw_energy, judged<judge_energy>},
+     0.004, draw_energy, judge_energy},
     {},
 };

@@ -3,10 +3,7 @@
 
 /* ---- Stresses: s = Im N - Re T, D = -y N' + i y T' + T, sxx, syy = s -+ Re D, txy = Im D ---- */
 
-ball norm_of(const tensor &s)
-{
-    return sqrt(sqr(s.xx) + sqr(s.yy) + 2 * sqr(s.xy));
-}
+ball norm_of(const tensor &s) { return sqrt(sqr(s.xx) + sqr(s.yy) + 2 * sqr(s.xy)); }
 
 tensor stresses_at(const traction &t, const complex_ball &z)
 {
@@ -42,24 +39,32 @@ struct jet {
  * - alpha^2:
  *     G''  =  (2/pi) [c0/(X q) + (phi0/alpha)/X^3],
  *     G''' = -(2/pi) z [c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5]. */
-void add_bends(jet *sum, const patch &p, const complex_ball &point, const ball &weight)
+void set_bends(jet *of_patch, const patch &p, const complex_ball &point)
 {
     const ball half = p.half_width(), alpha = p.alpha();
     const complex_ball z = point / half, per_X = inv(root(z - 1) * root(z + 1));
     const complex_ball per_X2 = sqr(per_X), per_q = inv((z - alpha) * (z + alpha));
     const complex_ball corner = p.c0() * per_q,
                        edge = (is_zero(alpha) ? 1 : p.phi0() / alpha) * per_X2;
-    const complex_ball factor = 2 * weight / pi() / sqr(half) * per_X;
-    sum->dd += (corner + edge) * factor;
-    sum->ddd -= z * ((per_X2 + 2 * per_q) * corner + 3 * edge * per_X2) * (factor / half);
+    const complex_ball factor = 2 / pi() / sqr(half) * per_X;
+    of_patch->dd = (corner + edge) * factor;
+    of_patch->ddd = -z * ((per_X2 + 2 * per_q) * corner + 3 * edge * per_X2) * (factor / half);
 }
 
-void add_jet(jet *sum, const patch &p, const complex_ball &z, const ball &weight, int order)
+jet jet_of(const patch &p, const complex_ball &z, int order)
 {
-    sum->G += weight * p.potential(z);
-    sum->d += weight * p.slope(z);
+    jet j = {p.potential(z), p.slope(z), {}, {}};
     if (order > 0)
-        add_bends(sum, p, z, weight);
+        set_bends(&j, p, z);
+    return j;
+}
+
+void add(jet *sum, const ball &weight, const jet &j)
+{
+    sum->G += weight * j.G;
+    sum->d += weight * j.d;
+    sum->dd += weight * j.dd;
+    sum->ddd += weight * j.ddd;
 }
 
 } // namespace
@@ -70,9 +75,10 @@ J2_jet J2_at(const traction &t, const complex_ball &z, int order)
 {
     jet N, T;
     for (const traction::part &p : t.parts)
-        if (!is_zero(p.weight))
-            add_jet(&T, p.shape, z, t.f * p.weight, order);
-    add_jet(&N, t.whole(), z, 1, order);
+        if (!is_zero(p.weight) || &p == &t.parts.back()) {
+            N = jet_of(p.shape, z, order); /* that of the whole is the last */
+            add(&T, t.f * p.weight, N);
+        }
     const ball y = im(z), s = im(N.G) - re(T.G);
     const complex_ball D = y * (times_i(T.d) - N.d) + T.G;
     J2_jet J;

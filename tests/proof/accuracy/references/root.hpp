@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Zeros enclosed by Newton's method. A function has value(x) and slope(x) over a ball. */
+/* Zeros enclosed by Newton's method. A function returns value and slope over a ball. */
 #ifndef ROOT_HPP
 #define ROOT_HPP
 
 #include "references/ball.hpp"
+
+struct value_slope {
+    ball value, slope;
+};
 
 /* Newton's method without proof: a guess to about the square root of the precision. */
 template <typename Function> ball improved(const ball &guess, const Function &function)
 {
     ball x = midpoint(guess);
     for (int i = 0; i < 12; i++) {
-        const ball step = midpoint(function.value(x) / function.slope(x));
+        const value_slope at = function(x);
+        const ball step = midpoint(at.value / at.slope);
         if (!is_finite(step))
             break;
         x = midpoint(x - step);
@@ -26,10 +31,10 @@ template <typename Function> ball improved(const ball &guess, const Function &fu
 template <typename Function>
 bool find_zero(ball *zero, const ball &guess, double width, const Function &function)
 {
-    const ball centre = improved(guess, function), value = function.value(centre);
+    const ball centre = improved(guess, function), value = function(centre).value;
     for (slong n = bits / 2; n > 0; n -= bits / 8) {
         const ball neighbourhood = widened(centre, scaled(width, -n));
-        *zero = centre - value / function.slope(neighbourhood);
+        *zero = centre - value / function(neighbourhood).slope;
         if (contains(neighbourhood, *zero))
             return true;
     }

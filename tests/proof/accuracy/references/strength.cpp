@@ -11,10 +11,7 @@ traction sliding_contact(const ball &alpha, const ball &f, double nu)
     return t;
 }
 
-ball limit_of(const ball &alpha, const ball &J2)
-{
-    return force(alpha, 1) / sqrt(J2);
-}
+ball limit_of(const ball &alpha, const ball &J2) { return force(alpha, 1) / sqrt(J2); }
 
 namespace
 {
@@ -39,35 +36,25 @@ struct surface {
 
     explicit surface(const traction &of_contact) : t(of_contact) {}
 
-    struct place {
-        ball u, v, x, s, P, F; /* u = sin(psi), v = cos(psi) */
-    };
-
-    place at(const ball &parameter) const
+    direction sine_and_cosine(const ball &parameter) const
     {
-        const ball v = at_corner ? exp(-parameter) : cos(parameter);
-        const ball u = at_corner ? sqrt(1 - sqr(v)) : sin(parameter);
-        const ball x = t.a * u, s = angle_of(x, 1).c0;
-        return {
-            u, v, x, s, -pressure(t.a, 1, x), 2 / pi() * (log((s + c0 * u) / v) + phi0 * x / s)};
+        if (!at_corner)
+            return direction_of(parameter);
+        const ball cosine = exp(-parameter);
+        return {cosine, sqrt(1 - sqr(cosine))};
     }
 
-    ball value(const ball &parameter) const
+    value_slope operator()(const ball &parameter) const
     {
-        const place p = at(parameter);
-        return sqr(t.f) * (p.u - p.P * p.F) + t.kappa * (p.P + t.f * p.u) * (t.f - p.F);
-    }
-
-    ball slope(const ball &parameter) const
-    {
-        const place p = at(parameter);
-        const ball dx = t.a * p.v; /* by psi */
-        const ball dF =
-            2 / pi() *
-            (phi0 * dx / cube(p.s) + (c0 * p.v - dx * p.x / p.s) / (p.s + c0 * p.u) + p.u / p.v);
-        const ball by_psi = sqr(t.f) * ((1 + sqr(p.F)) * p.v - p.P * dF) +
-                            t.kappa * (sqr(t.f - p.F) * p.v - (p.P + t.f * p.u) * dF);
-        return at_corner ? by_psi * p.v / p.u : by_psi;
+        const direction psi = sine_and_cosine(parameter);
+        const ball &u = psi.sine, &v = psi.cosine;
+        const ball x = t.a * u, dx = t.a * v, s = angle_of(x, 1).c0, S = s + c0 * u;
+        const ball P = -pressure(t.a, 1, x), F = 2 / pi() * (log(S / v) + phi0 * x / s);
+        const ball dF = /* by psi */
+            2 / pi() * (phi0 * dx / cube(s) + (c0 * v - dx * x / s) / S + u / v);
+        const ball f2 = sqr(t.f), sum = P + t.f * u, rest = t.f - F;
+        const ball by_psi = f2 * ((1 + sqr(F)) * v - P * dF) + t.kappa * (sqr(rest) * v - sum * dF);
+        return {f2 * (u - P * F) + t.kappa * sum * rest, at_corner ? by_psi * v / u : by_psi};
     }
 
     /* The parameter of x, psi or t. Where x is alpha to rounding, a parameter that is far on the
@@ -87,11 +74,11 @@ struct surface {
         double low = -40, high = log((double)bits / 4);
         at_corner = true;
         *parameter = exp(high);
-        if (sign(value(*parameter)) > 0)
+        if (sign((*this)(*parameter).value) > 0)
             return false;
         for (int i = 1; i < 60; i++) {
             const double half_way = (low + high) / 2;
-            (sign(value(exp(half_way))) <= 0 ? high : low) = half_way;
+            (sign((*this)(exp(half_way)).value) <= 0 ? high : low) = half_way;
             *parameter = exp(half_way);
         }
         if (high < log(0.5)) {
@@ -105,17 +92,17 @@ struct surface {
      * to x = alpha. */
     bool beyond(extremum *found, const ball &parameter) const
     {
-        const ball u = at(parameter).u;
+        const ball u = sine_and_cosine(parameter).sine;
         *found = {t.a * hull(u, 1), 0, hull(surface_J2(t, u, 1), surface_J2(t, 1, u)), 1};
-        return value(parameter) > 0;
+        return (*this)(parameter).value > 0;
     }
 
     /* The curvature of J2 over J2: 2 slope' cos(psi) by psi, and cos(psi) = u where the parameter
      * is t, dpsi/dt = cos/u. */
     double curvature(const ball &parameter, const ball &J2) const
     {
-        const place p = at(parameter);
-        return 2 * fabs(middle(slope(parameter) * (at_corner ? p.u : p.v) / J2));
+        const direction p = sine_and_cosine(parameter);
+        return 2 * fabs(middle((*this)(parameter).slope * (at_corner ? p.sine : p.cosine) / J2));
     }
 };
 
@@ -145,7 +132,7 @@ bool find_surface_maximum(extremum *at, const traction &t, double guess)
         return s.beyond(at, parameter);
     if (!is_near && !find_zero(&zero, parameter, 1, s))
         return false;
-    const ball u = s.at(zero).u, J2 = surface_J2(t, u, u);
+    const ball u = s.sine_and_cosine(zero).sine, J2 = surface_J2(t, u, u);
     *at = {t.a * u, 0, J2, s.curvature(zero, J2)};
     return true;
 }

@@ -91,6 +91,12 @@ double some_contact_place(probe *call, const rwedge_contact *contact)
     return either_sign(call, fabs(mark + either_sign(call, mark * log_between(call, 1e-14, 1))));
 }
 
+template <double (*measured)(const rwedge_contact *)> bool draw_measured(probe *call)
+{
+    call->result[0] = measured(some_contact(call));
+    return true;
+}
+
 /* ---- The exact state ---- */
 
 struct load_point {
@@ -169,24 +175,10 @@ double looseness(const state &s, int i)
 
 /* ---- Half-widths ---- */
 
-bool draw_half_width(probe *call)
-{
-    const rwedge_contact *contact = some_contact(call);
-    call->result[0] = rwedge_contact_half_width(contact);
-    return true;
-}
-
 ball judge_half_width(const probe &call)
 {
     const state s = run_history(call);
     return relative_error(call.result[0], width_of(s, s.now.end().load));
-}
-
-bool draw_stick(probe *call)
-{
-    const rwedge_contact *contact = some_contact(call);
-    call->result[0] = rwedge_contact_stick_half_width(contact);
-    return true;
 }
 
 /* The error is that of the stick zone's load, relative to the largest load. */
@@ -204,7 +196,7 @@ ball judge_stick(const probe &call)
 
 /* ---- Tractions ---- */
 
-bool draw_tractions(probe *call, int which)
+template <bool shear> bool draw_tractions(probe *call)
 {
     const rwedge_contact *contact = some_contact(call);
     if (!contact)
@@ -213,18 +205,8 @@ bool draw_tractions(probe *call, int which)
     double p, q;
     if (rwedge_contact_tractions(contact, 1, &x, &p, &q) != RWEDGE_OK)
         p = q = NAN;
-    call->result[0] = which ? q : p;
+    call->result[0] = shear ? q : p;
     return x != 0;
-}
-
-bool draw_pressure(probe *call)
-{
-    return draw_tractions(call, 0);
-}
-
-bool draw_shear(probe *call)
-{
-    return draw_tractions(call, 1);
 }
 
 /* By how much the pressure of a patch changes if its half-widths are off by 1e-14 and by the
@@ -237,7 +219,7 @@ ball change_by_width(const state &s, int i, const ball &width, const ball &x)
 
 /* result, over 1e-13 (theta/A + |p|) f and what half-widths off by 1e-14 change, times 1e-13;
  * for the pressure over 1e-12 |p| and that, times 1e-12. */
-ball judge_tractions(const probe &call, bool shear)
+template <bool shear> ball judge_tractions(const probe &call)
 {
     const state s = run_history(call);
     const double x = call.value[4];
@@ -254,16 +236,6 @@ ball judge_tractions(const probe &call, bool shear)
         return error_over(call.result[0], q * s.f * s.unit,
                           (sum / 1e-13 + abs(p) + 1) * s.f * unit);
     return error_over(call.result[0], p * s.unit, (change / 1e-12 + abs(p)) * unit);
-}
-
-ball judge_pressure(const probe &call)
-{
-    return judge_tractions(call, false);
-}
-
-ball judge_shear(const probe &call)
-{
-    return judge_tractions(call, true);
 }
 
 /* ---- Stresses ---- */
@@ -353,43 +325,6 @@ bool draw_slip(probe *call)
     return true;
 }
 
-/* (x X - L - max(x - alpha, 0)^2)/(2 alpha), L = arcosh x, X = sqrt(x^2-1): Hertz. */
-ball hertz_gap(const ball &alpha, const ball &x, const ball &X, const ball &L)
-{
-    return (x * X - L - sqr(max(x - alpha, 0))) / (2 * alpha);
-}
-
-/* x - int G dx, int G = x G - (2/(pi alpha)) [(x^2-alpha^2) M/2 - alpha c0 L/2 - phi0 (x X +
- * L)/2], which is 1 at x = 1, with G = (2/pi) [atan(c0/X) + x M/alpha - phi0 X/alpha] and M =
- * atan(tan(phi0) X/x): in all x - (2/pi) [x atan(c0/X) + (x^2+alpha^2) M/(2 alpha) + c0 L/2 -
- * phi0 (x X - L)/(2 alpha)]. */
-ball rounded_gap(const ball &alpha, const ball &x, const ball &X, const ball &L)
-{
-    const angle tip = angle_of(alpha, 1);
-    const ball M = atan2(alpha * X, tip.c0 * x);
-    const ball rest = (sqr(x) + sqr(alpha)) * M - (x * X - L) * tip.phi0;
-    return x - 2 / pi() * (x * atan2(tip.c0, X) + (rest / alpha + tip.c0 * L) / 2);
-}
-
-/* alpha -> 0: x - (2/pi) [x atan(1/X) + L]. */
-ball sharp_gap(const ball &x, const ball &X, const ball &L)
-{
-    return x - 2 / pi() * (x * atan(1 / X) + L);
-}
-
-/* How far the profile lies above the surface that a contact of that half-width deforms, over
- * theta. */
-ball gap_of(const ball &a, const ball &width, const ball &place)
-{
-    const ball x = place / width;
-    if (!(x > 1))
-        return 0;
-    const ball X = sqrt((x - 1) * (x + 1)), L = asinh(X), alpha = a / width;
-    return width * (is_zero(a)  ? sharp_gap(x, X, L)
-                    : a < width ? rounded_gap(alpha, x, X, L)
-                                : hertz_gap(alpha, x, X, L));
-}
-
 /* sum (D_i - D_(i+1)) gap_i(x) - D_1 h(x): the displacement of a path over f theta. */
 ball displacement(const state &s, const path &p, const ball &x)
 {
@@ -433,13 +368,6 @@ ball judge_slip(const probe &call)
 
 /* ---- Energy ---- */
 
-bool draw_energy(probe *call)
-{
-    const rwedge_contact *contact = some_contact(call);
-    call->result[0] = rwedge_contact_dissipated_energy(contact);
-    return true;
-}
-
 /* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how
  * far Q/f gets ahead of what sticks, or over the new load. Shares of that rounding alone, A (f P
  * epsilon)^2, count as none. */
@@ -482,8 +410,11 @@ bool draw_yield_factor(probe *call)
 struct slope_along_surface {
     const traction &t;
 
-    ball value(const ball &x) const { return J2_at(t, x, 1).x; }
-    ball slope(const ball &x) const { return J2_at(t, x, 2).xx; }
+    value_slope operator()(const ball &x) const
+    {
+        const J2_jet J = J2_at(t, x, 2);
+        return {J.x, J.xx};
+    }
 };
 
 /* J2 at the mark next to x, if there is one within 1e-7 of it: the rounding's edge, the edge of
@@ -539,21 +470,21 @@ ball judge_yield_factor(const probe &call)
 } // namespace
 
 const row HISTORY_ROWS[] = {
-    {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1, draw_half_width,
-     judge_half_width},
+    {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1,
+     draw_measured<rwedge_contact_half_width>, judge_half_width},
     {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-13,
-     "1e-13", 1, draw_stick, judge_stick},
+     "1e-13", 1, draw_measured<rwedge_contact_stick_half_width>, judge_stick},
     {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1,
-     draw_pressure, judge_pressure},
+     draw_tractions<false>, judge_tractions<false>},
     {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13,
-     "1e-13", 1, draw_shear, judge_shear},
+     "1e-13", 1, draw_tractions<true>, judge_tractions<true>},
     {"contact_stresses", "points dense at the edges",
      "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1,
      draw_stresses, judge_stresses},
     {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1,
      draw_slip, judge_slip},
     {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1,
-     draw_energy, judge_energy},
+     draw_measured<rwedge_contact_dissipated_energy>, judge_energy},
     {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1,
      draw_yield_factor, judge_yield_factor},
     {},

@@ -134,11 +134,10 @@ struct wave {
     {
         return {mean - w.mean, cosine - w.cosine, sine - w.sine};
     }
-    wave operator*(const ball &x) const { return {mean * x, cosine * x, sine * x}; }
-};
-
-struct direction {
-    ball cosine, sine;
+    wave operator*(const ball &x) const
+    {
+        return {mean * x, cosine * x, sine * x};
+    }
 };
 
 ball value_at(const wave &w, const direction &phi)
@@ -213,7 +212,7 @@ void set_best(plane_problem *p, const ball &product)
 void climb(plane_problem *p, const wave &x, const wave &y, const ball &x_bound, const ball &y_bound,
            double phi, double reach)
 {
-    const direction here = {cos(ball(phi)), sin(ball(phi))};
+    const direction here = direction_of(phi);
     const ball X = value_at(x, here), Y = value_at(y, here), product = X * Y;
     if (X > 0 && Y > 0 && product > p->best)
         set_best(p, product);
@@ -246,7 +245,7 @@ void largest_product(plane_problem *p)
 /* The parameter of the plane at the angle. */
 ball product_at(const plane_problem &p, double angle)
 {
-    const direction phi = {cos(ball(2 * angle)), sin(ball(2 * angle))};
+    const direction phi = direction_of(2 * angle);
     ball most, top = value_at(p.range[0], phi), bottom = top;
     for (int i = 0; i < LOADS; i++) {
         const ball range = value_at(p.range[i], phi);

@@ -4,6 +4,7 @@
  * them. */
 #include <float.h>
 #include <math.h>
+#include <vector>
 
 #include "references/ball_matrix.hpp"
 #include "rows/rows.hpp"
@@ -214,13 +215,16 @@ ball judge_fit(const probe &call)
     const fit &f = *static_cast<const fit *>(call.object);
     const int n = rwedge_series_terms(f.series);
     ball_matrix normal(n, n), right(n, 1), solution(n, 1);
-    for (int i = 0; i < FIT_SAMPLES; i++)
+    for (int i = 0; i < FIT_SAMPLES; i++) {
+        std::vector<ball> column;
+        for (int k = 1; k <= n; k++)
+            column.push_back(-sin(k * acos(ball(f.x[i]))));
         for (int k = 0; k < n; k++) {
-            const ball t = acos(ball(f.x[i])), column = -sin((k + 1) * t);
-            right.add(k, 0, column * f.p[i]);
+            right.add(k, 0, column[(size_t)k] * f.p[i]);
             for (int l = 0; l < n; l++)
-                normal.add(k, l, column * -sin((l + 1) * t));
+                normal.add(k, l, column[(size_t)k] * column[(size_t)l]);
         }
+    }
     if (!solve(solution, normal, right))
         return unknown();
     ball largest, error;

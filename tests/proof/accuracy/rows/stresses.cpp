@@ -22,7 +22,7 @@ bool is_apex(const double v[5])
     return v[0] == 0 && v[3] == 0 && v[4] == 0;
 }
 
-bool draw_stress(probe *call, bool slides)
+template <bool slides> bool draw_stress(probe *call)
 {
     double v[5], *s = call->result;
     some_case(call, slides, v);
@@ -31,16 +31,6 @@ bool draw_stress(probe *call, bool slides)
     if (rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]) != RWEDGE_OK)
         s[0] = NAN;
     return true;
-}
-
-bool draw_sliding(probe *call)
-{
-    return draw_stress(call, true);
-}
-
-bool draw_partial_slip(probe *call)
-{
-    return draw_stress(call, false);
 }
 
 /* One of up to 20 points, of which the others only fill the array. */
@@ -91,9 +81,9 @@ ball judge_stress(const probe &call)
 const row STRESS_ROWS[] = {
     {"stress, full sliding",
      "alpha; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to 1e60", MEASURE,
-     1e-13, "1e-13", 1, draw_sliding, judge_stress},
+     1e-13, "1e-13", 1, draw_stress<true>, judge_stress},
     {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13",
-     1, draw_partial_slip, judge_stress},
+     1, draw_stress<false>, judge_stress},
     {"stresses", "the same, 1 to 20 points", MEASURE, 1e-13, "1e-13", 1, draw_stresses,
      judge_stress},
     {},

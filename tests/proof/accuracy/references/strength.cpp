@@ -90,10 +90,10 @@ struct surface {
 
     /* The maximum is beyond the parameter, whose slope is positive: u rises and P falls from there
      * to x = alpha. */
-    bool beyond(extremum *found, const ball &parameter) const
+    bool beyond(extremum *maximum, const ball &parameter) const
     {
         const ball u = sine_and_cosine(parameter).sine;
-        *found = {t.a * hull(u, 1), 0, hull(surface_J2(t, u, 1), surface_J2(t, 1, u)), 1};
+        *maximum = {t.a * hull(u, 1), 0, hull(surface_J2(t, u, 1), surface_J2(t, 1, u)), 1};
         return (*this)(parameter).value > 0;
     }
 

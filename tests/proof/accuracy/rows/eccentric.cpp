@@ -97,7 +97,7 @@ square inverse_of(const square &m)
 }
 
 /* x - F + (1 - A J(X)) (X - x) inside X, where F = A F(x). */
-bool is_proved(ball_edges *found, const ball_edges &x, const column &F, const square &A,
+bool is_proved(ball_edges *answer, const ball_edges &x, const column &F, const square &A,
                const ball &width, const wanted &to)
 {
     const ball_edges X = {widened(x.left, width), widened(x.right, width)};
@@ -105,14 +105,14 @@ bool is_proved(ball_edges *found, const ball_edges &x, const column &F, const sq
     const column first = A * column{J.xx, J.yx}, second = A * column{J.xy, J.yy};
     const column rest = square{1 - first.x, -second.x, -first.y, 1 - second.y} *
                         column{X.left - x.left, X.right - x.right};
-    *found = {x.left - F.x + rest.x, x.right - F.y + rest.y};
-    return contains(X.left, found->left) && contains(X.right, found->right);
+    *answer = {x.left - F.x + rest.x, x.right - F.y + rest.y};
+    return contains(X.left, answer->left) && contains(X.right, answer->right);
 }
 
 /* The patch near a guess; indeterminate where none is proved. */
 ball_edges patch_of(const wanted &to, double left, double right)
 {
-    ball_edges x = {left, right}, found;
+    ball_edges x = {left, right}, answer;
     square A;
     for (int i = 0; i < 12; i++) {
         const excess at = excess_at(x, to);
@@ -125,8 +125,8 @@ ball_edges patch_of(const wanted &to, double left, double right)
     }
     const column F = A * excess_at(x, to).F;
     for (slong n = bits / 2; n > 8; n -= bits / 8)
-        if (is_proved(&found, x, F, A, scaled(right - left, -n), to))
-            return found;
+        if (is_proved(&answer, x, F, A, scaled(right - left, -n), to))
+            return answer;
     return {unknown(), unknown()};
 }
 
@@ -243,9 +243,9 @@ ball magnified(const ball &error, const pressed_patch &p)
 }
 
 /* The larger error of two edges over a scale. */
-ball edges_error(const double found[2], const ball_edges &e, const ball &scale)
+ball edges_error(const double answer[2], const ball_edges &e, const ball &scale)
 {
-    return max(error_over(found[0], e.left, scale), error_over(found[1], e.right, scale));
+    return max(error_over(answer[0], e.left, scale), error_over(answer[1], e.right, scale));
 }
 
 /* ---- Edges, tilt ---- */
@@ -346,11 +346,11 @@ ball_edges edges_of(const pressed_patch &whole, const tangential &sticking, cons
 }
 
 /* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */
-ball front_error(const double found[2], const ball_edges &e, const pressed_patch &whole,
+ball front_error(const double answer[2], const ball_edges &e, const pressed_patch &whole,
                  const tangential &sticking)
 {
     const ball flat = min(flatness(sticking.tilt), flatness(whole.c.tilt));
-    return edges_error(found, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
+    return edges_error(answer, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
 }
 
 /* Load and tilt of what sticks. */
@@ -483,7 +483,7 @@ const row ECCENTRIC_ROWS[] = {
      draw_edges, judge_edges},
     {"contact_tilt", PATCHES, "of theta max(1, \\|x\\|/width), over 1 - \\|delta\\|", 1e-14,
      "1e-14", 1, draw_edges, judge_tilt},
-    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges found", 1e-14, "1e-14", 1,
+    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges answer", 1e-14, "1e-14", 1,
      draw_edges, judge_asymptotes},
     {"contact_stick_zone", "also Q to 0.9 f P, sigma to its limit",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",

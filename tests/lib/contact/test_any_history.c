@@ -234,7 +234,8 @@ static void yield_is_found_and_the_energy_grows(void **state)
     rwedge_contact_destroy(contact);
 }
 
-/* Under constant P and tension the area of a closed loop of Q over the displacement is dissipated. */
+/* Under constant P and tension the area of a closed loop of Q over the displacement is
+ * dissipated. */
 static void the_loops_area_is_the_energy(void **state)
 {
     (void)state;

@@ -30,6 +30,7 @@ set -- "$tested"
 [ $only_made = no ] || shift
 for step in source windows matlab npm debian docs wheels; do
     echo "== $step"
+    ! command -v python3 >/dev/null || python3 -B "$here/who.py"
     sh "$here/$step/make.sh" "$build" "$build/packages" "$@" && status=0 || status=$?
     case $status in
     0) ;;

@@ -48,17 +48,16 @@ static void describe(FILE *stream)
     for (int i = MEASURE_COUNT; i < COLUMN_COUNT; i++)
         if (!column_kind_of(i)->is_angle)
             describe_column(i, stream);
-    fputs(
-        "with NAME_angle and NAME_out_of_plane, of its plane: that is, from the plane's normal to\n"
-        "the plane of x and y, 0 to 90 deg\n",
-        stream);
+    fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
+          "of x and y, 0 to 90 deg.\n",
+          stream);
     fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
           "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
           "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n"
-          "\nCriteria are the largest of all planes, those that do not contain z too; a shear\n"
-          "amplitude is the radius of the smallest circle around the path of the shear stress,\n"
-          "that of sqrt(J2) of the smallest sphere. Nothing is a range but stress_range and\n"
-          "slip_range.\n",
+          "\nCriteria are the largest of all planes, also of those that do not contain z. A\n"
+          "shear amplitude is the radius of the smallest circle around the path of the shear\n"
+          "stress, that of sqrt(J2) of the smallest sphere. Nothing is a range but\n"
+          "stress_range and slip_range.\n",
           stream);
 }
 

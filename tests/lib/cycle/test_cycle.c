@@ -271,7 +271,7 @@ static void the_worst_is_found_between_the_places(void **state)
         double x[COARSE], value[COARSE], worst, top = 0, scanned = 0;
         for (int i = 0; i < COARSE; i++) {
             x[i] = b * (2.0 * i / (COARSE - 1) - 1);
-            value[i] = at_one_place(contact, &cycle, measure, x[i]);
+            value[i] = fmax(at_one_place(contact, &cycle, measure, x[i]), 0);
         }
         for (int i = 0; i < FINE; i++)
             scanned = fmax(scanned,

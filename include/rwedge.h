@@ -369,6 +369,19 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
+/* From now on, loads that have no closed form are computed instead of refused, to an error of q
+ * that is this part of f times the peak pressure. The closed form is used wherever it holds, to
+ * the same bits, and again after full sliding or separation.                                    new
+ *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
+ * A load may then fail with RWEDGE_ENOCONV, the contact as before: go there in two loads.
+ * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
+
+/* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
+ * grows with the loads that the tractions still depend on, and may pass the tolerance.          new
+ * NaN for NULL. */
+RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
+
 /* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and which loads lead there
  * or near instead, in English; empty where it would not. They were tried, on a copy of the contact:
  * it takes as long as some loads. Another way is another history.                               new
@@ -404,6 +417,19 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
  * and with the zone's tilt where that is larger. */
 RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left,
                                              double *right);
+
+/* How many zones rwedge_contact_zones() gives for the contact as it is; 0 for NULL.          new */
+RWEDGE_API size_t rwedge_contact_zone_count(const rwedge_contact *contact);
+
+/* The zones of the contact that stick and slip, from left to right. Without a closed form there may
+ * be several of either.                                                                         new
+ *   n            rwedge_contact_zone_count()
+ *   left, right  each receives n numbers, length: the edges of the zones
+ *   slip         receives n numbers: 0 where it sticks, else -1 or 1, the sign of slip and of q,
+ *                with which friction is exhausted
+ * RWEDGE_ERANGE where n is another number; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[],
+                                        double right[], double slip[]);
 
 /* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
  * 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
@@ -630,7 +656,7 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
  * of a cycle under constant P.                                                                  new
  *   b  length, > 0, finite
- * NaN for NULL and when separated; NaN off the centre where the slip has no closed form, as in
+ * NaN when separated; NaN for NULL; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Error below 1e-14 of f theta times the half-width for every remembered
  * point, 1e-6 of it off the centre. */
 RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, double b);
@@ -904,6 +930,34 @@ RWEDGE_API int32_t rwedge_criterion_field(int32_t measure, size_t loads, size_t 
                                           const double txy[], double E, double nu,
                                           int32_t plane_stress, double constant, double su,
                                           double value[], double angle[], double out_of_plane[]);
+
+/* ---- Lives ----------------------------------------------------------------------------------- */
+
+/* Cycles to failure by Smith, Watson and Topper: N where sf^2/E (2N)^(2b) + sf ef (2N)^(b+c) is the
+ * parameter. HUGE_VAL for 0, below the limit, and beyond 1e60.     Smith, Watson, Topper (1970)
+ *   swt    the parameter, stress, 0 or 1e-60 to 1e60
+ *   E      Young's modulus, stress, 1e-60 to 1e60
+ *   sf     fatigue strength coefficient, stress, 1e-60 to 1e60
+ *   b      fatigue strength exponent, -2 <= b <= -0.01
+ *   ef     fatigue ductility coefficient, 1e-60 to 1e60
+ *   c      fatigue ductility exponent, -2 <= c <= -0.01
+ *   limit  0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
+ * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
+RWEDGE_API double rwedge_smith_watson_topper_life(double swt, double E, double sf, double b,
+                                                  double ef, double c, double limit);
+
+/* Cycles to failure by Fatemi and Socie: N where tf/G (2N)^b + gf (2N)^c is the parameter. HUGE_VAL
+ * for 0, below the limit, and beyond 1e60.                              Fatemi and Socie (1988)
+ *   fatemi_socie  the parameter, a strain, 0 or 1e-60 to 1e60
+ *   G             shear modulus, stress, 1e-60 to 1e60
+ *   tf            shear fatigue strength coefficient, stress, 1e-60 to 1e60
+ *   b             shear fatigue strength exponent, -2 <= b <= -0.01
+ *   gf            shear fatigue ductility coefficient, 1e-60 to 1e60
+ *   c             shear fatigue ductility exponent, -2 <= c <= -0.01
+ *   limit         0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
+ * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
+RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double tf, double b,
+                                           double gf, double c, double limit);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

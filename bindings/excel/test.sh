@@ -42,7 +42,7 @@ echo "all of $faults planted faults are noticed"
 # A reader of Basic: no other is to be had without Office.
 checker=$work/vbalidator
 if [ -x "$checker/bin/vbalidator" ] ||
-        { python3 -m venv "$checker" && "$checker/bin/pip" -q install vbalidator==1.7.0; } >log 2>&1; then
+        { python3 -m venv "$checker" && "$checker/bin/pip" -q install --require-hashes -r "$here/test/requirements.txt"; } >log 2>&1; then
     "$checker/bin/vbalidator" --host excel --strict --define 'Win64=True,VBA7=True' \
         --output vbalidator.json rwedge.bas >log || { cat log; fail "vbalidator finds fault"; }
     grep '^Errors' log

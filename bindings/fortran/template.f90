@@ -14,7 +14,8 @@
 ! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
 !   return one from a function: compilers copy the handle there, not what it holds. Such a copy is noticed: it is as if it had
-!   not been created. In OpenMP take private(c) and assign to it; firstprivate(c) makes such copies. README.md says more.
+!   not been created. Arrays of rank 1 and 2 are assigned too, which may overlap; with "use rwedge, only: ..." name
+!   assignment(=) for that. In OpenMP take private(c) and assign to it; firstprivate(c) makes such copies. README.md says more.
 ! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
@@ -55,6 +56,13 @@ module rwedge
         generic :: assignment(=) => assign_series
         final :: finalize_series
     end type
+
+    ! Of arrays, which may overlap.
+    interface assignment(=)
+        module procedure assign_contacts, assign_contact_to_all, assign_grid_of_contacts, assign_contact_to_grid
+        module procedure assign_several_series, assign_series_to_all
+    end interface
+    public :: assignment(=)
 
     ! rwedge.h
     interface
@@ -105,27 +113,29 @@ contains
     end function
 
     ! Hands a status over as ALLOCATE does. call is "name(arguments)", values are those of its arguments, allowed says what they
-    ! may be, element is the one of its arrays that was refused.
-    subroutine conclude(status, call, values, allowed, stat, errmsg, element)
+    ! may be, element is the one of its arrays that was refused, why when there is no result.
+    subroutine conclude(status, call, values, allowed, stat, errmsg, element, why)
         integer(c_int32_t), intent(in) :: status
         character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer, intent(in), optional :: element
+        character(*), intent(in), optional :: why
         if (present(stat)) stat = status
         if (status == rwedge_ok) return
-        if (present(errmsg)) errmsg = message(status, call, values, allowed, element)
+        if (present(errmsg)) errmsg = message(status, call, values, allowed, element, why)
         if (present(stat)) return
-        write (error_unit, '(a)') message(status, call, values, allowed, element)
+        write (error_unit, '(a)') message(status, call, values, allowed, element, why)
         error stop 1
     end subroutine
 
-    function message(status, call, values, allowed, element) result(text)
+    function message(status, call, values, allowed, element, why) result(text)
         integer(c_int32_t), intent(in) :: status
         character(*), intent(in) :: call, allowed
         real(c_double), intent(in) :: values(:)
         integer, intent(in), optional :: element
+        character(*), intent(in), optional :: why
         character(:), allocatable :: text
         character(24) :: number
         integer :: i
@@ -141,6 +151,7 @@ contains
             text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
         end do
         if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+        if (present(why) .and. (status == rwedge_epath .or. status == rwedge_eabsent)) text = text // '; ' // why
     end function
 
     ! The i-th name in "name(arguments)", with " = " behind it; nothing where there are no names.
@@ -205,22 +216,61 @@ contains
     end function
 
     ! What the contact held before is freed last: it may have been copied from itself.
-    subroutine own_contact(this, handle)
+    impure elemental subroutine own_contact(this, handle)
         class(rwedge_contact), intent(inout) :: this
         type(c_ptr), intent(in) :: handle
         call c_contact_destroy(own(this))
         call set(this, handle)
     end subroutine
 
-    !> this = from, by copy(); both may be without a contact.
-    impure elemental subroutine assign_contact(this, from)
-        class(rwedge_contact), intent(inout) :: this
+    ! The handle of an independent copy; none where there is no contact.
+    impure elemental function copy_of(from) result(created)
         type(rwedge_contact), intent(in) :: from
         type(c_ptr) :: held, created
         held = assigned(from)
         created = c_null_ptr
         if (c_associated(held)) call conclude(c_contact_copy(held, created), 'rwedge_contact%copy(...)', [real(c_double) ::], '')
+    end function
+
+    !> this = from, by copy(); both may be without a contact.
+    subroutine assign_contact(this, from)
+        class(rwedge_contact), intent(inout) :: this
+        type(rwedge_contact), intent(in) :: from
+        call own_contact(this, copy_of(from))
+    end subroutine
+
+    ! The same of arrays, which may overlap: all are copied before one is changed. What compilers make of an elemental assignment
+    ! is of no use here: they may let it work on a copy of the left side.
+    subroutine assign_contacts(this, from)
+        type(rwedge_contact), intent(inout) :: this(:)
+        type(rwedge_contact), intent(in) :: from(:)
+        type(c_ptr) :: created(size(from))
+        created = copy_of(from)
         call own_contact(this, created)
+    end subroutine
+
+    subroutine assign_contact_to_all(this, from)
+        type(rwedge_contact), intent(inout) :: this(:)
+        type(rwedge_contact), intent(in) :: from
+        integer :: i
+        call assign_contacts(this, [(from, i=1, size(this))])
+    end subroutine
+
+    subroutine assign_grid_of_contacts(this, from)
+        type(rwedge_contact), intent(inout) :: this(:, :)
+        type(rwedge_contact), intent(in) :: from(:, :)
+        type(c_ptr) :: created(size(from, 1), size(from, 2))
+        created = copy_of(from)
+        call own_contact(this, created)
+    end subroutine
+
+    subroutine assign_contact_to_grid(this, from)
+        type(rwedge_contact), intent(inout) :: this(:, :)
+        type(rwedge_contact), intent(in) :: from
+        integer :: k
+        do k = 1, size(this, 2)
+            call assign_contact_to_all(this(:, k), from)
+        end do
     end subroutine
 
     !> Frees; NULL is allowed.
@@ -244,7 +294,7 @@ contains
     end subroutine
 
     ! this = from, which share the series from then on.
-    impure elemental subroutine assign_series(this, from)
+    subroutine assign_series(this, from)
         class(rwedge_series), intent(inout) :: this
         type(rwedge_series), intent(in) :: from
         type(c_ptr) :: handle
@@ -259,6 +309,29 @@ contains
         call this%destroy() ! which may be from
         call set(this, handle)
         this%users => users
+    end subroutine
+
+    ! The same of arrays, which may overlap: no series that is shared goes before all are.
+    subroutine assign_several_series(this, from)
+        type(rwedge_series), intent(inout) :: this(:)
+        type(rwedge_series), intent(in) :: from(:)
+        type(rwedge_series) :: shared(size(from))
+        integer :: i
+        do i = 1, size(from)
+            call assign_series(shared(i), from(i))
+        end do
+        do i = 1, size(from)
+            call assign_series(this(i), shared(i))
+        end do
+    end subroutine
+
+    subroutine assign_series_to_all(this, from)
+        type(rwedge_series), intent(inout) :: this(:)
+        type(rwedge_series), intent(in) :: from
+        integer :: i
+        do i = 1, size(this)
+            call assign_series(this(i), from)
+        end do
     end subroutine
 
     !> Frees; NULL is allowed.

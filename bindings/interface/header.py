@@ -45,6 +45,7 @@ AT_LEAST_OF = re.compile(rf"(?:0,? or )?at least (?:{NUMBER}) of the .*")
 AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
 WITHOUT_SIZE = re.compile(r"Without a size are (.*?)\.")
 SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
+REASON = re.compile(r"(RWEDGE_E[A-Z]+) ((?:after|in|off|when|where) [^;.:]*)")
 REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN where|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
 ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
@@ -112,6 +113,7 @@ class Function:
     text: str = ""  # the prose
     equation: str = ""
     errors: list[str] = field(default_factory=list)
+    reasons: dict[str, str] = field(default_factory=dict)  # of a status: when it is returned, where the comment says so
     accuracy: list[str] = field(default_factory=list)
     array_of: str = ""  # the function whose results for many points it gives: "The same ..."
     refuses_more: bool = False  # arguments too of which each by itself is in its domain
@@ -137,6 +139,12 @@ class Function:
     @property
     def outputs(self) -> list[Parameter]:
         return self.of("out", "out array")
+
+    @property
+    def path(self) -> str:
+        """When there is no closed form, where that is not said by rwedge_contact_obstacle()."""
+        why = self.reasons.get("RWEDGE_EPATH", "")
+        return "" if "closed form is shown" in why else why
 
     @property
     def pointwise(self) -> bool:
@@ -389,6 +397,7 @@ class Reader:
         function.text = "\n\n".join(" ".join(" ".join(p).split()) for p in paragraphs(prose))
         function.equation = " ".join(equations) or (before.equation if before else "")
         function.errors = list(dict.fromkeys(re.findall(r"RWEDGE_E[A-Z]+", " ".join(function.comment))))
+        function.reasons = dict(REASON.findall(" ".join(function.text.split())))
         if before:
             function.array_of = "" if before.of("in array") else before.name
             function.errors += [e for e in before.errors if e not in function.errors]

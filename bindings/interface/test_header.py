@@ -10,6 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import write_matlab
+import write_python
 from header import Refused, read
 
 HEADER = Path(__file__).resolve().parents[2] / "include" / "rwedge.h"
@@ -55,6 +57,20 @@ def declared(comment, declaration):
         path = Path(folder) / "rwedge.h"
         path.write_text(f"{before}\n{comment}\n{declaration}\n\n#ifdef __cplusplus\n}}\n{after}", encoding="ascii")
         return read(path).functions[-1], before.count("\n") + 1 + comment.count("\n") + 1
+
+
+class Texts(unittest.TestCase):
+    def test_the_help_of_matlab_speaks_of_its_arrays(self):
+        """C's places in memory, and arguments that only C has, are not in it."""
+        for name, text in write_matlab.texts(read(HEADER)).items():
+            self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|series)_\w+\(\)", name)
+
+    def test_the_help_of_python_has_its_types_and_exceptions(self):
+        interface = read(HEADER)
+        doc = {name: write_python.docstring(interface[name], "new") for name in ("validity", "contact_edges", "contact_obstacle")}
+        self.assertIn("theta : float\n", doc["validity"])
+        self.assertIn("Raises\n------\nAbsentError\n    when separated\n", doc["contact_edges"])
+        self.assertIn("Why Contact.apply() would raise PathError for these loads", doc["contact_obstacle"])
 
 
 class Reader(unittest.TestCase):

@@ -77,6 +77,7 @@ typedef struct {{
     const entry_argument *argument;
     const entry_result *result;
     const entry_size *size;
+    const char *path; /* when there is no closed form, or NULL where nothing is said */
 }} entry;
 
 /* Whether a number is inside the domain of an argument, by itself. */
@@ -180,7 +181,8 @@ def row(f: Function, statuses: dict[str, int]) -> str:
     lists = [f"{f.name}_{what}" if count else "NULL"
              for what, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
     return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
-            f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)}}},")
+            f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)},\n"
+            f"     {quoted(f.path)}}},")
 
 
 def tables(f: Function) -> str:

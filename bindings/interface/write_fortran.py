@@ -72,7 +72,7 @@ def interface_of(f: Function) -> str:
     what = "function" if result else "subroutine"
     head = f"{'pure ' if is_pure(f) else ''}{what} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
     bind = f'bind(C, name="rwedge_{f.name}")' + (f" result({result})" if result else "")
-    lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [f"        {head} &", f"            &{bind}"]
+    lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [folded(f"{head} &", 8), f"            &{bind}"]
     groups = [in_c(p) for p in f.parameters] + ([(TYPES[f.returns], result)] if result else [])
     used = sorted({k for kind, _ in groups for k in ("c_double", "c_int32_t", "c_ptr", "c_size_t") if k in kind})
     lines.append(f"            import :: {', '.join(used)}")
@@ -140,14 +140,23 @@ def given(names: list[Parameter], at: str = "") -> tuple[list[str], list[str]]:
     return [name_of(p) for p in names], [f"real({w}, c_double)" if p.kind == "int32_t" else w for p, w in zip(names, words)]
 
 
+def reason(f: Function, indent: int) -> str:
+    """When there is no result, as a text of Fortran."""
+    pieces = textwrap.wrap("; ".join(filter(None, [f.reasons.get("RWEDGE_EABSENT", ""), f.path])), 90, drop_whitespace=False)
+    return f" // &\n{' ' * indent}".join(f"'{piece}'" for piece in pieces)
+
+
 def conclude(f: Function, status: str, names: list[str], values: list[str], more: str = "", at: str = "",
-             indent: int = 8) -> list[str]:
+             indent: int = 8, why: str = "") -> list[str]:
+    why = why or reason(f, indent + 8)
     given = f"'{call_name(f)}({', '.join(names) if names or not f.inputs else '...'})'"
     array = f"[{', '.join(values)}]" if values else "[real(c_double) ::]"
-    text, end = allowed(f) + more, f", stat, errmsg{', ' + at if at else ''})"
+    why = f", why={why}" if why else ""
+    text, end = allowed(f) + more, f", stat, errmsg{', ' + at if at else ''}{why})"
     head = f"call conclude({status}, {given}, {array}, "
     if indent + len(head + text + end) + 2 <= WIDTH:
         return [f"{' ' * indent}{head}'{text}'{end}"]
+    end = end.replace(", why=", f", &\n{' ' * (indent + 8)}why=")
     margin = " " * (indent + 4)
     pieces = textwrap.wrap(text.replace("'", "''"), 100 - indent, drop_whitespace=False, break_long_words=False) or [""]
     return [folded(head, indent).rstrip() + " &", margin + f" // &\n{margin}".join(f"'{p}'" for p in pieces) + end]
@@ -216,9 +225,13 @@ def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
     if f.of("created"):
         local.append(("type(c_ptr)", "created"))
     call = passed(f, sizes_of(f))
-    if not (arrays or optional or f.of("created")):
+    if not (arrays or optional or f.of("created") or f.name == "contact_apply"):
         return local, conclude(f, call, *given(f.inputs))
     local.append(("integer(c_int32_t)", "status"))
+    if f.name == "contact_apply":
+        return local, [f"        status = {call}", "        if (status == rwedge_epath) then",
+                       *conclude(f, "status", *given(f.inputs), indent=12, why="this%obstacle(P, M, Q, sigma)"),
+                       "            return", "        end if", *conclude(f, "status", *given(f.inputs))]
     fits = agreement(f)
     lines = [folded(f"status = {call}", 8)]
     if fits:

@@ -5,10 +5,16 @@ from __future__ import annotations
 
 import re
 
-from header import EQUATION, Function, Interface, template
+from header import ARGUMENT, EQUATION, FURTHER, Function, Interface, template
 from write_c import reason
 
 ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
+IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
+    (r"(rwedge_(?:contact|series))_create\(", r"\1("), (r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2("),
+    (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
+    (r"(?:each )?receives? n numbers: ", "result: "), (r"each receives? n numbers", "results, n numbers each"),
+    (r"receives? n numbers", "result, n numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
+    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"), (r"NaN for NULL and when", "NaN when"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
 
@@ -38,6 +44,16 @@ def without_pointers(text: str, method: bool) -> str:
     return re.sub(r" ?\bNaN for NULL\. ?", "", text)
 
 
+def without_sizes(f: Function, lines: list[str]) -> list[str]:
+    """Arrays tell their sizes: nobody gives them."""
+    kept, sizes, left_out = [], {p.name for p in f.of("size")}, False
+    for line in lines:
+        argument = ARGUMENT.fullmatch(line)
+        left_out = set(argument[1].split(", ")) <= sizes if argument else left_out and bool(FURTHER.fullmatch(line))
+        kept += [] if left_out else [line]
+    return kept
+
+
 def shared(f: Function) -> list[str]:
     """The domains that the comment leaves to the list of arguments that return."""
     found: dict[str, list[str]] = {}
@@ -55,9 +71,9 @@ def help_lines(f: Function) -> list[str]:
     text = without_pointers("\n".join(lines), method).replace(" Free with rwedge_series_destroy().", "")
     text = re.sub(r"Unless\s+RWEDGE_OK, the contact is as before\.", "After an error the contact is as before;\n"
                   "of vectors, the loads before the one that is refused stay.", text)
-    text = re.sub(r"(rwedge_(?:contact|series))_create\(", r"\1(", text)
-    text = re.sub(r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2(", text)
-    text = "\n".join([*text.split("\n"), *shared(f)])
+    text = "\n".join([*without_sizes(f, text.split("\n")), *shared(f)])
+    for c, matlab in IN_MATLAB:
+        text = re.sub(c, matlab, text)
     text = re.sub(r"RWEDGE_E[A-Z]+", lambda m: f"rwedge:{reason(m[0])}", text)
     return text.replace("HUGE_VAL", "Inf").split("\n")
 

@@ -14,12 +14,12 @@ import textwrap
 
 from header import SENTENCE, Domain, Function, Interface, Parameter
 
-IN_PYTHON = (  # statuses, pointers and limits, in the words of a formula
-    (r"(; |, )RWEDGE_ENULL", ""), (r"RWEDGE_EDOMAIN\.", "NaN outside the domain."),
-    ("RWEDGE_EDOMAIN; RWEDGE_ERANGE", "NaN outside the domain, and"), (r"RWEDGE_E\w+", "NaN"),
-    (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
-IN_GENERAL = ((r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.", ""), (r"RWEDGE_E\w+(?:[,;] RWEDGE_E\w+)*[.;]? ?", ""),
-              (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "inf"))
+IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
+    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.", ""),
+    (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
+    (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
+    ("HUGE_VAL", "inf"))
+EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
 BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_apply", "contact_half_width", "contact_stick_half_width",
            "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
@@ -77,13 +77,54 @@ def source(f: Function, before: str) -> str:
     return one_line(f.equation) or (before if is_formula(f) else "")
 
 
-def listed(inputs: list[Parameter], kind: str, f: Function) -> list[str]:
+def listed(inputs: list[Parameter], f: Function) -> list[str]:
     lines = []
     for p in inputs:
+        kind = "array_like" if is_formula(f) or p.role == "in array" else "int" if p.kind == "int32_t" else "float"
         of_cycle = ", (..., n)" if is_gufunc(f) and p.role == "in array" else ""
-        lines += [f"{p.name} : {kind}{of_cycle}", *textwrap.wrap(replaced(p.domain.text, IN_PYTHON), 96, initial_indent="    ",
-                                                                 subsequent_indent="    ")]
+        lines += [f"{p.name} : {kind}{of_cycle}", *indented(replaced(p.domain.text, IN_PYTHON))]
     return lines
+
+
+def indented(text: str) -> list[str]:
+    return textwrap.wrap(text, 96, initial_indent="    ", subsequent_indent="    ")
+
+
+def sentences(paragraph: str) -> list[str]:
+    """Without those that list statuses: they are said by raised()."""
+    kept = [s for s in SENTENCE.split(one_line(replaced(paragraph, IN_PYTHON))) if s and "RWEDGE_E" not in s]
+    return [kept[0][0].upper() + kept[0][1:], *kept[1:]] if kept else []
+
+
+def refused(f: Function) -> list[str]:
+    """What a formula gives where it has no result."""
+    reasons = {status: replaced(why, IN_PYTHON) for status, why in f.reasons.items()}
+    known = any("NaN outside the domain" in s for s in sentences(f.text))
+    more = f", and {reasons['RWEDGE_EPATH']}" if "RWEDGE_EPATH" in reasons else ""
+    lines = [] if known and not more else [f"NaN outside the domain{more}."]
+    return lines + [f"NaN {why}, without a warning." for status, why in reasons.items() if status == "RWEDGE_EABSENT"]
+
+
+def raised(f: Function) -> list[str]:
+    """The section on exceptions, of what is not a formula."""
+    found: dict[str, list[str]] = {}
+    general = {"RWEDGE_EDOMAIN": "outside the domain", "RWEDGE_ERANGE": "where a size is out of range", "RWEDGE_ESLIDING": "where |Q| > f P",
+               "RWEDGE_EPATH": "where there is no closed form", "RWEDGE_EABSENT": ""}
+    for status in f.errors if f.result == "status" else []:
+        if status in general:
+            why = f.reasons.get(status) or general[status]
+            found.setdefault(EXCEPTIONS.get(status, "ValueError"), []).append(replaced(why, IN_PYTHON))
+    lines = [line for name, reasons in found.items() for line in (name, *indented("; ".join(dict.fromkeys(reasons))))]
+    return ["", "Raises", "------", *lines] if lines else []
+
+
+def returned(f: Function) -> str:
+    if is_formula(f):
+        return "float64, in the broadcast shape of the arguments" + ", without the axis of the loads" * is_gufunc(f)
+    if f.result == "text" and not f.outputs:
+        return "str"
+    shapes = {", ".join(p.size) for p in f.outputs if p.size}
+    return f"ndarray, ({shapes.pop()})" if shapes else "int" if f.returns != "double" and f.result == "value" else "float"
 
 
 CYCLES = ("A generalized ufunc: the loads are along the last axis, or along that of ``axis=``, such as 0 for what "
@@ -92,19 +133,17 @@ CYCLES = ("A generalized ufunc: the loads are along the last axis, or along that
 
 def docstring(f: Function, equation: str) -> str:
     """The help on a function, as NumPy's users are used to it."""
-    ufunc = is_formula(f)
-    text = replaced(f.text, IN_PYTHON if ufunc else IN_GENERAL)
-    *general, own = text.split("\n\n")
-    first, *rest = SENTENCE.split(one_line(own), maxsplit=1)
-    domain = [] if "NaN outside the domain" in text or not ufunc else ["NaN outside the domain."]
+    *general, own = f.text.split("\n\n")
+    first, *rest = sentences(own)
     inputs, outputs = f.inputs, [p.name for p in f.outputs]
     lines = [f"{f.method}({', '.join(p.name for p in inputs)})", "", *textwrap.wrap(first, 100), ""]
     if inputs:
-        lines += ["Parameters", "----------", *listed(inputs, "array_like" if ufunc else "float or array_like", f), ""]
-    shape = ", in the broadcast shape of the arguments" if ufunc else ""
-    shape += ", without the axis of the loads" if is_gufunc(f) else ""
-    lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : float64{shape}"]
-    notes = one_line(" ".join([*rest, *general, *domain, *[CYCLES] * is_gufunc(f), units(f)]))
+        lines += ["Parameters", "----------", *listed(inputs, f), ""]
+    if f.outputs or f.result in ("value", "text"):
+        lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : {returned(f)}"]
+    lines += [] if is_formula(f) else raised(f)
+    end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]
+    notes = one_line(" ".join([*rest, *(s for paragraph in general for s in sentences(paragraph)), *end]))
     return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
 
 
@@ -128,6 +167,7 @@ def header_py(interface: Interface) -> str:
             "sizes": {p.name: p.size for p in f.parameters if p.size},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "source": equation,
+            "reasons": {interface.statuses[status]: replaced(why, IN_PYTHON) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
@@ -272,7 +312,9 @@ from numpy.typing import NDArray
 from ._contact import Contact as Contact
 from ._contact import YieldFactor as YieldFactor
 from ._cycle import Cycle as Cycle
+from ._library import AbsentError as AbsentError
 from ._library import Error as Error
+from ._library import PathError as PathError
 from ._library import SlidingError as SlidingError
 from ._loads import Loads as Loads
 from ._series import Series as Series
@@ -308,9 +350,15 @@ class _{name}(Protocol):
 OF_CYCLE = '''@type_check_only
 class _{name}(Protocol):
     ufunc: ufunc
+    @overload
     def __call__(
         self, {numbers}, *, axis: int = ..., axes: Any = ..., out: Any = ..., casting: str = ..., order: str = ..., dtype: Any = ...,
         subok: bool = ..., signature: Any = ...
+    ) -> {result}: ...
+    @overload
+    def __call__(
+        self, *cycle: Numbers, {named}, axis: int = ..., axes: Any = ..., out: Any = ..., casting: str = ..., order: str = ...,
+        dtype: Any = ..., subok: bool = ..., signature: Any = ...
     ) -> {result}: ...
     def __getattr__(self, name: str) -> Any: ...
 
@@ -322,12 +370,13 @@ def formula_type(f: Function) -> str:
     scalars = ", ".join(f"{p.name}: {'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
     numbers = ", ".join(f"{p.name}: Numbers" for p in f.inputs)
     if is_gufunc(f):
-        return OF_CYCLE.format(name=f.name, numbers=numbers, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
+        named = ", ".join(f"{p.name}: Numbers" for p in f.of("in"))
+        return OF_CYCLE.format(name=f.name, numbers=numbers, named=named, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
     return FORMULA.format(name=f.name, scalars=scalars, numbers=numbers, result=result)
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["Contact", "Cycle", "Error", "Loads", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    public = ["AbsentError", "Contact", "Cycle", "Error", "Loads", "PathError", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")

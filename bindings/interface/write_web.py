@@ -61,6 +61,8 @@ def about_parameter(p: Parameter) -> dict:
 
 def description(interface: Interface) -> str:
     functions = {f.name: {"result": f.result, "pointwise": of_points(f), "given": [p.name for p in arguments(f)],
+                          "reasons": {interface.statuses[status]: words(why) for status, why in f.reasons.items()
+                                      if status in ("RWEDGE_EABSENT", "RWEDGE_EPATH") and "obstacle" not in why},
                           "parameters": [about_parameter(p) for p in f.parameters]} for f in interface.functions}
     lines = [f"    {name}: {json.dumps(about)}," for name, about in functions.items()]
     statuses = json.dumps(interface.statuses)
@@ -162,7 +164,8 @@ def declarations(f: Function) -> list[str]:
 
 TYPES = """
 /** An array of numbers. */
-export type Numbers = Float64Array | readonly number[];
+export type Numbers = readonly number[] | Float64Array | Float32Array | Int32Array | Uint32Array | Int16Array | Uint16Array |
+    Int8Array | Uint8Array | Uint8ClampedArray;
 
 /** The header's statuses: strerror() takes their numbers. */
 export const statuses: {statuses};

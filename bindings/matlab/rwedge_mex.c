@@ -97,6 +97,20 @@ static void add_arguments(message *m, const entry *call, const double *const v[]
         add(m, ", %s %s", call->size[j].name, call->size[j].allowed);
 }
 
+/* Why there is no closed form, and what to do instead. */
+static const char *obstacle(const entry *call, const void *object, const double *const v[],
+                            const size_t at[])
+{
+    const int loads = call->arguments;
+    double P, M, Q, sigma;
+    if (!object || strcmp(call->name, loads == 4 ? "contact_apply" : "contact_load") != 0 ||
+        rwedge_contact_loads(object, &P, &M, &Q, &sigma) != RWEDGE_OK)
+        return call->path;
+    if (loads == 4)
+        return rwedge_contact_obstacle(object, v[0][at[0]], v[1][at[1]], v[2][at[2]], v[3][at[3]]);
+    return rwedge_contact_obstacle(object, v[0][at[0]], M, v[1][at[1]], sigma);
+}
+
 /* The library's text, the arguments v[j][at[j]] where they are to blame, and which element of
  * several it is, counted from 0; -1 for none. */
 static void fail_with(int32_t status, const entry *call, const void *object,
@@ -107,6 +121,9 @@ static void fail_with(int32_t status, const entry *call, const void *object,
     if (status == RWEDGE_EABSENT && strcmp(call->family, "contact") == 0 && object &&
         rwedge_contact_half_width(object) == 0)
         add(&m, ": the contact is unloaded");
+    const char *why = status == RWEDGE_EPATH ? obstacle(call, object, v, at) : NULL;
+    if (why)
+        add(&m, ": %s", why);
     if (status == RWEDGE_EDOMAIN || status == RWEDGE_ERANGE || status == RWEDGE_ESLIDING)
         add_arguments(&m, call, v, at, n);
     if (element >= 0)

@@ -200,6 +200,11 @@ function contacts()
     all.load(1000, [0 300 -500]);
     claim('a vector of loads is a history', all.dissipated_energy() == step.dissipated_energy() && ...
         all.memory() == step.memory());
+    tilted = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
+    tilted.apply(1000, 100, 0, 0);
+    refused('path', {'the two edges would slip in opposite directions'}, @() tilted.apply(1000, 100, 0, 500));
+    refused('path', {'where the edges slip in opposite directions'}, ...
+        @() rwedge_permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900));
     [factor, x, y] = all.yield_factor(0.3, 300);
     claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
     delete(all);

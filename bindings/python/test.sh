@@ -23,29 +23,29 @@ skip()
 }
 
 command -v python3 >/dev/null 2>&1 || skip "no python3"
-tools="scikit-build-core numpy pytest hypothesis dask[array] matplotlib pandas xarray"
-long_tools="mypy distributed zarr"
-older='numpy==1.26.*'
-wanted="$(python3 --version) $tools"
+# versions and checksums; bindings/python/README.md says how they are renewed
+locked=$source/tests/packages
+wanted="$(python3 --version) $(cksum <"$locked/everyday.txt")"
 
-# fetch PIP-ARGUMENTS... - from PyPI, with a second try for a bad line. It compiles nothing: little of it is ever imported.
+# fetch LOCK PIP-ARGUMENTS... - from PyPI, with a second try for a bad line. It compiles nothing: little of it is ever imported.
 fetch()
 {
-    "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1 ||
-        "$folder/venv/bin/pip" install --quiet --no-compile "$@" >"$folder/pip.log" 2>&1 ||
-        skip "pip cannot fetch $*: $(tail -n 1 "$folder/pip.log")"
+    lock=$locked/$1.txt
+    shift
+    for try in first second; do
+        "$folder/venv/bin/pip" install --quiet --no-compile --require-hashes -r "$lock" "$@" >"$folder/pip.log" 2>&1 && return
+    done
+    skip "pip cannot fetch what $lock names, at the $try try: $(tail -n 1 "$folder/pip.log")"
 }
 
 mkdir -p "$folder"
 if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
     rm -rf "$folder/venv" "$folder/older"
     python3 -m venv "$folder/venv" >"$folder/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
-    # shellcheck disable=SC2086
-    fetch $tools
+    fetch everyday
     echo "$wanted" >"$folder/fetched"
 fi
-# shellcheck disable=SC2086
-[ $long = no ] || fetch $long_tools # nothing is fetched twice
+[ $long = no ] || fetch long # nothing is fetched twice
 
 sh "$source/../private.sh" "$build"
 SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
@@ -86,7 +86,7 @@ tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
 SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
 (source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep and not finite_elements and not thousand" "$@")
 
-[ -d "$folder/older/numpy" ] || fetch --target "$folder/older" "$older"
+[ -d "$folder/older/numpy" ] || fetch older --target "$folder/older"
 export PYTHONPATH="$folder/older"
 # but for what needs pandas, which has a newer NumPy here
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \

@@ -40,20 +40,24 @@ function shown(value) {
 }
 
 /** An argument that is no number, or not a whole one, is a mistake of the program. */
-function checkNumber(name, parameter, value) {
+function checkNumber(name, parameter, value, place = "") {
     if (typeof value !== "number") {
-        throw new TypeError(`${name}(): ${parameter.name} must be a number, not ${value === null ? "null" : typeof value}`);
+        throw new TypeError(`${name}(): ${parameter.name}${place} must be a number, not ${value === null ? "null" : typeof value}`);
     }
-    if (parameter.kind !== "double" && (!Number.isInteger(value) || Math.abs(value) > 2147483647)) {
-        throw new TypeError(`${name}(): ${parameter.name} must be a whole number below 2^31, not ${value}`);
+    if (parameter.kind !== "double" && !isWhole(value)) {
+        throw new TypeError(`${name}(): ${parameter.name}${place} must be a whole number below 2^31, not ${value}`);
     }
+}
+
+function isWhole(value) {
+    return Number.isInteger(value) && Math.abs(value) <= 2147483647;
 }
 
 /** An array of numbers as a Float64Array: empty places and texts are no numbers. */
 function asDoubles(name, parameter, value) {
     if (value instanceof Float64Array && parameter.kind === "double") return value;
     if (!isArray(value)) throw new TypeError(`${name}(): ${parameter.name} must be an array of numbers, not ${typeof value}`);
-    for (const number of value) checkNumber(name, parameter, number);
+    for (let i = 0; i < value.length; i++) checkNumber(name, parameter, value[i], `[${i}]`);
     return Float64Array.from(value);
 }
 
@@ -83,23 +87,24 @@ function allows(domain, value) {
         (value === 0 || Math.abs(value) >= domain.smallest);
 }
 
-/** What of an argument is outside its domain: "x[3] = -1", or nothing. */
-function outside(parameter, value) {
+/** What of an argument is outside its domain: "x[3] = -1", or nothing. place is that of numbers which stand for an element. */
+function outside(parameter, value, place) {
     if (!parameter.domain) return undefined;
-    if (!isArray(value)) return allows(parameter.domain, value) ? undefined : `${parameter.name} = ${value}`;
+    if (!isArray(value)) return allows(parameter.domain, value) ? undefined : `${parameter.name}${place} = ${value}`;
     const i = value.findIndex((number) => !allows(parameter.domain, number));
     return i < 0 ? undefined : `${parameter.name}[${i}] = ${value[i]}`;
 }
 
-/** Throws what a status means: with the arguments that are outside their domains, or with all of them where none is by itself. */
-function check(name, about, status, given) {
+/** Throws what a status means: with the arguments that are outside their domains, or with all of them where none is by itself; and
+ * with the reason of this function, or that of these loads. */
+function check(name, about, status, given, place = "", why = about.reasons[status]) {
     if (status === 0) return;
     const values = given();
     const parameters = about.parameters.filter((p) => values.has(p.name));
-    const refused = parameters.filter((p) => outside(p, values.get(p.name)));
-    const told = refused.length ? refused.map((p) => `${outside(p, values.get(p.name))} (${p.domain.text})`)
-        : parameters.map((p) => `${p.name} = ${shown(values.get(p.name))}`);
-    const reason = textAt(library.rwedge_strerror(status));
+    const refused = parameters.filter((p) => outside(p, values.get(p.name), place));
+    const told = refused.length ? refused.map((p) => `${outside(p, values.get(p.name), place)} (${p.domain.text})`)
+        : parameters.map((p) => `${p.name}${isArray(values.get(p.name)) ? "" : place} = ${shown(values.get(p.name))}`);
+    const reason = textAt(library.rwedge_strerror(status)) + (why ? `, ${why}` : "");
     const constant = Object.keys(statuses).find((each) => statuses[each] === status);
     throw new RwedgeError(constant, `${name}(): ${reason}${told.length ? `: ${told.join(", ")}` : ""}`);
 }
@@ -112,42 +117,52 @@ function results(outputs, valueOf) {
 
 // ---- Formulas: functions of numbers, one call for each point ----
 
-/** The function of the header as one of an array of numbers, which gives its results in found, each at the index i. */
-function evaluator(name, about, found, address) {
-    const called = library[`rwedge_${name}`];
-    if (about.result === "value") {
-        return (numbers, i) => {
-            found[0][i] = called(...numbers);
-        };
-    }
-    const places = found.map((_, k) => address + 8 * k);
-    return (numbers, i) => {
-        check(name, about, called(...numbers, ...places), () => byName(about, numbers));
-        const written = memory();
-        for (let k = 0; k < found.length; k++) found[k][i] = written[address / 8 + k];
-    };
+/** What is known of a formula before it is called; the place in memory of its results is kept. */
+const formulas = new Map();
+function prepare(name) {
+    const about = functions[name];
+    const inputs = about.parameters.filter((p) => p.role === "in"), outputs = about.parameters.filter((p) => p.role === "out");
+    const address = outputs.length ? library.malloc(8 * outputs.length) : 0;
+    const prepared = { about, inputs, outputs, address, called: library[`rwedge_${name}`], places: outputs.map((_, k) => address + 8 * k),
+        whole: inputs.map((p) => p.kind !== "double") };
+    formulas.set(name, prepared);
+    return prepared;
+}
+
+/** One call, of numbers alone: the value, or the results by their names. */
+function ofNumbers(name, { about, outputs, address, called, places }, numbers, place) {
+    if (about.result === "value") return called(...numbers);
+    const status = called(...numbers, ...places);
+    if (status !== 0) check(name, about, status, () => byName(about, numbers), place);
+    const written = memory();
+    return results(outputs, (_, k) => written[address / 8 + k]);
 }
 
 export function formula(name, given) {
-    const about = functions[name];
-    const outputs = about.parameters.filter((p) => p.role === "out");
-    const inputs = about.parameters.filter((p) => p.role === "in");
-    const numbers = inputs.map((_, k) => given[k]);
-    const points = asPoints(name, inputs, numbers);
-    const changing = inputs.map((_, k) => k).filter((k) => points?.arrays[k]);
-    const found = Array.from({ length: outputs.length || 1 }, () => new Float64Array(points?.length ?? 1));
-    const address = library.malloc(8 * found.length);
-    try {
-        const evaluate = evaluator(name, about, found, address);
-        for (let i = 0; i < found[0].length; i++) {
-            for (const k of changing) numbers[k] = points.arrays[k][i];
-            evaluate(numbers, i);
-        }
-    } finally {
-        library.free(address);
+    const prepared = formulas.get(name) ?? prepare(name), { inputs, whole } = prepared;
+    for (let k = 0; k < inputs.length; k++) {
+        if (typeof given[k] !== "number" || whole[k] && !isWhole(given[k])) return ofPoints(name, prepared, given);
     }
-    const values = points ? found : found.map((array) => array[0]);
-    return outputs.length ? results(outputs, (_, k) => values[k]) : values[0];
+    return ofNumbers(name, prepared, given);
+}
+
+/** A call for each point: numbers go with every one. */
+function ofPoints(name, prepared, given) {
+    const { about, inputs, outputs, address, called, places } = prepared, numbers = inputs.map((_, k) => given[k]);
+    const { arrays, length } = asPoints(name, inputs, numbers);
+    const changing = inputs.map((_, k) => k).filter((k) => arrays[k]);
+    const columns = Array.from({ length: outputs.length || 1 }, () => new Float64Array(length));
+    for (let i = 0; i < length; i++) {
+        for (const k of changing) numbers[k] = arrays[k][i];
+        if (about.result === "value") {
+            columns[0][i] = called(...numbers);
+            continue;
+        }
+        const status = called(...numbers, ...places);
+        if (status !== 0) check(name, about, status, () => byName(about, numbers), `[${i}]`);
+        for (let k = 0; k < columns.length; k++) columns[k][i] = memory()[address / 8 + k];
+    }
+    return outputs.length ? results(outputs, (_, k) => columns[k]) : columns[0];
 }
 
 // ---- All other functions: arrays and objects ----
@@ -212,7 +227,7 @@ function answer(about, returned, places, read) {
 }
 
 export function call(name, object, given) {
-    const about = functions[name], handle = object ? addressOf(object) : 0;
+    const about = functions[name], handle = object ? addressOf(object, about) : 0;
     const { values, single } = taken(name, about, given);
     const sizes = sizesOf(name, about, values, handle);
     const length = (p) => (p.size ? p.size.reduce((n, size) => n * sizes.get(size), 1) : 1);
@@ -224,7 +239,11 @@ export function call(name, object, given) {
         const passed = about.parameters.map((p) => places.get(p.name) ??
             (p.role === "size" ? sizes.get(p.name) : p.role === "in" ? values.get(p.name) : handle));
         const returned = library[`rwedge_${name}`](...passed);
-        if (about.result === "status") check(name, about, returned, () => values);
+        if (about.result === "status" && returned !== 0) {
+            if (returned === statuses.RWEDGE_EDOMAIN && about.pointwise && !single) blame(name, about, passed, values, length);
+            const why = returned === statuses.RWEDGE_EPATH ? obstacle(name, handle, values) : "";
+            check(name, about, returned, () => values, "", why || undefined);
+        }
         return answer(about, returned, places, (p, place) =>
             p.role === "out" || single ? memory()[place / 8] : memory().slice(place / 8, place / 8 + length(p)));
     } finally {
@@ -232,20 +251,44 @@ export function call(name, object, given) {
     }
 }
 
+/** Throws for the first point that is refused alone. */
+function blame(name, about, passed, values, length) {
+    const arrays = about.parameters.map((p) => p.role === "in array");
+    const n = length(about.parameters[arrays.indexOf(true)]);
+    for (let i = 0; i < n; i++) {
+        const alone = about.parameters.map((p, k) => (arrays[k] ? passed[k] + 8 * i : p.role === "size" ? 1 : passed[k]));
+        const status = library[`rwedge_${name}`](...alone);
+        const point = () => new Map([...values].map(([key, value]) => [key, isArray(value) ? value[i] : value]));
+        check(name, about, status, point, `[${i}]`);
+    }
+}
+
+/** Why these loads have no closed form, and what to do instead. */
+function obstacle(name, contact, values) {
+    if (name !== "contact_apply" && name !== "contact_load") return "";
+    const block = library.malloc(32), places = [0, 8, 16, 24].map((k) => block + k);
+    library.rwedge_contact_loads(contact, ...places);
+    const [, M, , sigma] = memory().slice(block / 8, block / 8 + 4);
+    library.free(block);
+    return textAt(library.rwedge_contact_obstacle(contact, values.get("P"), values.get("M") ?? M, values.get("Q"), values.get("sigma") ?? sigma));
+}
+
 // ---- Objects ----
 
 const addresses = new WeakMap();
 const registry = new FinalizationRegistry(({ destroy, address }) => destroy(address));
 
-function addressOf(object) {
-    const address = addresses.get(object);
-    if (!address) throw new TypeError(`this ${object.constructor.name} has been freed`);
-    return address.address;
+function addressOf(object, about) {
+    const held = addresses.get(object);
+    if (!held) throw new TypeError(`this ${object.constructor.name} has been freed`);
+    const { kind } = about.parameters.find((p) => p.role === "handle" || p.role === "changed");
+    if (held.family !== kind) throw new TypeError(`this ${object.constructor.name} is no ${kind}`);
+    return held.address;
 }
 
 /** Makes a JavaScript object that of the library at an address, which is freed with it. */
 export function adopt(object, family, address) {
-    const held = { destroy: library[`rwedge_${family}_destroy`], address };
+    const held = { destroy: library[`rwedge_${family}_destroy`], address, family };
     addresses.set(object, held);
     registry.register(object, held, object);
     return object;

@@ -9,7 +9,6 @@ long=no
 [ "$1" != --long ] || { long=yes; shift; }
 mkdir -p "$1/web"
 build=$(cd "$1" && pwd)
-typescript=typescript@5.9.3
 skip() { echo "SKIPPED: $*"; exit 77; }
 fail() { echo "FAILED: $*"; exit 1; }
 
@@ -19,13 +18,8 @@ done
 cd "$build/web"
 npm() { command npm --no-audit --no-fund --no-update-notifier --loglevel=error "$@"; }
 # kept for the next time
-[ "$(cat tools/fetched 2>/dev/null)" = $typescript ] || {
-    rm -rf tools
-    mkdir tools
-    (cd tools && echo '{}' >package.json && { npm install $typescript || npm install $typescript; }) >npm.log 2>&1 ||
-        skip "npm cannot fetch $typescript: $(tail -n 1 npm.log)"
-    echo $typescript >tools/fetched
-}
+mkdir -p tools
+sh "$here/page/packages.sh" "$here/test" tools >npm.log 2>&1 || skip "npm cannot fetch TypeScript: $(tail -n 1 npm.log)"
 sh "$here/build.sh" "$build"
 
 # Packed, and installed without a network, where nothing else is.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact with a load history: its life, and what it knows of itself. */
-#include "contact/contact.h"
+#include "contact/numerical.h"
 
 #include <stdlib.h>
 
@@ -47,8 +47,10 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     *copied = *contact;
     copied->memory = (rw_memory){0};
     copied->origins = (rw_slip_origins){0};
+    copied->numerical = NULL;
     if (!rw_memory_copy(&contact->memory, &copied->memory) ||
-        !rw_slip_origins_copy(&contact->origins, &copied->origins)) {
+        !rw_slip_origins_copy(&contact->origins, &copied->origins) ||
+        !rw_numerical_take_over(copied, contact->numerical)) {
         rwedge_contact_destroy(copied);
         return RWEDGE_ENOMEM;
     }
@@ -62,6 +64,7 @@ void rwedge_contact_destroy(rwedge_contact *contact)
         return;
     rw_memory_destroy(&contact->memory);
     rw_slip_origins_destroy(&contact->origins);
+    rw_numerical_end(contact);
     free(contact);
 }
 
@@ -82,6 +85,8 @@ size_t rwedge_contact_memory(const rwedge_contact *contact)
     if (!contact)
         return 0;
     const rw_memory *memory = &contact->memory;
+    if (contact->numerical)
+        return contact->numerical->now.shear.traction.count;
     /* what the present path has in common with the last one kept counts once */
     const size_t shared = memory->shared > 0 ? memory->shared : 1;
     return memory->count - shared + rw_slip_origins_corners(&contact->origins);

@@ -6,6 +6,7 @@
 #include "history/slip_origin.h"
 #include "formulas/size.h"
 #include "history/path.h"
+#include "numerical/numerical.h"
 #include "stress/eccentric.h"
 #include "rwedge.h"
 
@@ -28,6 +29,8 @@ struct rwedge_contact {
     bool is_origin_known; /* of the slip that then is: see slip.c */
     rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
     rw_slip_origins origins;
+    double tolerance;        /* of loads without a closed form; 0: they are refused */
+    rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
 };
 
 /* What is in the way of a straight line to the loads that is not divided into pieces. */
@@ -64,6 +67,10 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
 void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
                      rw_fields *fields);
 void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum);
+
+/* The same of a traction of its own, which is -q: over f. */
+void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
+                     const double y[], rw_fields *sum);
 
 /* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
  * apex of a loaded sharp wedge has none. */

@@ -18,21 +18,34 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
     return give_edges(rw_memory_end(&contact->memory)->patch, left, right);
 }
 
-/* The front of the zone that slips, or the contact where there is none. */
-static const rw_corner *stick_zone(const rwedge_contact *contact)
+/* From the first zone that sticks to the last. */
+static rw_patch stick_hull(const rw_zones *zones)
 {
+    int first = 0, last = zones->count - 1;
+    while (first < last && zones->zone[first].label != 0)
+        first++;
+    while (last > first && zones->zone[last].label != 0)
+        last--;
+    return (rw_patch){zones->zone[first].left, zones->zone[last].right};
+}
+
+/* Up to the front of what slips; the contact where nothing does. */
+static rw_patch stick_zone(const rwedge_contact *contact)
+{
+    if (contact->numerical)
+        return stick_hull(&contact->numerical->now.shear.zones);
     const rw_corner *end = rw_memory_end(&contact->memory);
-    return fabs(end->ratio) == 1 ? end - 1 : end;
+    return (fabs(end->ratio) == 1 ? end - 1 : end)->patch;
 }
 
 int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left, double *right)
 {
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
-    const rw_corner *front = stick_zone(contact);
-    if (front->load == 0)
+    const rw_patch sticks = stick_zone(contact);
+    if (!(sticks.left < sticks.right))
         return RWEDGE_EABSENT;
-    return give_edges(front->patch, left, right);
+    return give_edges(sticks, left, right);
 }
 
 double rwedge_contact_half_width(const rwedge_contact *contact)
@@ -42,7 +55,7 @@ double rwedge_contact_half_width(const rwedge_contact *contact)
 
 double rwedge_contact_stick_half_width(const rwedge_contact *contact)
 {
-    return contact ? rw_patch_half_width(stick_zone(contact)->patch) : NAN;
+    return contact ? rw_patch_half_width(stick_zone(contact)) : NAN;
 }
 
 double rwedge_contact_tilt(const rwedge_contact *contact)

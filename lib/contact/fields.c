@@ -2,6 +2,7 @@
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
 #include "contact/contact.h"
+#include "numerical/transform.h"
 #include "stress/batch.h"
 #include "stress/stress.h"
 
@@ -14,6 +15,12 @@ bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
         return true;
     return rw_is_signed(x / b) && rw_is_magnitude(y / b) &&
            !(contact->geometry.a == 0 && x == 0 && y == 0);
+}
+
+/* Where it is no sum of patches. */
+static const rw_traction *shear_of(const rwedge_contact *contact)
+{
+    return &contact->numerical->now.shear.traction;
 }
 
 /* ---- Tractions ---- */
@@ -53,7 +60,8 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */
-        q[i] = contact->f * shear;
+        q[i] = contact->numerical ? -rw_unit_stress(g) * rw_traction_at(shear_of(contact), at)
+                                  : contact->f * shear;
     }
     return RWEDGE_OK;
 }
@@ -80,6 +88,17 @@ void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *su
     add(n, weight, of_patch->G_im, sum->G_im);
     add(n, weight, of_patch->H_re, sum->H_re);
     add(n, weight, of_patch->H_im, sum->H_im);
+}
+
+void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
+                     const double y[], rw_fields *sum)
+{
+    for (int i = 0; i < n; i++) {
+        const rw_field t = rw_traction_field(traction, x[i], y[i]), before = rw_field_in(sum, i);
+        rw_put(sum, i,
+               (rw_field){before.G_re - t.G_re / f, before.G_im - t.G_im / f,
+                          before.H_re - t.H_re / f, before.H_im - t.H_im / f});
+    }
 }
 
 static void clear(rw_fields *fields, int n)
@@ -109,6 +128,8 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
     }
     if (end > 0)
         add_corner(contact, end, n, x, y, &fields->normal, &fields->tangential);
+    if (contact->numerical)
+        rw_add_traction(shear_of(contact), contact->f, n, x, y, &fields->tangential);
 }
 
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: whether it is allowed, and what it does. */
-#include "contact/contact.h"
+#include "contact/numerical.h"
 #include "history/dissipation.h"
 #include "history/edge_work.h"
 
@@ -245,6 +245,68 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
     return RWEDGE_OK;
 }
 
+/* ---- Without a closed form ---- */
+
+static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_step *step)
+{
+    double share;
+    const bool touches = contact->memory.count == 1;
+    const double before = contact->loads.sigma;
+    const int32_t status = rw_numerical_go(contact, step, &share);
+    if (status != RWEDGE_OK)
+        return status;
+    if (touches) {
+        contact->touched_at = before;
+        if (isnan(contact->energy_carry))
+            contact->energy_carry = 0;
+    }
+    contact->loads = to;
+    contact->slid_from = 0;
+    contact->was_off_centre = true;
+    contact->is_origin_known = contact->numerical->has_origin;
+    add_energy(contact, share);
+    return RWEDGE_OK;
+}
+
+/* Separation and full sliding leave nothing of the shear. */
+static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *step)
+{
+    const bool separates = step->to.load == 0;
+    const double work = separates ? rw_numerical_energy_to_separation(contact) : NAN;
+    const double energy = contact->energy, carry = contact->energy_carry;
+    const rw_departure departure = {contact->memory.corners[0], 1,
+                                    separates            ? 0
+                                    : step->to.shear < 0 ? -1
+                                                         : 1};
+    const int32_t status = go_on(contact, to, step, &departure);
+    if (status != RWEDGE_OK)
+        return status;
+    rw_numerical_end(contact);
+    contact->energy = energy;
+    contact->energy_carry = carry;
+    add_energy(contact, work);
+    return RWEDGE_OK;
+}
+
+static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
+{
+    int32_t status = check(contact, to);
+    rw_step step;
+    if (status == RWEDGE_OK)
+        status = make_step(contact, to, &step);
+    if (status != RWEDGE_OK)
+        return status;
+    if (!is_tilt_possible(&step))
+        return RWEDGE_EDOMAIN;
+    if (to.P > 0 && !has_width(step.patch))
+        return RWEDGE_ERANGE;
+    if (contact->numerical && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
+        return leave_shear(contact, to, &step);
+    return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
+}
+
+/* ---- With one ---- */
+
 /* In a straight line that has a closed form as it is. */
 static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 {
@@ -305,9 +367,13 @@ static void take_over(rwedge_contact *contact, rwedge_contact *other)
 
 static int32_t apply(rwedge_contact *contact, rw_loads to)
 {
+    if (contact->numerical)
+        return apply_numerically(contact, to);
     const int32_t status = apply_whole(contact, to);
-    if (status != RWEDGE_EPATH || contact->loads.P == 0)
+    if (status != RWEDGE_EPATH)
         return status;
+    if (contact->loads.P == 0)
+        return apply_numerically(contact, to);
     rwedge_contact *trial;
     if (rwedge_contact_copy(contact, &trial) != RWEDGE_OK)
         return RWEDGE_ENOMEM;
@@ -315,7 +381,7 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
     if (in_pieces == RWEDGE_OK)
         take_over(contact, trial);
     rwedge_contact_destroy(trial);
-    return in_pieces;
+    return in_pieces == RWEDGE_EPATH ? apply_numerically(contact, to) : in_pieces;
 }
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)

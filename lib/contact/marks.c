@@ -58,3 +58,17 @@ rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side)
             look_to(&m, rw_mark_edge(corners[i].patch, of), false);
     return m;
 }
+
+rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i)
+{
+    const rw_patch parts[] = {rw_memory_end(&contact->memory)->patch, rounding(contact)};
+    rw_mark m = {shear->kink[i], 3 * extent(contact), extent(contact)};
+    look_to(&m, 0, true);
+    for (int k = 0; k < 2; k++)
+        for (int of = -1; of <= 1; of += 2)
+            look_to(&m, rw_mark_edge(parts[k], of), true);
+    for (int j = 0; j < shear->kinks; j++)
+        if (j != i)
+            look_to(&m, shear->kink[j], j < i);
+    return m;
+}

@@ -22,6 +22,9 @@ static inline double rw_mark_edge(rw_patch patch, int side)
  * 2. */
 rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side);
 
+/* A kink of a shear that is no sum of patches. */
+rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i);
+
 /* The edge of a patch. Its grid reaches twice the distance to the nearest of the marks before it,
  * whose grids take over there: those of the patches `inner` and `outer` are among them. */
 rw_mark rw_patch_mark(const rwedge_contact *contact, size_t inner, size_t i, size_t outer,

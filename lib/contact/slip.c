@@ -103,8 +103,10 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
             return RWEDGE_EDOMAIN;
     if (contact->was_off_centre && !contact->is_origin_known)
         return RWEDGE_EPATH;
+    const rw_numerical *numerical = contact->numerical;
     for (size_t i = 0; i < n; i++)
-        slip[i] = contact->was_off_centre                     ? slip_off_centre(contact, x[i])
+        slip[i] = numerical ? contact->geometry.theta * rw_numerical_slip(numerical, x[i])
+                  : contact->was_off_centre                   ? slip_off_centre(contact, x[i])
                   : rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i]))
                                                               : 0;
     return RWEDGE_OK;

@@ -9,8 +9,8 @@
 
 #include <stdlib.h>
 
-/* Since 2 it has the strain per bulk tension. */
-static const double VERSION = 2;
+/* Since 2 it has the strain per bulk tension, since 3 what has no closed form. */
+static const double VERSION = 3;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
 
@@ -133,7 +133,7 @@ static bool are_loads_sound(const rwedge_contact *c)
     const double arm = fmax(-end->patch.left, end->patch.right);
     return is_near(c->loads.P, end->load, end->load) &&
            is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
-           is_near(c->loads.Q, c->f * end->shear, c->f * end->load);
+           (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
 }
 
 /* Whether the last path kept has what the present one shares with it. */
@@ -148,6 +148,22 @@ static bool is_share_sound(const rwedge_contact *c)
     return rw_memory_common(&c->memory, &last) >= c->memory.shared;
 }
 
+static bool is_shear_sound(const rwedge_contact *c)
+{
+    if (!(c->tolerance == 0 ||
+          (isgreaterequal(c->tolerance, 1e-6) && islessequal(c->tolerance, 1e-2))))
+        return false;
+    if (!c->numerical)
+        return true;
+    const rw_stance *s = &c->numerical->now;
+    const rw_patch contact = rw_memory_end(&c->memory)->patch;
+    const rw_zones *z = &s->shear.zones;
+    return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
+           c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
+           s->contact.left == contact.left && s->contact.right == contact.right && s->at.P > 0 &&
+           z->zone[0].left == contact.left && z->zone[z->count - 1].right == contact.right;
+}
+
 static bool is_contact_sound(const rwedge_contact *c)
 {
     const rw_slip_origins *origins = &c->origins;
@@ -155,7 +171,7 @@ static bool is_contact_sound(const rwedge_contact *c)
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
            rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
            !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
-           are_loads_sound(c) && is_share_sound(c) &&
+           are_loads_sound(c) && is_share_sound(c) && is_shear_sound(c) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 
@@ -246,6 +262,92 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
             write_origin(t, origins, i);
 }
 
+/* ---- What has no closed form ---- */
+
+static void pass_elements(tape *t, rw_traction *traction)
+{
+    const size_t count =
+        pass_count(t, traction->count, t->in ? t->size / (RW_TERMS + 4) : traction->count);
+    double end = -HUGE_VAL;
+    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
+        rw_element e = {.end = 0};
+        if (!t->in)
+            e = traction->elements[i];
+        double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
+        pass_finite(t, 4, shape);
+        for (int k = 0; k < RW_TERMS; k++) {
+            double *const coefficient[] = {&e.coefficient[k]};
+            pass_finite(t, 1, coefficient);
+        }
+        if (!t->in || !t->is_sound)
+            continue;
+        t->is_sound = e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1;
+        t->is_short = t->is_sound && !rw_traction_append(traction, &e);
+        if (!t->is_sound || t->is_short)
+            continue;
+        const rw_element *last = &traction->elements[i];
+        t->is_sound = last->low < last->high && last->low >= end;
+        end = last->low;
+    }
+}
+
+static void pass_zones(tape *t, rw_zones *z)
+{
+    z->count = (int)pass_count(t, (size_t)z->count, RW_MOST_ZONES);
+    for (int i = 0; i < z->count; i++) {
+        double *const ends[] = {&z->zone[i].left, &z->zone[i].right};
+        pass_finite(t, 2, ends);
+        z->zone[i].label = (int)pass_count(t, (size_t)(z->zone[i].label + 1), 2) - 1;
+        if (!(z->zone[i].left < z->zone[i].right) ||
+            (i > 0 && z->zone[i].left != z->zone[i - 1].right))
+            t->is_sound = false;
+    }
+    t->is_sound = t->is_sound && z->count > 0;
+}
+
+static void pass_errors(tape *t, rw_numerical *n)
+{
+    n->errors = (int)pass_count(t, (size_t)n->errors, RW_MOST_ERRORS);
+    for (int i = 0; i < n->errors; i++) {
+        double *const numbers[] = {&n->error[i].error, &n->error[i].left, &n->error[i].right};
+        pass_finite(t, 3, numbers);
+        t->is_sound = t->is_sound && n->error[i].error >= 0;
+    }
+}
+
+static void pass_shear(tape *t, rw_numerical *n)
+{
+    rw_stance *s = &n->now;
+    double *const finite[] = {&s->at.P,       &s->at.M,         &s->at.shear,
+                              &s->at.stretch, &s->contact.left, &s->contact.right,
+                              &s->move,       &s->energy,       &s->error};
+    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass_zones(t, &s->shear.zones);
+    s->shear.kinks = (int)pass_count(t, (size_t)s->shear.kinks, RW_MOST_KINKS);
+    for (int i = 0; i < s->shear.kinks; i++) {
+        double *const kink[] = {&s->shear.kink[i]};
+        pass_finite(t, 1, kink);
+    }
+    pass_elements(t, &s->shear.traction);
+    n->has_origin = pass_count(t, n->has_origin, 1) == 1;
+    pass_elements(t, &n->origin);
+    pass_errors(t, n);
+}
+
+static void pass_numerical(tape *t, rwedge_contact *c)
+{
+    pass(t, &c->tolerance);
+    const bool has_shear = pass_count(t, c->numerical != NULL, 1) == 1;
+    if (!has_shear || !t->is_sound || t->is_short)
+        return;
+    if (t->in)
+        c->numerical = calloc(1, sizeof *c->numerical);
+    if (c->numerical)
+        pass_shear(t, c->numerical);
+    else
+        t->is_short = true;
+}
+
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
@@ -267,6 +369,9 @@ static void pass_contact(tape *t, rwedge_contact *c)
     c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
     pass_path(t, &c->memory);
     pass_origins(t, &c->origins);
+    c->tolerance = t->version > 2 ? c->tolerance : 0;
+    if (t->version > 2)
+        pass_numerical(t, c);
 }
 
 /* A number of 52 bits. */
@@ -309,7 +414,7 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
 {
     if (!state || !contact)
         return RWEDGE_ENULL;
-    if (n <= HEAD || (state[0] != 1 && state[0] != VERSION) ||
+    if (n <= HEAD || !(state[0] == 1 || state[0] == 2 || state[0] == VERSION) ||
         state[1] != sum_of_bits(state + HEAD, n - HEAD))
         return RWEDGE_EDOMAIN;
     rwedge_contact *restored = calloc(1, sizeof *restored);

@@ -24,6 +24,7 @@ typedef struct {
 typedef struct {
     size_t kept, own;
     double sigma;
+    rw_traction shear; /* where it is no sum of pieces */
 } entry;
 
 typedef struct {
@@ -34,6 +35,8 @@ typedef struct {
 
 static void discard(record *r)
 {
+    for (size_t i = 0; i < r->loads; i++)
+        rw_traction_destroy(&r->entries[i].shear);
     free(r->own.all);
     free(r->now.all);
     free(r->entries);
@@ -69,6 +72,8 @@ static bool note(record *r, const rwedge_contact *contact)
     entry *e = &r->entries[r->loads++];
     *e = (entry){.sigma = contact->loads.sigma};
     r->now.count = 0;
+    if (contact->numerical && !rw_traction_copy(&contact->numerical->now.shear.traction, &e->shear))
+        return false;
     if (!reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
         return false;
     for (size_t j = 1; j < memory->count; j++) {
@@ -149,8 +154,11 @@ static void roll(const rwedge_contact *contact, const record *r, level levels[],
             const size_t to = load * n + start;
             follow_load(&b, e, own);
             own += e->own;
-            rw_contact_stresses_from(contact, e->sigma, &levels[b.top].field, &levels[b.top].sum,
-                                     size, sxx + to, syy + to, txy + to);
+            rw_fields shear = levels[b.top].sum;
+            if (e->shear.count > 0)
+                rw_add_traction(&e->shear, contact->f, size, b.x, b.y, &shear);
+            rw_contact_stresses_from(contact, e->sigma, &levels[b.top].field, &shear, size,
+                                     sxx + to, syy + to, txy + to);
         }
     }
 }

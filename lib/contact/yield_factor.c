@@ -429,6 +429,11 @@ static void search_all(search *s)
         }
     for (int side = 1; side >= to; side -= 2)
         search_between(s, &whole, 0, contact->memory.count - 1, side);
+    const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
+    for (int i = 0; shear && i < shear->kinks; i++) {
+        const rw_mark m = rw_kink_mark(contact, shear, i);
+        search_around(s, &m, &whole);
+    }
     climb_all(s);
 }
 
@@ -452,7 +457,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
                 .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
-                .is_centred = are_centred(&contact->memory),
+                .is_centred = !contact->numerical && are_centred(&contact->memory),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {

@@ -19,6 +19,7 @@
 #ifndef RW_ECCENTRIC_FORM_H
 #define RW_ECCENTRIC_FORM_H
 
+#include "base/complex.h"
 #include "base/domain.h"
 #include "base/logarithm.h"
 #include "stress/eccentric.h"
@@ -34,10 +35,6 @@ typedef struct {
 static const double ZERO_SQUARED = 0x1p-1000;
 
 /* l of one end: past is x - sine. 1 - sine sin(v) is a sum of squares. */
-typedef struct {
-    double re, im;
-} rw_complex;
-
 RW_INLINE rw_complex end_logarithm(double sine, double cosine, double past, double cosh_less_1,
                                    double shrink, const rw_elliptic *e)
 {
@@ -52,11 +49,6 @@ RW_INLINE rw_complex end_logarithm(double sine, double cosine, double past, doub
         .im = rw_angle(cosine * cosine * e->sinh_w + sine * d,
                        -cosine * (sine * e->sinh_w * shrink + past) * per_cosh),
     };
-}
-
-RW_INLINE rw_complex rw_product(rw_complex a, rw_complex b)
-{
-    return (rw_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
 /* y/X times (re + i im) */

@@ -21,7 +21,7 @@ mkdir -p "$work" "$packages/python"
 sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || stop "as sources cannot be fetched: $(tail -n 1 "$work/log")"
 if [ ! -f "$work/venv/ready" ]; then
     rm -rf "$work/venv"
-    python3 -m venv "$work/venv" >"$work/log" 2>&1 && "$work/venv/bin/pip" install --quiet scikit-build-core==1.1.2 auditwheel==6.8.2 \
+    python3 -m venv "$work/venv" >"$work/log" 2>&1 && "$work/venv/bin/pip" install --quiet --require-hashes -r "$here/requirements.txt" \
         >"$work/log" 2>&1 || stop "as their tools cannot be fetched: $(tail -n 1 "$work/log")"
     touch "$work/venv/ready"
 fi

@@ -32,15 +32,16 @@ python_of()
         "$python" -c 'import ensurepip' 2>/dev/null && echo "$python" && return
     done
 }
-# suite PYTHON PACKAGES PYTEST-ARGUMENTS...
+# suite PYTHON LOCKS PYTEST-ARGUMENTS...
 suite()
 {
     rm -rf environment
     "$1" -m venv environment
-    wanted=$2
+    locks=$2
     shift 2
-    # shellcheck disable=SC2086
-    environment/bin/pip install --quiet --no-compile $wanted
+    for lock in $locks; do
+        environment/bin/pip install --quiet --no-compile --require-hashes -r "$source/tests/packages/$lock.txt"
+    done
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
         'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
@@ -57,9 +58,9 @@ for version in 3.9 3.13; do
         continue
     fi
     # shellcheck disable=SC2086
-    suite "$python" 'numpy pytest hypothesis' $tests -k 'not other_packages and not by_place'
+    suite "$python" everyday $tests -k 'not other_packages and not by_place'
 done
-suite python3 'numpy pytest hypothesis mypy dask[array] distributed zarr matplotlib pandas xarray' "$source/tests" -m 'not long'
+suite python3 'everyday long' "$source/tests" -m 'not long'
 echo "tested: rwedge-*.tar.gz for Python: the package of all wheels was built of it here" >>"$tested"
 
 # A wheel for another machine is refused, and says so.

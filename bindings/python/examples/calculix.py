@@ -238,7 +238,7 @@ def draw(picture, mesh, tractions, stresses, contact):
 
     columns = {"x_mm": x, "p_MPa": tractions[0], "q_MPa": tractions[1], "y_mm": y[below],
                **{f"{name}_MPa": values[middle][below] for name, values in zip(("sxx", "syy", "txy"), stresses)}}
-    shown.save(figure, __file__, picture, **{name: padded(values) for name, values in columns.items()})
+    shown.save(figure, picture, **{name: padded(values) for name, values in columns.items()})
 
 
 if __name__ == "__main__":

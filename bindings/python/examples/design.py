@@ -110,7 +110,7 @@ def main():
            title=f"yield load over $P$ = {P:g} N/mm")
     ax.spines[["top", "right"]].set_visible(False)
     ax.legend(frameon=False, loc="upper left")
-    shown.save(figure, __file__, given.picture, f=f, smallest_R_mm=R)
+    shown.save(figure, given.picture, f=f, smallest_R_mm=R)
     return int(wrong > 0)
 
 

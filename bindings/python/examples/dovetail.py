@@ -107,7 +107,7 @@ def main():
     for ax in (left, right):
         ax.spines[["top", "right"]].set_visible(False)
     left.legend(frameon=False)
-    shown.save(figure, __file__, picture, r_mm=r, **{f"{quantity}_{name}_MPa": edge[quantity] for name, edge in edges.items()
+    shown.save(figure, picture, r_mm=r, **{f"{quantity}_{name}_MPa": edge[quantity] for name, edge in edges.items()
                                                      for quantity in ("p", "q")},
                **{f"swt_{name}_{side}_MPa": edge["swt"][len(r) + 1:] if side == "inside" else edge["swt"][len(r) - 1::-1]
                   for name, edge in edges.items() for side in ("inside", "outside")})

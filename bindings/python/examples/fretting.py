@@ -114,7 +114,7 @@ def main():
     slips = {word: outside.copy() for word in slip}
     for word, values in slip.items():
         slips[word][abs(x) <= b] = values
-    shown.save(figure, __file__, picture, x_mm=x, swt_MPa=value, angle_rad=angle, slip_right_um=slips["right"],
+    shown.save(figure, picture, x_mm=x, swt_MPa=value, angle_rad=angle, slip_right_um=slips["right"],
                slip_left_um=slips["left"])
 
 

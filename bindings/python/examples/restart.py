@@ -93,7 +93,7 @@ def main():
     left.spines[["top", "right"]].set_visible(False)
     plot.loop(new_pad(), [*TURNS[:5], loads[stop - 1]], ax=right, color=plot.BLACK, linestyle="solid")
     plot.loop(first, TURNS[5:], ax=right, color=plot.VERMILLION, linestyle="solid")
-    shown.save(figure, __file__, picture, load=steps, Q_N_per_mm=loads, stick_half_width_mm=stick, energy_N=energy)
+    shown.save(figure, picture, load=steps, Q_N_per_mm=loads, stick_half_width_mm=stick, energy_N=energy)
 
 
 if __name__ == "__main__":

@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the examples share: a figure is written with the numbers behind it, in a CSV file beside it. A picture names the script,
-the style and the numbers that it was made of, so that the tests find one that is stale."""
+"""What the examples share: a figure is written with the numbers behind it, in a CSV file beside it."""
 import argparse
 import csv
-import hashlib
-import inspect
 from pathlib import Path
 
 import numpy as np
-
-from rwedge import plot
 
 
 def arguments(script, text, **options):
@@ -21,13 +16,7 @@ def arguments(script, text, **options):
     return parser.parse_args()
 
 
-def fingerprint(script, table):
-    """Of the script, the style of the pictures, and the numbers."""
-    texts = Path(script).read_text(), inspect.getsource(plot), Path(table).read_text()
-    return hashlib.sha256("\n".join(texts).encode()).hexdigest()
-
-
-def save(figure, script, picture, **columns):
+def save(figure, picture, **columns):
     """The figure, and columns of numbers of one length: nine digits, as the last ones differ between machines."""
     import matplotlib
 
@@ -38,5 +27,4 @@ def save(figure, script, picture, **columns):
         writer.writerow(columns)
         writer.writerows([f"{value + 0:.9g}" for value in row] for row in rows)
     matplotlib.rcParams["svg.hashsalt"] = "rwedge"
-    about = {"Date": None} if str(picture).endswith(".svg") else {}
-    figure.savefig(picture, metadata={"Description": fingerprint(script, table), **about})
+    figure.savefig(picture, metadata={"Date": None} if str(picture).endswith(".svg") else {})

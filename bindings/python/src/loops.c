@@ -3,9 +3,9 @@
  * need neither Python's nor NumPy's headers: rwedge/_ufuncs.py makes the ufuncs of them. Which
  * loops and rows there are, bindings/interface reads from rwedge.h and writes into loops.h.
  *
- * Where an argument is outside its domain the results are NaN and FE_INVALID is raised, as by
- * sqrt(-1), so that numpy.errstate(invalid=...) rules what happens; a NaN among the arguments is
- * passed on without it. No other exception leaves a loop. */
+ * Where the arguments are refused the results are NaN and FE_INVALID is raised, as by sqrt(-1), so
+ * that numpy.errstate(invalid=...) rules what happens. Where the result does not exist, or an
+ * argument is NaN, they are NaN without it. No other exception leaves a loop. */
 #include "rwedge.h"
 
 #include "loops.h"
@@ -111,7 +111,7 @@ static bool block(const struct points *points, char **args, const intptr_t *step
     }
     if (status != RWEDGE_OK) {
         invalid =
-            status == RWEDGE_EDOMAIN && !some_nan(args, steps, i, points->objects, first_output);
+            status != RWEDGE_EABSENT && !some_nan(args, steps, i, points->objects, first_output);
         for (int k = 0; k < points->outputs; k++)
             out[k][0] = NAN;
     }
@@ -201,7 +201,7 @@ static bool cycle(const struct cycles *cycles, char **args, const intptr_t *step
     const int32_t status = nan ? RWEDGE_EDOMAIN : cycles->function((size_t)loads, in, numbers, out);
     for (int k = 0; k < cycles->outputs; k++)
         AT(double, inputs + k) = status == RWEDGE_OK ? results[k] : NAN;
-    return status != RWEDGE_OK && !nan;
+    return status != RWEDGE_OK && status != RWEDGE_EABSENT && !nan;
 }
 
 /* Without memory the results are NaN, and the operation is invalid. */

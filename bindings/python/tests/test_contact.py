@@ -2,6 +2,7 @@
 """Contacts with a load history: values, copies, errors, threads."""
 import copy
 import gc
+import inspect
 import pickle
 import threading
 import weakref
@@ -209,3 +210,11 @@ def test_a_state_that_is_none_is_refused(contact):
     for numbers in (["1", "2"], "abc", contact.state() + 0j):
         with pytest.raises(TypeError):
             rwedge.Contact.restore(numbers)
+
+
+def test_what_an_unloaded_contact_has_not_is_absent_as_an_attribute():
+    contact = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
+    assert not hasattr(contact, "edges") and getattr(contact, "stick_zone", None) is None
+    assert "half_width" in dict(inspect.getmembers(contact))
+    with pytest.raises(rwedge.AbsentError, match=r"does not exist for these arguments \(when separated\)"):
+        contact.edges

@@ -65,7 +65,9 @@ def test_vectors_of_loads_are_loads_one_after_the_other(pad):
     ({"Q": [100, 1300]}, 0, 1, r"Q\[1\] = 1300.0, sigma\[1\] = 0.0: the tangential force exceeds"),
     ({"Q": [100, 200]}, [0, 1], [1, -1], r"x\[1\] = 1.0, y\[1\] = -1.0: an argument is outside"),
     ({"Q": [100, 100], "sigma": [0, 500]}, 0, 1, r"P\[1\] = 2000.0.*sigma\[1\] = 500.0: no closed form: the two edges would"),
-    ({"q": [100]}, 0, 1, "has the columns q: the names of loads are P, M, Q and sigma"),
+    *(({"P": [2000], name: [100]}, 0, 1, "the names of loads are P, M, Q and sigma, without a unit")
+      for name in ("q", " Q", "Q ", "Q [N/mm]", "Q / N", "Q/N", "Q in N", "Q_N", "Q(kN)", "Q\u00a0[N/mm]", "Q\u200b", "\uff31",
+                   "Sigma", "sigma MPa", "M_Nmm")),
     ({"P": [1, 2], "Q": [1, 2, 3]}, 0, 1, r"differ in number: P \(2,\), Q \(3,\)"),
     ({"Q": [1, np.nan]}, 0, 1, r"Q\[1\] is not a number"),
     ([[1, 2, 3]], 0, 1, r"loads has the shape \(1, 3\): a row for each load"),
@@ -216,3 +218,9 @@ def test_dask_takes_the_parameters_as_they_are(pad):
     value, angle = rwedge.smith_watson_topper(*lazy, E, NU)
     assert isinstance(value, da.Array)
     assert (np.stack([value.compute(), angle.compute()]) == rwedge.smith_watson_topper(*cycle, E, NU, axis=0)).all()
+
+
+def test_columns_that_are_no_loads_are_left_alone(pad):
+    others = {name: [7.0] for name in ("t", "Time", "quality", "P_yield", "Q_over_fP", "sigma_max", "sxx")}
+    pad.cycle({"P": [2000], "Q": [100], **others}, 0, 1)
+    assert pad.loads == (2000, 0, 100, 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples run, and their pictures are those that they draw; the README's session is as printed."""
+"""The examples run, print what they must and draw; the README's session is as printed."""
 import doctest
 import re
 import runpy
@@ -15,7 +15,6 @@ import rwedge
 from conftest import PACKAGE
 
 EXAMPLES = PACKAGE / "examples"
-PICTURES = EXAMPLES / "pictures"
 DRAWN = {  # what each must print
     "fretting": r"sxx/p0 +1\.8193 +published +1\.8193[^$]*p0 +3585\.36 +published +3585\.36[^$]*MPa at x = -1\.0000 b, plane 90\.0 ",
     "dovetail": r"the pad tests the dovetail's edge to 1\.\d %",
@@ -23,7 +22,7 @@ DRAWN = {  # what each must print
     "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
 }
 NEEDS_ZARR = pytest.param("design", marks=pytest.mark.long)  # test.sh fetches it for the long run
-OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}  # a small one; the numbers of its picture are the same
+OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}
 
 
 @pytest.fixture
@@ -43,34 +42,12 @@ def drawn(tmp_path, monkeypatch, capsys):
     return draw
 
 
-def renewed_by(name):
-    return f"renew it: python bindings/python/examples/{name}.py bindings/python/examples/pictures/{name}.svg"
-
-
-def numbers_agree(name, picture, tolerance, of_largest):
-    """Of a new picture and of the one that is shipped: relative tolerance, and that in the column's largest number."""
-    new, shipped = (np.genfromtxt(folder / f"{name}.csv", delimiter=",", names=True) for folder in (picture.parent, PICTURES))
-    assert new.dtype.names == shipped.dtype.names and new.shape == shipped.shape, renewed_by(name)
-    for column in new.dtype.names:
-        np.testing.assert_allclose(new[column], shipped[column], rtol=tolerance, atol=of_largest * np.nanmax(abs(shipped[column])),
-                                   err_msg=f"{column}: {renewed_by(name)}")
-
-
 @pytest.mark.parametrize("name", [NEEDS_ZARR if name == "design" else name for name in DRAWN])
-def test_an_example_draws_the_picture_that_is_shipped(drawn, name):
+def test_an_example_prints_its_results_and_draws(drawn, name):
     printed, picture = drawn(name, OPTIONS.get(name, ""))
     assert re.search(DRAWN[name], printed), printed
-    numbers_agree(name, picture, 1e-7, 1e-8)
-
-
-@pytest.mark.parametrize("name", [*DRAWN, "calculix"])
-def test_a_shipped_picture_is_of_its_script_and_numbers(monkeypatch, name):
-    monkeypatch.syspath_prepend(str(EXAMPLES))
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    import shown
-
-    made_of = shown.fingerprint(EXAMPLES / f"{name}.py", PICTURES / f"{name}.csv")
-    assert made_of in (PICTURES / f"{name}.svg").read_text(), f"another script or style drew it, or other numbers: {renewed_by(name)}"
+    numbers = np.genfromtxt(picture.with_suffix(".csv"), delimiter=",", names=True)
+    assert numbers.size > 30 and picture.read_text().count("<path") > 10
 
 
 needs_ccx = pytest.mark.skipif(not shutil.which("ccx"), reason="ccx is not installed (Debian: calculix-ccx)")
@@ -84,14 +61,13 @@ def errors_of(printed):
 @needs_ccx
 @pytest.mark.long
 def test_finite_elements_approach_the_closed_form(drawn):
-    """As the mesh is refined twice; the picture is of the finest one. On the mesh between, CalculiX finds a wrong state under P
+    """As the mesh is refined twice. On the mesh between, CalculiX finds a wrong state under P
     alone, which friction remembers (the examples' README): the shear is compared from the first to the last."""
-    printed, picture = drawn("calculix", "--refine 2")
+    printed, _ = drawn("calculix", "--refine 2")
     errors = errors_of(printed)
     assert errors.shape == (3, 3) and (np.diff(errors[:, [0, 2]], axis=0) < 0).all(), printed
     assert (errors[0] < (0.03, 0.03, 0.01)).all(), printed  # what sixteen elements across the contact can show
     assert (errors[-1] < 0.5 * errors[0]).all(), printed
-    numbers_agree("calculix", picture, 0, 1e-3)  # another version of ccx stops its iterations elsewhere
 
 
 def test_published_cases_are_met(drawn):

@@ -27,7 +27,8 @@ INSIDE = {  # an argument list inside each domain
     "yield_load": (0.01, 2, 1.8e-5, 0.3, 0.3, 300),
     "permanent_stick": (0.01, 2, 1.8e-5, 0.3, 2000, 40, 20, 1, 2000, 40, 200, 3),
     "von_mises": (120.0, -80.0, 45.0, 0.3), "out_of_plane_stress": (120.0, -80.0, 0.3),
-    "largest_shear": (120.0, -80.0, 45.0, 0.3), "principal_stresses": (120.0, -80.0, 45.0)}
+    "smith_watson_topper_life": (4.05, 162e3, 475.4, -0.078, 0.612, -0.62, 0.0),
+    "fatemi_socie_life": (0.005, 62e3, 450.0, -0.08, 0.7, -0.6, 0.0), "largest_shear": (120.0, -80.0, 45.0, 0.3), "principal_stresses": (120.0, -80.0, 45.0)}
 
 
 def results(name, *arguments):
@@ -224,6 +225,8 @@ def test_wrong_names_are_named():
     for given, named in (((0.25,), {"nu": 0.3}), ((0.25, 0.1), {"f": 0.1, "nu": 0.3}), ((), {"alpha": 0.25})):
         with pytest.raises(TypeError, match=r"elastic_limit\(\) takes alpha, f, nu"):
             rwedge.elastic_limit(*given, **named)
+    with pytest.raises(TypeError, match="takes alpha, f, nu: 1 given by place, and friction by name"):
+        rwedge.elastic_limit(0.25, friction=0.1, nu=0.3)
     with pytest.raises(TypeError, match="friction"):
         rwedge.elastic_limit(0.25, 0.1, 0.3, friction=1)
     assert rwedge.load.outer is not None and rwedge.pressure.nin == 2

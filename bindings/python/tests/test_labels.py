@@ -48,6 +48,39 @@ def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
             contact.stress_history(labelled, [0], [0], [0], [0.1], [0.2])
 
 
+def test_series_of_pyarrow_are_taken_and_given_back(contact):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    x = pandas.Series([0.1, None, 0.3], index=list("abc"), dtype="float64[pyarrow]")
+    found = contact.tractions(x)[0]
+    assert list(found.index) == list("abc") and found["c"] == contact.tractions(0.3)[0] and found.isna().tolist() == [False, True, False]
+
+
+def test_masked_elements_are_not_looked_at_and_stay_masked(contact):
+    x = np.ma.array([0.1, 100.0, -0.2], mask=[0, 1, 0])
+    slip = contact.slip(x)
+    assert slip.mask.tolist() == [False, True, False] and slip[2] == contact.slip(-0.2)
+    assert [part.mask.tolist() for part in contact.stresses(x, 0.1)] == [[False, True, False]] * 3
+    with pytest.raises(rwedge.Error, match=r"x\[2\] = 30.0"):
+        contact.slip(np.ma.array([0.1, 100.0, 30.0], mask=[0, 1, 0]))
+
+
+class Quantity:
+    """A number with a unit, as pint has it: NumPy takes it without."""
+
+    units = property(lambda self: "metre")
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(0.001)
+
+
+@pytest.mark.parametrize("call", [lambda c, q: c.tractions(q), lambda c, q: c.cycle({"Q": 100}, q, 0), lambda c, q: c.cycle({"Q": q}, 0, 0),
+                                  lambda c, q: rwedge.Series(0.25, 4).pressure(q), lambda c, q: c.stress_history(q, [0], [0], [0], [0], [0])])
+def test_quantities_with_a_unit_are_refused(contact, call):
+    with pytest.raises(TypeError, match="has a unit, which would be lost"):
+        call(contact, Quantity())
+
+
 def test_what_has_no_labels_is_paired_by_place(contact):
     plain = contact.stresses(X, Y)[0]
     for kind in (list, tuple, np.ma.array):

@@ -79,14 +79,13 @@ def test_docstrings_of_the_objects_have_what_the_header_says(name, doc):
     about = FUNCTIONS[name]
     for source in re.findall(r"\(\d+\)|Sec\. [\d.]+|E\d|new", about["source"]):
         assert source in doc
-    plain = doc.replace("\\|", "|")
     for argument, domain in about["domains"].items():
         if argument == "samples" or name == "series_coefficient" or (name, argument) == ("series_pressure", "x"):
             continue
-        assert re.search(rf"\b{argument}\b", plain)
+        assert re.search(rf"\b{argument}\b", doc)
         for condition in re.findall(r"finite|[-\w./|]+ (?:<=|>=|<|>) [-\w./^]+(?: (?:<=|<) [-\w./^]+)?", domain):
             if condition != "|Q| <= f":
-                assert condition in plain, (argument, condition)
+                assert condition in doc, (argument, condition)
 
 
 USE = """
@@ -101,6 +100,7 @@ one: float = rwedge.load(0.25)
 cycle = contact.cycle({"P": 1000, "Q": [100, -100]}, [0.1, 0.2], 0)
 sxx, syy, txy = cycle
 worst, angle = rwedge.smith_watson_topper(sxx, syy, txy, 200e3, nu=0.3, axis=0)
+worst, angle = rwedge.smith_watson_topper(*cycle, E=200e3, nu=0.3, axis=0)
 contact.load([1000, 1100], 10)
 contact.load("a")  # type: ignore[arg-type]
 named = rwedge.elastic_limit(0.25, f=[0.1, 0.2], nu=0.3, out=None)

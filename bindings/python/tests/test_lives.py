@@ -4,9 +4,12 @@ import copy
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import rwedge
@@ -105,6 +108,75 @@ def test_a_child_of_fork_can_use_what_another_thread_was_using():
     finally:
         going.clear()
         worker.join()
+
+
+FORK_BESIDE_A_REFUSED_LOAD = """
+import os, threading, rwedge
+c = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+going = True
+def refused():
+    while going:
+        try: c.load([2000.] * 50, [10.] * 49 + [700.])
+        except rwedge.SlidingError: pass
+worker = threading.Thread(target=refused); worker.start()
+for _ in range(60):
+    child = os.fork()
+    if child == 0: os._exit(0)
+    os.waitpid(child, 0)
+going = False; worker.join()
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_a_fork_beside_a_refused_load_does_not_wait_forever():
+    subprocess.run([sys.executable, "-W", "ignore", "-c", FORK_BESIDE_A_REFUSED_LOAD], timeout=60, check=True)
+
+
+def cycle_of(contact, loads):
+    return contact.cycle({"P": 2000, "Q": np.resize([300.0, -300.0], loads)}, np.linspace(-1, 1, 20_000), 0.1)
+
+
+MANY = np.linspace(0.1, 0.9, 4_000_000)
+LONG_CALLS = {  # each takes more than five seconds
+    "formula": lambda contact: rwedge.elastic_limit(MANY, 0.1, 0.3),
+    "grid": lambda contact: rwedge.elastic_limit(MANY[:2000, None], np.linspace(0, 0.5, 2000), nu=0.3),
+    "of a cycle": lambda contact: rwedge.smith_watson_topper(*np.broadcast_to([[[1.0]], [[-2.0]], [[3.0]]], (3, 60, 500_000)), 200e3, 0.3, axis=0),
+    "cycle": lambda contact: cycle_of(contact, 4000),
+    "fit": lambda contact: rwedge.Series.fit(MANY[:40_000], -MANY[:40_000], 400)}
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer that interrupts")
+@pytest.mark.parametrize("name", LONG_CALLS)
+def test_ctrl_c_is_heard_within_a_second_or_two(name):
+    contact = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+    contact.load(2000)
+    before, state = signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT)), contact.state()
+    signal.setitimer(signal.ITIMER_REAL, 0.5)
+    started = time.monotonic()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            LONG_CALLS[name](contact)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert time.monotonic() - started < 4 and (contact.state() == state).all()
+
+
+def test_a_cycle_in_blocks_has_the_bits_of_its_loads_one_by_one():
+    contact = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3)
+    one_by_one = contact.copy()
+    cycle, x = cycle_of(contact, 6), np.linspace(-1, 1, 20_000)
+    for Q, stress in zip(cycle.loads.Q, cycle.stress):
+        one_by_one.load(2000, Q)
+        assert (np.transpose(one_by_one.stresses(x, 0.1)) == stress).all()
+
+
+def test_a_long_formula_has_the_bits_of_its_points():
+    alpha, x = np.linspace(0.1, 2, 9)[:, None, None], np.linspace(-1, 1, 6000)
+    for name in ("pressure", "shear"):
+        formula = getattr(rwedge, name)
+        given = (alpha, x) if name == "pressure" else (alpha, np.array([[0.2], [0.5]]), x)
+        assert (formula(*given) == formula.ufunc(*given)).all()
 
 
 class Pad(rwedge.Contact):

@@ -35,6 +35,8 @@ def test_units_that_look_mixed():
     contact = rwedge.Contact(0.01, 1, rwedge.compliance(210, 0.3, 210, 0.3), 0.6)  # GPa beside N/mm
     assert texts_of(lambda: contact.load(500)) == [rwedge.validity_text(8)]
     sharp = rwedge.Contact(0.01, 0, 1e-5, 0.6)
+    for loads in ([500], [200, 500]):
+        assert texts_of(lambda loads=loads: contact.load(loads)) == [rwedge.validity_text(8)] * len(loads)
     assert texts_of(lambda: sharp.load(500)) == texts_of(lambda: sharp.load(0)) == []
 
 
@@ -53,3 +55,25 @@ def test_as_an_error_it_leaves_the_contact_as_it_was():
         with pytest.raises(rwedge.ValidityWarning):
             contact.load(1e7)
     assert contact.P == 2000
+
+
+def test_a_formula_warns_of_each_line_that_called():
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("default")
+        first = rwedge.load(-1)
+        second = rwedge.load(-1)
+        third = rwedge.load([1, -1])
+    assert math.isnan(first + second + third[1])
+    lines = {w.lineno for w in caught if w.filename == __file__ and str(w.message) == "invalid value encountered in load"}
+    assert len(lines) == len(caught) == 3
+
+
+DOVETAIL = 0.1, 17.8, 4.81e-5, 0.65
+
+
+def test_permanent_stick_tells_no_closed_form_from_no_stick_zone():
+    with pytest.warns(RuntimeWarning, match="no closed form encountered in permanent_stick: where the edges slip in opposite directions"):
+        assert math.isnan(rwedge.permanent_stick(*DOVETAIL, 300, 0, 0, 0, 300, 0, 0, 900)[0])
+    assert math.isnan(rwedge.permanent_stick(*DOVETAIL, 300, 0, 195, 0, 300, 0, -195, 0)[0])  # all slides: there is none
+    with pytest.warns(RuntimeWarning, match="invalid value encountered in permanent_stick"):
+        rwedge.permanent_stick(*DOVETAIL, 300, 0, 400, 0, 300, 0, 0, 0)

@@ -64,6 +64,37 @@ test("what is wrong is said", () => {
     assert.throws(() => rwedge.smith_watson_topper_field(-1, [1], [1], [1], 2e5, 0.3), Error);
 });
 
+test("an array that is refused says at which element", () => {
+    assert.throws(() => rwedge.yield_point([0.25, -1], 0.1, 0.3), refused("RWEDGE_EDOMAIN", /: alpha\[1\] = -1 \(/));
+    assert.throws(() => rwedge.load([0, undefined]), { name: "TypeError", message: "load(): alpha[1] must be a number, not undefined" });
+    const contact = made();
+    contact.load(1000, 0);
+    assert.throws(() => contact.slip([0.1, 50]), refused("RWEDGE_EDOMAIN", /: .*x\[1\] = 50/));
+    assert.throws(() => rwedge.stresses(0, 0.3, 0, [1, 0], [1, 0]), refused("RWEDGE_EDOMAIN", /x\[1\] = 0, y\[1\] = 0/));
+});
+
+test("what has no closed form, or does not exist, says why", () => {
+    const contact = made();
+    assert.throws(() => contact.edges(), refused("RWEDGE_EABSENT", /, when separated$/));
+    contact.apply(1000, 100, 0, 0);
+    assert.throws(() => contact.apply(1000, 100, 0, 500), refused("RWEDGE_EPATH", /, the two edges would slip in opposite directions/));
+    assert.throws(() => rwedge.permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900), refused("RWEDGE_EPATH", /, where the edges slip/));
+});
+
+test("a method of another object is refused", () => {
+    assert.throws(() => Contact.prototype.half_width.call(new Series(0.25, 5)), { name: "TypeError", message: "this Series is no contact" });
+});
+
+test("a formula of numbers takes less than half a microsecond", () => {
+    const time = (run) => {
+        const began = process.cpuUsage();
+        for (let i = 0; i < 200000; i++) run(i);
+        return process.cpuUsage(began).user / 200000;
+    };
+    const times = Array.from({ length: 7 }, () => time((i) => rwedge.pressure(0.25, 1e-6 * i)));
+    assert.ok(Math.min(...times) < 0.5, `${Math.min(...times)} us`);
+});
+
 test("a status has its number and its words", () => {
     assert.equal(rwedge.strerror(rwedge.statuses.RWEDGE_OK), "success");
     assert.throws(() => made().load(1000, 900), (error) => error.message.includes(rwedge.strerror(rwedge.statuses[error.status])));

@@ -5,6 +5,7 @@ import { Contact, RwedgeError, Series, elastic_limit, type Numbers } from "rwedg
 
 const one: number = elastic_limit(0.25, 0.1, 0.3);
 const many: Float64Array = elastic_limit(0.25, new Float64Array(3), 0.3);
+const single: Float64Array = rwedge.load(new Float32Array(3));
 const listed: Numbers = [0.1, 0.2];
 const point: { limit: number; x: number; y: number } = rwedge.yield_point(0.25, 0.1, 0.3);
 const field: { sxx: Float64Array; syy: Float64Array; txy: Float64Array } = rwedge.stresses(0.25, 0.3, 0, listed, 1);
@@ -36,4 +37,4 @@ rwedge.statuses.RWEDGE_EHALF;
 // @ts-expect-error: no such function
 rwedge.half_of_it(1);
 
-export { one, many, point, field, nothing, width, left, right, here, there, twin, cycle, fitted, said, status, reason, outside, wrong };
+export { one, many, single, point, field, nothing, width, left, right, here, there, twin, cycle, fitted, said, status, reason, outside, wrong };

@@ -14,11 +14,12 @@ from typing import Any, NamedTuple, SupportsFloat, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ._blocks import FEW, blocks
 from ._cycle import Cycle
 from ._general import call
 from ._labels import aligned
-from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, Error, Handle, check, function, real
-from ._loads import Columns, History, Loads, columns
+from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, Handle, PathError, check, function, real
+from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods
 from ._types import Numbers
 from ._ufuncs import Points
@@ -57,7 +58,7 @@ class _Forks:
             os.register_at_fork(before=self._before, after_in_parent=self._after, after_in_child=self._after)
 
     def add(self, contact: Any) -> None:
-        """Not to be called by who holds a contact's lock."""
+        """Not to be called by who holds a contact's lock: before a fork it is taken first, and the contacts' locks then."""
         with self._lock:
             self._contacts.add(contact)
 
@@ -143,14 +144,19 @@ class Contact(ContactMethods, Handle):
 
     def copy(self: Self) -> Self:
         """An independent copy, history and all: to try a load and go back. The attributes of a subclass are shared."""
-        twin, handle = type(self).__new__(type(self)), ctypes.c_void_p()
+        twin = type(self).__new__(type(self))
         with self._lock:
             twin.__dict__.update(self.__dict__)
             for name, value in self._slots().items():
                 setattr(twin, name, value)
-            check("contact_copy", _copy(self._address, ctypes.byref(handle)))
+            handle = self._copied()
         twin._begin(handle)
         return twin
+
+    def _copied(self) -> ctypes.c_void_p:
+        handle = ctypes.c_void_p()
+        check("contact_copy", _copy(self._address, ctypes.byref(handle)))
+        return handle
 
     def _slots(self) -> dict[str, Any]:
         """What a subclass keeps in __slots__."""
@@ -184,12 +190,12 @@ class Contact(ContactMethods, Handle):
             force/length, finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy
             is forgotten
         Q : float or array_like
-            force/length, \\|Q| <= f P; equality is full sliding
+            force/length, |Q| <= f P; equality is full sliding
 
         Raises
         ------
         SlidingError
-            (a ValueError) where \\|Q| > f P: no equilibrium
+            (a ValueError) where |Q| > f P: no equilibrium
         ValueError
             outside the domain, or where P is too large or too small, also against the last P: go there in two loads
 
@@ -213,7 +219,7 @@ class Contact(ContactMethods, Handle):
         M : float or array_like
             moment about x = 0, a force, finite; positive presses the right side; 0 where P is 0
         Q : float or array_like
-            force/length, \\|Q| <= f P
+            force/length, |Q| <= f P
         sigma : float or array_like
             bulk tension of the half-plane, stress, finite: added to its sxx. Where P is 0 it only adds: apply it before P to
             have it without slip
@@ -221,7 +227,7 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         SlidingError
-            (a ValueError) where \\|Q| > f P: no equilibrium
+            (a ValueError) where |Q| > f P: no equilibrium
         ValueError
             outside the domain; where no closed form is shown, and the message says why (``obstacle``)
 
@@ -233,46 +239,57 @@ class Contact(ContactMethods, Handle):
         loads = Loads(*map(real, Loads._fields, (P, M, Q, sigma)))  # type: ignore[arg-type]
         warn(alpha=self._alpha(loads.P))
         with self._lock:
-            self._check_loads(self, loads)
+            self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
         b = _formula_half_width(self.theta, self.a, self.A, P)
         return self.a / b if b > 0 else math.nan
 
-    def _check_loads(self, contact: Contact, loads: Loads, place: str = "") -> None:
+    def _check_loads(self, address: Any, loads: Loads, place: str = "") -> None:
         """Loads the contact, this one or a copy; or says which load is refused, and why."""
-        status = _apply(contact._address, *loads)
+        status = _apply(address, *loads)
         if status == EPATH:
             given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
-            raise Error(f"{given}: no closed form: {_obstacle(contact._address, *loads).decode()}", status)
+            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}", status)
         check("contact_apply", status, loads._asdict(), place)
 
     def _load_all(self, loads: dict[str, Any]) -> None:
+        arrays = given_columns(loads)
         with self._lock:
-            history = columns(loads, self.loads)
+            history = columns(arrays, self.loads)
             self._warn_of(history)
             nowhere = np.empty(0)
             self._through(history, nowhere, nowhere, np.empty((3, len(history[0]), 0)))
 
     def _warn_of(self, history: Columns) -> None:
-        """Of the smallest and the largest contact, to who called the method that calls this one."""
+        """Of the smallest and the largest contact."""
         loaded = history[0][history[0] > 0]
         for P in {float(loaded.min()), float(loaded.max())} if loaded.size else ():
-            warn(alpha=self._alpha(P), level=4)
+            warn(alpha=self._alpha(P))
 
     def _through(self, history: Columns, x: NDArray[Any], y: NDArray[Any], stress: NDArray[Any]) -> None:
-        """Through all loads in one call; or says at which load and point it ends, and why."""
-        status = _stress_history(self._address, len(history[0]), *(column.ctypes.data for column in history),
-                                 x.size, x.ctypes.data, y.ctypes.data, *(component.ctypes.data for component in stress))
-        if status != OK:
-            self._find_fault(history, x, y)
-        check("contact_stress_history", status)
+        """Through all loads, by a copy that takes the contact's place at the end; or says at which load and point it ends, and
+        why."""
+        places, trial = (x.size, x.ctypes.data, y.ctypes.data), self._copied()
+        try:
+            for some in blocks(len(history[0]), FEW // (1 + x.size)):
+                status = _stress_history(trial, some.stop - some.start, *(column[some].ctypes.data for column in history), *places,
+                                         *(component[some].ctypes.data for component in stress))
+                if status != OK:
+                    self._find_fault(history, x, y)
+                check("contact_stress_history", status)
+            self._cell[0], trial.value = trial.value, self._cell[0]
+        finally:
+            _destroy(trial)
 
     def _find_fault(self, history: Columns, x: Any, y: Any) -> None:
-        trial = self.copy()
-        for i, loads in enumerate(zip(*history)):
-            self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
-            _stresses(trial._address, x, y)
+        trial = self._copied()
+        try:
+            for i, loads in enumerate(zip(*history)):
+                self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
+                _stresses(trial.value, x, y)
+        finally:
+            _destroy(trial)
 
     def cycle(self, loads: History, x: Numbers, y: Numbers) -> Cycle:
         """Stresses at points (x, y) of the half-plane while the contact goes through loads, in one call to the library: as
@@ -310,9 +327,9 @@ class Contact(ContactMethods, Handle):
         points, labelled = aligned((x, y))
         x, y = np.broadcast_arrays(*(np.asarray(place).astype(float, casting="safe") for place in points))
         labels = None if labelled is None else labelled(np.zeros(x.shape))
-        known = ~(np.isnan(x) | np.isnan(y))
+        known, arrays = ~(np.isnan(x) | np.isnan(y)), given_columns(loads)
         with self._lock:
-            history = columns(loads, self.loads)
+            history = columns(arrays, self.loads)
             self._warn_of(history)
             stress = np.empty((3, len(history[0]), np.count_nonzero(known)))
             self._through(history, x[known], y[known], stress)
@@ -428,7 +445,7 @@ class Contact(ContactMethods, Handle):
 
     @property
     def stick_half_width(self) -> float:
-        """Half-width c of the stick zone, length: where c < \\|x| < b friction is exhausted. It is b where there is no such
+        """Half-width c of the stick zone, length: where c < |x| < b friction is exhausted. It is b where there is no such
         zone, 0 in full sliding and when separated. Source: Eq. (25); new."""
         return self._value(_stick_half_width)
 
@@ -445,7 +462,7 @@ class Contact(ContactMethods, Handle):
 
     def tractions(self, x: Numbers) -> tuple[NDArray[Any], NDArray[Any]]:
         """Pressure p and shear traction q at points of the surface, stress, in the shape of x: compression negative; q = f p
-        where it slips under Q > 0. Both are 0 for \\|x| >= b.
+        where it slips under Q > 0. Both are 0 for |x| >= b.
 
         Parameters
         ----------
@@ -488,7 +505,7 @@ class Contact(ContactMethods, Handle):
         Parameters
         ----------
         x : array_like
-            length, \\|x| <= b: points outside have no partner; NaN gives NaN
+            length, |x| <= b: points outside have no partner; NaN gives NaN
 
         Raises
         ------
@@ -525,7 +542,7 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             status = _yield_factor(self._address, nu, k, *map(ctypes.byref, (factor, x, y)))
         if status == EABSENT:
-            raise Error("this contact is unloaded: there is no stress to yield under", status)
+            raise AbsentError("this contact is unloaded: there is no stress to yield under", status)
         check("contact_yield_factor", status, {"nu": nu, "k": k})
         warn(safety=factor.value)
         return YieldFactor(factor.value, x.value, y.value)

@@ -42,6 +42,17 @@ class SlidingError(Error):
     """The tangential force exceeds friction times the normal force: there is no equilibrium."""
 
 
+class AbsentError(Error, AttributeError):
+    """What is asked for does not exist, such as the edges of a contact without load: ``hasattr`` then says so."""
+
+
+class PathError(Error):
+    """There is no closed form on this path of loads; the message says why, and what to do instead."""
+
+
+ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}
+
+
 def function(name: str) -> Any:
     """The library's rwedge_name(), with its types."""
     found = getattr(library, "rwedge_" + name)
@@ -62,8 +73,10 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
         raise MemoryError(reason)
     given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
+    if status in (EABSENT, EPATH):
+        allowed = FUNCTIONS[name]["reasons"].get(status, "")
     message = ": ".join(filter(None, (given, reason))) + (f" ({allowed})" if allowed else "")
-    raise (SlidingError if status == ESLIDING else Error)(message, status)
+    raise ERRORS.get(status, Error)(message, status)
 
 
 def real(name: str, value: SupportsFloat) -> float:

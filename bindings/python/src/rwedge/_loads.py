@@ -2,11 +2,14 @@
 """The loads of a contact, one or many."""
 from __future__ import annotations
 
+import re
+import unicodedata
 from typing import Any, Mapping, NamedTuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._labels import refuse_units
 from ._library import EDOMAIN, ERANGE, Error
 from ._types import Numbers, SupportsArray
 
@@ -20,11 +23,15 @@ class Loads(NamedTuple):
     sigma: float
 
 
+# the name of a load with spaces around it, or with a unit behind it: after a bracket, a slash, a space, or "_"
+SPACE = r"[\s\u200b\ufeff]"
+NEARLY = re.compile(rf"(?i){SPACE}*(p|m|q|sigma)({SPACE}.*|[\[({{</,;:|].*|_[kmg]?(n|pa|lbf?|psi|ksi)m{{0,2}}([\W_].*)?)?")
 Columns = tuple[NDArray[np.float64], ...]
 History = Union[Mapping[str, Any], SupportsArray, Numbers]
 
 
 def _numbers(name: str, given: Any) -> NDArray[np.float64]:
+    refuse_units(given)
     array = np.asarray(given).astype(float, casting="safe")
     if array.ndim > 1:
         raise Error(f"{name} has the shape {array.shape}: a history has one dimension", ERANGE)
@@ -34,13 +41,14 @@ def _numbers(name: str, given: Any) -> NDArray[np.float64]:
 
 
 def _named(loads: Any) -> dict[str, Any]:
-    """The columns that are named as loads are. Others, such as a time, are left alone; but not "q"."""
+    """The columns that are named as loads are. Others, such as a time, are left alone; but not "q", " Q" or "Q [N/mm]"."""
     names = [name for name in loads.keys() if isinstance(name, str)]
-    found = {name: loads[name] for name in names if name in Loads._fields}
-    wrong = [name for name in names if name not in found and name.lower() in ("p", "m", "q", "sigma")]
-    if wrong or not found:
-        raise Error(f"loads has the columns {', '.join(map(str, loads.keys()))}: the names of loads are P, M, Q and sigma", EDOMAIN)
-    return found
+    taken = {name: loads[name] for name in names if name in Loads._fields}
+    wrong = [name for name in names if name not in taken and NEARLY.fullmatch(unicodedata.normalize("NFKC", name))]
+    if wrong or not taken:
+        raise Error(f"loads has the columns {', '.join(map(repr, loads.keys()))}: the names of loads are P, M, Q and sigma, without "
+                    "a unit", EDOMAIN)
+    return taken
 
 
 def _by_place(loads: Any) -> dict[str, Any]:
@@ -50,11 +58,14 @@ def _by_place(loads: Any) -> dict[str, Any]:
     return dict(zip(("P", "Q") if array.shape[1] == 2 else Loads._fields, array.T))
 
 
-def columns(loads: History, present: Loads) -> Columns:
-    """P, M, Q, sigma, each of all loads: of a mapping or frame with these names, or of rows. What is not given stays as it is;
-    but where P is 0 the moment goes, and stays away."""
+def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
+    """What is given of P, M, Q, sigma, by a mapping or frame with these names, or by rows."""
     given: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
-    arrays = {name: _numbers(name, values) for name, values in given.items()}
+    return {name: _numbers(name, values) for name, values in given.items()}
+
+
+def columns(arrays: dict[str, NDArray[np.float64]], present: Loads) -> Columns:
+    """P, M, Q, sigma, each of all loads. What is not given stays as it is; but where P is 0 the moment goes, and stays away."""
     try:
         P, M, Q, sigma = np.broadcast_arrays(*(arrays.get(name, getattr(present, name)) for name in Loads._fields))
     except ValueError:

@@ -8,6 +8,7 @@ from typing import Any, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
+from ._blocks import beside
 from ._general import call
 from ._library import EDOMAIN, Error, Handle, check, function, integer, real
 from ._labels import aligned
@@ -66,7 +67,7 @@ class Series(SeriesMethods, Handle):
         Parameters
         ----------
         x, p : array_like, of one dimension and the same length
-            where and what, \\|x| < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
+            where and what, |x| < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
             2^33 (half a minute); samples near Chebyshev's points (x = cos t, t equally spaced) fit best
         terms : int
             >= 1
@@ -83,7 +84,7 @@ class Series(SeriesMethods, Handle):
         if places.ndim != 1 or places.shape != pressures.shape:
             raise Error(f"x has the shape {places.shape}, p {pressures.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()
-        status = _fit(places.size, places.ctypes.data, pressures.ctypes.data, terms, ctypes.byref(handle))
+        status = beside(lambda: _fit(places.size, places.ctypes.data, pressures.ctypes.data, terms, ctypes.byref(handle)))
         if status == EDOMAIN:
             first = np.argmin((abs(places) < 1) & np.isfinite(pressures))
             check("series_fit", status, {"x": places[first], "p": pressures[first]}, f"[{first}]")
@@ -116,11 +117,11 @@ class Series(SeriesMethods, Handle):
     @property
     def residual(self) -> float:
         """Error of the series as a pressure: of the analytic one an upper bound of what is cut off, the sum of all further
-        \\|a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
+        |a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
         return _residual(self._address)
 
     def pressure(self, x: Numbers) -> NDArray[Any]:
-        """The pressure at x, finite; 0 for \\|x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
+        """The pressure at x, finite; 0 for |x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
         return _pressure(self._address, x)
 
     def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:

@@ -10,14 +10,18 @@ from __future__ import annotations
 import ctypes
 import importlib
 import inspect
+import threading
+import warnings
 from typing import Any, NoReturn
 
 import numpy as np
 
+from ._blocks import in_blocks
 from ._header import FUNCTIONS
 from ._labels import aligned
-from ._library import EDOMAIN, check
+from ._library import EABSENT, EDOMAIN, EPATH, OK, check, function
 from ._library import library as _library
+from ._validity import outside
 
 if np.lib.NumpyVersion(np.__version__) >= "3.0.0":
     raise ImportError(f"rwedge knows the binary interface of NumPy 1 and 2; this is {np.__version__}")
@@ -26,6 +30,7 @@ _ufunc_api = importlib.import_module(_core + "._multiarray_umath")._UFUNC_API
 
 FROM_FUNC_AND_DATA_AND_SIGNATURE = 31  # its place in the table
 NO_IDENTITY = -1
+OPTIONS = ("out", "where", "casting", "order", "dtype", "subok", "signature", "axis", "axes", "keepdims")  # of any ufunc
 DOUBLE, INTEGER, ADDRESS = (np.dtype(kind).num for kind in (np.float64, np.int64, np.intp))
 OBJECTS = {"const rwedge_contact *", "const rwedge_series *"}
 ARGUMENTS = {"double": DOUBLE, "int32_t": INTEGER, "const double *": DOUBLE, **dict.fromkeys(OBJECTS, ADDRESS)}
@@ -68,28 +73,95 @@ def ufunc(name: str) -> np.ufunc:
     return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0, signature)
 
 
+_refused: dict[int, bool] = {}  # the threads whose call has refused something
+
+
+def _note(*_: Any) -> None:
+    _refused[threading.get_ident()] = True
+
+
+# numpy.errstate(invalid="call", call=_note), in a tenth of the time: where NumPy would warn, the warning is to name the line that called
+if np.lib.NumpyVersion(np.__version__) >= "2.0.0":
+    _config = importlib.import_module("numpy._core._ufunc_config")
+    _NOTED = _config._make_extobj(invalid="call", call=_note)
+    _enter, _leave = _config._extobj_contextvar.set, _config._extobj_contextvar.reset
+else:
+    _NOTED, _leave = [8192, 3 << 9, _note], getattr(np, "seterrobj")
+
+    def _enter(errors: Any) -> Any:
+        before = getattr(np, "geterrobj")()
+        _leave(errors)
+        return before
+
+
+def _tell(text: str) -> None:
+    """What numpy.errstate(invalid=...) asks for."""
+    mode: str = np.geterr()["invalid"]
+    told: Any = np.geterrcall()
+    if mode == "warn":
+        warnings.warn(text, RuntimeWarning, stacklevel=outside())
+    elif mode == "raise":
+        raise FloatingPointError(text)
+    elif mode == "call" and callable(told):
+        told("invalid value", 8)
+    elif mode == "log" and told is not None:
+        told.write(f"Warning: {text}\n")
+    elif mode == "print":
+        print(f"Warning: {text}")
+
+
 class Formula:
     """A ufunc that takes its arguments by name too. The ufunc itself is the attribute ``ufunc``, whose methods and attributes
     this one has as well, such as ``outer``."""
 
     def __init__(self, function: np.ufunc) -> None:
         self.ufunc, self.__name__, self.__doc__, self.__module__ = function, function.__name__, function.__doc__, "rwedge"
-        self._names = [name for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
+        arguments = [(kind, name) for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
+        self._names, self._core = [name for _, name in arguments], tuple(int("*" in kind) for kind, _ in arguments)
         self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
                                                 for name in self._names])
 
     def __call__(self, *given: Any, **options: Any) -> Any:
         if options:
-            given = self._in_order(given, options)
-        return self.ufunc(*given, **options)
+            given, options = self._in_order(given, options)
+        before = _enter(_NOTED)
+        try:
+            if np.ndarray in map(type, given) and not options:
+                results = in_blocks(self.ufunc, given, self._core)
+            else:
+                results = self.ufunc(*given, **options)
+        finally:
+            _leave(before)
+        if _refused and _refused.pop(threading.get_ident(), False):
+            _tell(self._why(given, results))
+        return results
 
-    def _in_order(self, given: tuple[Any, ...], options: dict[str, Any]) -> tuple[Any, ...]:
-        """The arguments that were given by name, out of the options and behind the others."""
-        named = [name for name in self._names if name in options]
-        if named and named != self._names[len(given):]:
+    def _why(self, given: tuple[Any, ...], results: Any) -> str:
+        """What was refused first; of one that may end without a closed form, whether it did."""
+        name = self.__name__
+        if EPATH in FUNCTIONS[name]["reasons"]:
+            first, *numbers = np.broadcast_arrays(results[0], *given)
+            places = [ctypes.c_double() for _ in results]
+            for place in np.argwhere(np.isnan(first)):
+                status = function(name)(*(number[tuple(place)] for number in numbers), *map(ctypes.byref, places))
+                if status not in (OK, EABSENT):
+                    break
+            if status == EPATH:
+                return f"no closed form encountered in {name}: {FUNCTIONS[name]['reasons'][EPATH]}"
+        return f"invalid value encountered in {name}"
+
+    def _in_order(self, given: tuple[Any, ...], options: dict[str, Any]) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """The arguments that were given by name, out of the options and behind the others; those of a cycle with its axis last."""
+        names = self._names[len(given):]
+        wrong = [name for name in options if name not in names and name not in OPTIONS]
+        if wrong or not options.keys() >= set(names):
             raise TypeError(f"{self.__name__}() takes {', '.join(self._names)}: {len(given)} given by place, and "
-                            f"{', '.join(named)} by name")
-        return given + tuple(options.pop(name) for name in named)
+                            f"{', '.join(wrong or options)} by name")
+        given += tuple([options.pop(name) for name in names])
+        if options.keys() == {"axis"} and any(self._core) and all(type(one) is np.ndarray for one, own in zip(given, self._core) if own):
+            axis = options.pop("axis")
+            given = tuple(np.moveaxis(one, axis, -1) if own else one for one, own in zip(given, self._core))
+        return given, options
 
     def __getattr__(self, name: str) -> Any:
         if name == "ufunc":  # before it has one: while it is copied or unpickled
@@ -112,12 +184,13 @@ class Points:
     def __init__(self, name: str) -> None:
         self.name, self.ufunc = name, ufunc(name)
         self.arguments = [argument for kind, argument in FUNCTIONS[name]["parameters"] if kind in ARGUMENTS]
+        self._core = (0,) * len(self.arguments)
 
     def __call__(self, *given: Any) -> Any:
         arguments, labelled = aligned(given)
         try:
             with np.errstate(invalid="raise"):
-                results = self.ufunc(*arguments)
+                results = in_blocks(self.ufunc, arguments, self._core)
         except FloatingPointError:
             self._complain(arguments)
         if labelled is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 import warnings
 
 from ._library import function
@@ -15,12 +16,19 @@ class ValidityWarning(UserWarning):
     the limits; ``warnings.simplefilter("ignore", rwedge.ValidityWarning)`` silences it, "error" makes an exception of it."""
 
 
+def outside() -> int:
+    """The level, for who calls this and warnings.warn(), of the line that called the package."""
+    level, frame = 0, sys._getframe(1)
+    while frame.f_globals.get("__name__", "").startswith("rwedge.") and frame.f_back:
+        level, frame = level + 1, frame.f_back
+    return level + 1
+
+
 def warn(theta: float = math.nan, alpha: float = math.nan, beta: float = math.nan, f: float = math.nan,
-         safety: float = math.nan, level: int = 3) -> None:
-    """Says what is doubtful about a contact, to who called the function that calls this one, or that of the level. NaN is not
-    known."""
+         safety: float = math.nan) -> None:
+    """Says what is doubtful about a contact, to the line that called the package. NaN is not known."""
     doubts, bit = _validity(theta, alpha, beta, f, math.nan, safety), 1
     while doubts >= bit:
         if doubts & bit:
-            warnings.warn(_text(bit).decode(), ValidityWarning, stacklevel=level)
+            warnings.warn(_text(bit).decode(), ValidityWarning, stacklevel=outside())
         bit *= 2

@@ -166,7 +166,7 @@ def _zones(contact: Contact, ax: Any, length: float) -> None:
 
 def displacement(contact: Contact) -> float:
     """How far remote points of the half-plane have moved along the surface, relative to the wedge's, more than if the contact
-    were bonded over \\|x| < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
+    were bonded over |x| < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
 
     Parameters
     ----------
@@ -186,7 +186,7 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     contact : Contact
         loaded; it stays as it is
     Q : array_like
-        force/length, the turning points, \\|Q| <= f P
+        force/length, the turning points, |Q| <= f P
     ax, units
         as in ``tractions``; without units, Q/(f P) and lengths over f theta b
     **line

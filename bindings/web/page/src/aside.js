@@ -5,15 +5,17 @@ import { solveRows } from "./tables.js";
 
 const tasks = { rows: solveRows, cycle: answerOf };
 
+function answerTo(task, values) {
+    try {
+        return tasks[task](...values);
+    } catch (error) {
+        return { complaint: `This cannot be computed: ${error.message}` };
+    }
+}
+
 /** In the worker: answers what it is asked. */
 export function serve() {
-    self.onmessage = ({ data: [task, values] }) => {
-        try {
-            self.postMessage(tasks[task](...values));
-        } catch (error) {
-            self.postMessage({ complaint: `This cannot be computed: ${error.message}` });
-        }
-    };
+    self.onmessage = ({ data: [task, values] }) => self.postMessage(answerTo(task, values));
 }
 
 /** The script of the page, as it stands in it. */
@@ -42,10 +44,12 @@ export class Aside {
         }
         if (!this.worker) this.start();
         Object.assign(this, { question, busy: true });
-        this.worker.onmessage = ({ data }) => {
-            Object.assign(this, { answer: data, busy: false });
-            then(data);
+        const take = (answer) => {
+            Object.assign(this, { answer, busy: false });
+            then(answer);
         };
+        this.worker.onmessage = ({ data }) => take(data);
+        this.worker.onerror = () => take(answerTo(this.task, values)); // a browser without such workers waits
         this.worker.postMessage([this.task, values]);
     }
 }

@@ -5,11 +5,26 @@ import { inputs } from "./words.js";
 
 const numbersOf = (model) => Object.entries(model.inputs).map(([name, value]) => [name, wholeNumber(value)]);
 
+const asOption = ([name, value]) => `--${inputs[name].option} ${value}`;
+
 /** The command for the case: rwedge solve --E1 210000 ... */
 export function asCommand(model) {
-    const options = numbersOf(model).map(([name, value]) => `--${inputs[name].option} ${value}`);
+    const options = numbersOf(model).map(asOption);
     const factor = "k" in model.inputs || "yield_stress" in model.inputs ? " --yield-factor" : "";
     return `rwedge solve ${options.join(" ")}${factor}`;
+}
+
+const ofLoad = ["P", "M", "Q", "sigma"];
+const SHOWN = 100; // loads
+
+/** The command for a cycle of loads of the case, from { loads }: printf ... | rwedge fretting ... P and M come first where no table was given. */
+export function asFretting(model, { loads }, cycles, hasTable) {
+    if (loads.length > SHOWN)
+        return `More than ${SHOWN} loads: save them as a file and give it to \u201crwedge fretting\u201d.`;
+    const rows = [ofLoad.join(), ...loads.map((load) => ofLoad.map((name) => wholeNumber(load[name])).join())];
+    const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name));
+    const before = hasTable ? "" : ` --load ${loads[0].P},${loads[0].M},0,0`;
+    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${options.map(asOption).join(" ")}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);
@@ -32,7 +47,7 @@ P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
 contact = rwedge.Contact(theta=theta, a=a, A=A, f=f)
-contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
+${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)
 print("c", contact.stick_half_width)

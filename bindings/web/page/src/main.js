@@ -201,6 +201,7 @@ function build() {
 
 function show(texts) {
     take(texts);
+    if (state.sign === ",") rewriteNumbers();
     for (const one of chosen) one.show();
     render();
 }

@@ -301,7 +301,7 @@ export async function an_address_brings_the_state_back({ session, file }) {
         "set-sign": ",",
     });
     await openTab(first, "stress");
-    await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0.02" });
+    await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0,02" });
     await pause(600);
     const hash = await first.evaluate(() => location.hash),
         second = await openPage(session, file, hash);
@@ -423,6 +423,8 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
                 Math.abs(Number(shown[name]) - value) <= 2e-6 * Math.abs(value),
                 `${JSON.stringify(loads)}: ${name} ${shown[name]}, told ${value}`,
             );
+        const command = await page.$eval("#as-fretting", (pre) => pre.textContent);
+        assert.equal(run("sh", ["-c", command.replace("rwedge", `'${tool}'`)]).stderr, told.stderr, command);
     }
     await page.close();
 }
@@ -543,6 +545,55 @@ export async function rows_that_no_link_takes_are_told_and_saved({ session, file
     }, transfer);
     await pause(300);
     assert.equal((await page.$eval("#batch", (area) => area.value)).split("\n").length, 3001);
+    await page.close();
+}
+
+/** Wrong inputs: the last picture stays, greyed. */
+export async function a_wrong_input_keeps_the_last_picture({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual));
+    const seen = () => page.$eval("#panel-contact svg", (svg) => [svg.outerHTML, Boolean(svg.closest(".old"))]);
+    const [drawn, greyed] = await seen();
+    await enter(page, { "in-P": "x" });
+    assert.deepEqual([greyed, await seen()], [false, [drawn, true]]);
+    await openTab(page, "stress"); // which has not been drawn yet
+    await page.hover("#panel-stress");
+    await enter(page, { "in-P": "190" });
+    await openTab(page, "contact");
+    assert.deepEqual(await seen(), [drawn, false]);
+    await page.close();
+}
+
+/** A long text makes no tall rows: theta = 0.5 has warnings. */
+export async function long_warnings_wrap_under_the_table({ session, file }) {
+    const page = await openPage(session, file, asAddress({ ...usual, theta: "0.5", E1: "210" }), 1366);
+    const height = await page.evaluate(() => document.documentElement.scrollHeight);
+    assert.ok(height < 2500, `${height} pixels`);
+    await page.close();
+}
+
+/** With a decimal comma: ticks, what is typed, the saved tables. */
+export async function one_decimal_sign_is_everywhere({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual));
+    await enter(page, { "set-sign": "," });
+    assert.equal(await page.$eval("#in-theta", (input) => input.value), "0,01");
+    const ticks = await page.$$eval("#panel-contact .tick", (texts) => texts.map((text) => text.textContent));
+    assert.ok(ticks.some((text) => text.includes(",")) && !ticks.some((text) => text.includes(".")), ticks.join(" "));
+    const lines = await page.evaluate(async () => {
+        let blob;
+        URL.createObjectURL = (one) => ((blob = one), "#");
+        HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
+        document.querySelector('#panel-contact .save button[aria-label$="CSV"]').click();
+        return (await blob.text()).split("\n");
+    });
+    assert.match(lines[5], /^-\d,\d+;\d+,\d+;/);
+    await page.close();
+}
+
+export async function a_telephone_shows_meanings({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual, { tab: "cycle" }), 360);
+    await settled(page);
+    const heights = await page.$$eval("#panel-cycle .meaning", (cells) => cells.map((cell) => cell.offsetHeight));
+    assert.ok(heights.length >= 5 && heights.every((height) => height > 5), heights.join());
     await page.close();
 }
 

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { answerOf } from "../src/cycle/answer.js";
+import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { solveHolding } from "../src/solution.js";
 import { goThrough, solveRows } from "../src/tables.js";
@@ -156,7 +157,9 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
         f: ".5",
         sigma: ".04",
     };
-    const { results } = solveHolding(texts, ".");
+    const answer = solveHolding(texts, "."),
+        { results } = answer;
+    assert.match(asPython(answer), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
     assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
 });
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
-import { element } from "../elements.js";
+import { copyButton, element } from "../elements.js";
 import { Aside } from "../aside.js";
+import { asFretting } from "../export.js";
 import { roomy } from "../plot/axes.js";
 import { curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";
@@ -75,6 +76,7 @@ function makeEntries() {
             "aria-describedby": "loads-note",
         }),
         cycles: element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
+        command: element("pre", { id: "as-fretting", tabindex: "0" }),
         note: element("p", { id: "loads-note", class: "note", "aria-live": "polite" }),
     };
 }
@@ -82,6 +84,11 @@ function makeEntries() {
 function showEntries({ loads, cycles }, state) {
     if (document.activeElement !== loads) loads.value = state.loads;
     if (document.activeElement !== cycles) cycles.value = state.cycles;
+}
+
+function showCommand({ command }, state, found, model) {
+    const hasTable = state.loads.trim() !== "";
+    command.textContent = found.complaint ? "" : asFretting(model, found, state.cycles.trim(), hasTable);
 }
 
 function showRemark({ loads, note }, state, found) {
@@ -108,7 +115,7 @@ function makeAnswers() {
     return { parts: [numbers, ...swt.parts, ...slip.parts, ...loop.parts], show };
 }
 
-function panelOf({ loads, cycles, note }, answers) {
+function panelOf({ loads, cycles, note, command }, answers) {
     const title = "Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma";
     const times = element("label", { for: "cycles" }, "gone through");
     return element(
@@ -120,6 +127,13 @@ function panelOf({ loads, cycles, note }, answers) {
         note,
         element("h2", {}, "Worst places"),
         ...answers.parts,
+        element(
+            "details",
+            {},
+            element("summary", {}, "This cycle as a command"),
+            copyButton("Copy the command", () => command.textContent),
+            command,
+        ),
     );
 }
 
@@ -132,6 +146,7 @@ export function makeCycle(state, changed) {
     const draw = (found) => {
         panel.removeAttribute("aria-busy");
         showRemark(entries, state, found);
+        showCommand(entries, state, found, model);
         answers.show(found, model);
     };
     const show = (present) => {

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Long calls of the library in blocks: Python hears Ctrl-C between them, and never while the library computes."""
+from __future__ import annotations
+
+import math
+import threading
+import time
+from typing import Any, Callable, Iterator
+
+import numpy as np
+
+FEW = 4096  # points that no function needs a second for
+SECONDS = 0.25  # what a block aims at
+
+
+def blocks(total: int, first: int) -> Iterator[slice]:
+    """Slices of 0 <= i < total, the first of the size that is given, others of a size that takes as long as aimed at."""
+    start, count = 0, max(1, first)
+    while start < total:
+        began = time.monotonic()
+        yield slice(start, min(start + count, total))
+        start += count
+        count = max(1, int(count * min(8, SECONDS / (time.monotonic() - began + 1e-6))))
+
+
+def in_blocks(ufunc: np.ufunc, given: tuple[Any, ...], core: tuple[int, ...]) -> Any:
+    """ufunc(*given), of numbers and plain arrays. core: how many dimensions at the end of each argument go into one call."""
+    shapes = [np.shape(one)[:np.ndim(one) - own] for one, own in zip(given, core)]
+    shape = np.broadcast_shapes(*shapes)
+    size = math.prod(shape)
+    if size <= FEW or len({type(one) for one in given} - {np.ndarray, np.float64, float, int}):
+        return ufunc(*given)
+    axis = int(np.argmax(shape))
+    arrays = [np.moveaxis(np.broadcast_to(one, shape + np.shape(one)[np.ndim(one) - own:]), axis, 0) if own_shape else one
+              for one, own, own_shape in zip(given, core, shapes)]
+    results = tuple(np.empty(shape) for _ in range(ufunc.nout))
+    views = [np.moveaxis(result, axis, 0) for result in results]
+    for part in blocks(shape[axis], FEW * shape[axis] // size):
+        ufunc(*(one[part] if own_shape else one for one, own_shape in zip(arrays, shapes)), out=tuple(v[part] for v in views))
+    return results if len(results) > 1 else results[0]
+
+
+def beside(function: Callable[[], Any]) -> Any:
+    """function() in a thread, where there are no blocks: Ctrl-C is heard at once, and what is computed then is lost."""
+    results: list[Any] = []
+    worker = threading.Thread(target=lambda: results.append(function()), daemon=True)
+    worker.start()
+    while worker.is_alive():
+        worker.join(SECONDS)
+    return results[0]

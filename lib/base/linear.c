@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/linear.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Rows below the pivot are swapped for the largest. */
+static bool pivot(size_t n, double A[], double b[], size_t k)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < n; i++)
+        if (fabs(A[i * n + k]) > fabs(A[best * n + k]))
+            best = i;
+    const double size = fabs(A[best * n + k]);
+    if (!(isgreater(size, DBL_MIN) && isless(size, HUGE_VAL)))
+        return false;
+    for (size_t j = 0; j < n && best != k; j++) {
+        const double other = A[best * n + j];
+        A[best * n + j] = A[k * n + j];
+        A[k * n + j] = other;
+    }
+    const double other = b[best];
+    b[best] = b[k];
+    b[k] = other;
+    return true;
+}
+
+bool rw_solve(size_t n, double A[], double b[])
+{
+    for (size_t k = 0; k < n; k++) {
+        if (!pivot(n, A, b, k))
+            return false;
+        for (size_t i = k + 1; i < n; i++) {
+            const double factor = A[i * n + k] / A[k * n + k];
+            for (size_t j = k; j < n; j++)
+                A[i * n + j] -= factor * A[k * n + j];
+            b[i] -= factor * b[k];
+        }
+    }
+    for (size_t k = n; k-- > 0;) {
+        for (size_t j = k + 1; j < n; j++)
+            b[k] -= A[k * n + j] * b[j];
+        b[k] /= A[k * n + k];
+        if (!isfinite(b[k]))
+            return false;
+    }
+    return true;
+}
+
+/* In four sums, which a processor does at the same time. */
+static double dot(size_t n, const double x[], const double y[])
+{
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    size_t i = 0;
+    for (; i + 4 <= n; i += 4) {
+        s0 += x[i] * y[i];
+        s1 += x[i + 1] * y[i + 1];
+        s2 += x[i + 2] * y[i + 2];
+        s3 += x[i + 3] * y[i + 3];
+    }
+    for (; i < n; i++)
+        s0 += x[i] * y[i];
+    return (s0 + s1) + (s2 + s3);
+}
+
+bool rw_cholesky(size_t n, double A[])
+{
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < i; j++)
+            A[i * n + j] = (A[i * n + j] - dot(j, A + i * n, A + j * n)) / A[j * n + j];
+        const double rest = A[i * n + i] - dot(i, A + i * n, A + i * n);
+        if (!isgreater(rest, 0))
+            return false;
+        A[i * n + i] = sqrt(rest);
+    }
+    return true;
+}
+
+void rw_cholesky_solve(size_t n, const double L[], double b[])
+{
+    for (size_t i = 0; i < n; i++)
+        b[i] = (b[i] - dot(i, L + i * n, b)) / L[i * n + i];
+    for (size_t i = n; i-- > 0;) {
+        b[i] /= L[i * n + i];
+        for (size_t j = 0; j < i; j++)
+            b[j] -= L[i * n + j] * b[i];
+    }
+}

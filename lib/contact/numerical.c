@@ -1,0 +1,378 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact/numerical.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The bodies touch: the load grows fourfold at a time from this part of it, below which all of the
+ * contact sticks, or slides, as it grows. */
+static const double FIRST_TOUCH = 0x1p-16;
+
+/* Before the bodies separate, the work of what is left of the load is nothing. */
+static const double LAST_TOUCH = 0.01;
+
+static rw_frame frame_of(const rwedge_contact *c)
+{
+    return (rw_frame){c->geometry.a, c->f, c->tolerance};
+}
+
+static rw_course course_of(const rwedge_contact *c, double P, double M, double shear,
+                           double stretch)
+{
+    const rw_geometry *g = &c->geometry;
+    return (rw_course){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
+                       -c->f * stretch};
+}
+
+/* ---- The traction of a closed form ---- */
+
+/* Patches with their weights. */
+typedef struct {
+    double f;
+    size_t count;
+    double *weight;
+    rw_eccentric *potential;
+    rw_patch *patch;
+} patches;
+
+static double traction_at(double x, const void *context)
+{
+    const patches *p = context;
+    double sum = 0;
+    for (size_t i = 0; i < p->count; i++)
+        if (x > p->patch[i].left && x < p->patch[i].right)
+            sum -= p->weight[i] * rw_eccentric_at(&p->potential[i], x, 0).G_im;
+    return p->f * sum;
+}
+
+static void free_patches(patches *p)
+{
+    free(p->weight);
+    free(p->potential);
+    free(p->patch);
+}
+
+static bool make_patches(const rwedge_contact *c, patches *p)
+{
+    const size_t most = c->memory.count;
+    *p = (patches){.f = c->f,
+                   .weight = malloc(most * sizeof *p->weight),
+                   .potential = malloc(most * sizeof *p->potential),
+                   .patch = malloc(most * sizeof *p->patch)};
+    if (!p->weight || !p->potential || !p->patch) {
+        free_patches(p);
+        return false;
+    }
+    for (size_t i = 1; i < most; i++) {
+        const double weight = rw_patch_weight(&c->memory, i);
+        if (weight == 0)
+            continue;
+        p->weight[p->count] = weight;
+        p->patch[p->count] = c->memory.corners[i].patch;
+        rw_eccentric_init(&p->potential[p->count++], c->geometry.a, c->memory.corners[i].patch);
+    }
+    return true;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double one = *(const double *)a, other = *(const double *)b;
+    return (one > other) - (one < other);
+}
+
+/* The edges of the patches; of many, those of the widest. */
+static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
+{
+    s->kinks = 0;
+    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS / 2;) {
+        const double edge[2] = {p->patch[i].left, p->patch[i].right};
+        for (int k = 0; k < 2; k++)
+            if (edge[k] > contact.left && edge[k] < contact.right)
+                s->kink[s->kinks++] = edge[k];
+    }
+    qsort(s->kink, (size_t)s->kinks, sizeof *s->kink, by_size);
+}
+
+static void note_zones(const rwedge_contact *c, rw_zones *z)
+{
+    const rw_corner *end = rw_memory_end(&c->memory);
+    const rw_patch contact = end->patch;
+    rw_patch stick = contact;
+    int label = 0;
+    if (fabs(end->ratio) == 1) {
+        label = end->ratio > 0 ? 1 : -1;
+        stick = end[-1].patch;
+    }
+    if (end[-1].load == 0 && label != 0) /* it slides */
+        stick.left = stick.right = contact.right;
+    const rw_zone all[] = {{label, contact.left, stick.left},
+                           {0, stick.left, stick.right},
+                           {label, stick.right, contact.right}};
+    z->count = 0;
+    for (int i = 0; i < 3; i++)
+        if (all[i].right > all[i].left)
+            z->zone[z->count++] = all[i];
+}
+
+/* ---- Beginning ---- */
+
+static double slip_at(double x, const void *context)
+{
+    const rwedge_contact *c = context;
+    double slip = 0;
+    rwedge_contact_slip(c, 1, &x, &slip);
+    return slip / c->geometry.theta;
+}
+
+static bool is_slip_known(const rwedge_contact *c)
+{
+    const double middle = rw_patch_middle(rw_memory_end(&c->memory)->patch);
+    double slip;
+    return rwedge_contact_slip(c, 1, &middle, &slip) == RWEDGE_OK;
+}
+
+static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_stance *now)
+{
+    patches p;
+    if (!make_patches(c, &p))
+        return false;
+    note_kinks(&p, now->contact, &now->shear);
+    double at[RW_MOST_KINKS + 4];
+    size_t n = 0;
+    at[n++] = now->contact.left;
+    at[n++] = now->contact.right;
+    for (int i = 0; i < now->shear.kinks; i++)
+        at[n++] = now->shear.kink[i];
+    for (int side = -1; side <= 1; side += 2)
+        if (side * frame->a > now->contact.left && side * frame->a < now->contact.right)
+            at[n++] = side * frame->a;
+    qsort(at, n, sizeof *at, by_size);
+    const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
+    const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
+    free_patches(&p);
+    return is_done;
+}
+
+static bool begin(const rwedge_contact *c, rw_numerical *numerical)
+{
+    const rw_corner *end = rw_memory_end(&c->memory);
+    const rw_frame frame = frame_of(c);
+    rw_stance now = {.contact = end->patch,
+                     .at = course_of(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
+    note_zones(c, &now.shear.zones);
+    if (fit_traction(c, &frame, &now) &&
+        rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
+        return true;
+    rw_shear_state_destroy(&now.shear);
+    return false;
+}
+
+static rw_course part_of(rw_course from, rw_course to, double part)
+{
+    return (rw_course){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                       from.shear + part * (to.shear - from.shear),
+                       from.stretch + part * (to.stretch - from.stretch)};
+}
+
+static double no_slip(double x, const void *context)
+{
+    (void)x;
+    (void)context;
+    return 0;
+}
+
+typedef struct {
+    rw_eccentric potential;
+    double ratio;
+} first_contact;
+
+static double first_traction(double x, const void *context)
+{
+    const first_contact *c = context;
+    return -c->ratio * rw_eccentric_at(&c->potential, x, 0).G_im;
+}
+
+/* The bodies have touched a little, under a shear in proportion. */
+static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical)
+{
+    const rw_frame frame = frame_of(c);
+    const rw_course from = {0, 0, 0, -c->f * c->memory.corners[0].stretch};
+    rw_stance now = {.at = part_of(from, to, FIRST_TOUCH)};
+    now.contact = rw_patch_of_moment(frame.a, now.at.P, now.at.M);
+    now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
+    first_contact first = {.ratio = to.shear / to.P};
+    rw_eccentric_init(&first.potential, frame.a, now.contact);
+    const double at[2] = {now.contact.left, now.contact.right};
+    if (rw_traction_fit(&now.shear.traction, first_traction, &first, 2, at,
+                        0.01 * frame.tolerance * rw_peak_friction(&frame, now.contact)) &&
+        rw_numerical_begin(numerical, &frame, &now, no_slip, NULL))
+        return true;
+    rw_shear_state_destroy(&now.shear);
+    return false;
+}
+
+/* ---- Going on ---- */
+
+static int32_t status_of(rw_step_result result)
+{
+    return result == RW_STEP_DONE        ? RWEDGE_OK
+           : result == RW_STEP_NO_MEMORY ? RWEDGE_ENOMEM
+                                         : RWEDGE_ENOCONV;
+}
+
+static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course to, bool touches)
+{
+    const rw_course from = n->now.at;
+    for (double part = touches ? 4 * FIRST_TOUCH : 1; part < 1; part *= 4) {
+        const rw_step_result result = rw_numerical_step(
+            n, frame, part_of(from, to, (part - FIRST_TOUCH) / (1 - FIRST_TOUCH)));
+        if (result != RW_STEP_DONE)
+            return result;
+    }
+    return rw_numerical_step(n, frame, to);
+}
+
+/* The contact is as it was where its edges are. */
+static rw_course destination(const rwedge_contact *c, const rw_step *step, const rw_numerical *n)
+{
+    rw_course to = course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+    if (step->patch.left == n->now.contact.left && step->patch.right == n->now.contact.right) {
+        to.P = n->now.at.P;
+        to.M = n->now.at.M;
+    }
+    return to;
+}
+
+/* The contact without its shear. */
+static void forget_shear(rwedge_contact *c, const rw_step *step)
+{
+    rw_loading pressed = step->to;
+    pressed.shear = 0;
+    rw_memory_restart(&c->memory, pressed, 0);
+    c->memory.corners[1].patch = step->patch;
+    rw_slip_origins_destroy(&c->origins);
+    c->origins = (rw_slip_origins){0};
+    c->memory.shared = 0;
+}
+
+int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
+{
+    const rw_frame frame = frame_of(c);
+    const bool touches = c->memory.count == 1;
+    rw_numerical *next = malloc(sizeof *next);
+    if (!next || !rw_memory_reserve(&c->memory, 2)) {
+        free(next);
+        return RWEDGE_ENOMEM;
+    }
+    const bool is_begun =
+        c->numerical ? rw_numerical_copy(c->numerical, next)
+        : touches
+            ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch), next)
+            : begin(c, next);
+    if (!is_begun) {
+        free(next);
+        return RWEDGE_ENOMEM;
+    }
+    const double before = next->now.energy;
+    const int32_t status = status_of(advance(next, &frame, destination(c, step, next), touches));
+    if (status != RWEDGE_OK) {
+        rw_numerical_destroy(next);
+        free(next);
+        return status;
+    }
+    *energy = c->geometry.theta * rw_unit_stress(&c->geometry) * (next->now.energy - before);
+    rw_numerical_end(c);
+    c->numerical = next;
+    forget_shear(c, step);
+    return RWEDGE_OK;
+}
+
+double rw_numerical_energy_to_separation(const rwedge_contact *c)
+{
+    const rw_frame frame = frame_of(c);
+    rw_numerical n;
+    if (!rw_numerical_copy(c->numerical, &n))
+        return NAN;
+    const double before = n.now.energy;
+    const rw_course away = {0, 0, 0, n.now.at.stretch};
+    const bool is_done =
+        rw_numerical_step(&n, &frame, part_of(n.now.at, away, 1 - LAST_TOUCH)) == RW_STEP_DONE;
+    const double work = n.now.energy - before;
+    rw_numerical_destroy(&n);
+    return is_done ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
+}
+
+bool rw_numerical_take_over(rwedge_contact *c, const rw_numerical *other)
+{
+    if (!other)
+        return true;
+    rw_numerical *copy = malloc(sizeof *copy);
+    if (!copy || !rw_numerical_copy(other, copy)) {
+        free(copy);
+        return false;
+    }
+    c->numerical = copy;
+    return true;
+}
+
+void rw_numerical_end(rwedge_contact *c)
+{
+    if (!c->numerical)
+        return;
+    rw_numerical_destroy(c->numerical);
+    free(c->numerical);
+    c->numerical = NULL;
+}
+
+/* ---- What the header has ---- */
+
+int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
+        return RWEDGE_EDOMAIN;
+    contact->tolerance = tolerance;
+    return RWEDGE_OK;
+}
+
+double rwedge_contact_error(const rwedge_contact *contact)
+{
+    if (!contact)
+        return NAN;
+    return contact->numerical ? rw_numerical_error(contact->numerical) : 0;
+}
+
+static void zones_of(const rwedge_contact *contact, rw_zones *zones)
+{
+    zones->count = 0;
+    if (contact->numerical)
+        *zones = contact->numerical->now.shear.zones;
+    else if (contact->memory.count > 1)
+        note_zones(contact, zones);
+}
+
+size_t rwedge_contact_zone_count(const rwedge_contact *contact)
+{
+    rw_zones zones = {0};
+    if (contact)
+        zones_of(contact, &zones);
+    return (size_t)zones.count;
+}
+
+int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
+                             double slip[])
+{
+    if (!contact || (n > 0 && (!left || !right || !slip)))
+        return RWEDGE_ENULL;
+    rw_zones zones;
+    zones_of(contact, &zones);
+    if (n != (size_t)zones.count)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++) {
+        left[i] = zones.zone[i].left;
+        right[i] = zones.zone[i].right;
+        slip[i] = -zones.zone[i].label;
+    }
+    return RWEDGE_OK;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact whose shear has no closed form. Its memory then holds the contact alone, without shear,
+ * and the shear stands apart (numerical/numerical.h). */
+#ifndef RW_CONTACT_NUMERICAL_H
+#define RW_CONTACT_NUMERICAL_H
+
+#include "contact/contact.h"
+#include "history/path.h"
+
+/* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
+ * contact is as before. energy receives what the load dissipates. */
+int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);
+
+/* What is dissipated on the way to separation; NaN where that is not known. */
+double rw_numerical_energy_to_separation(const rwedge_contact *contact);
+
+/* A copy of another contact's, where there is one. false where memory is short. */
+bool rw_numerical_take_over(rwedge_contact *contact, const rw_numerical *other);
+
+/* Ends the numerical state, after which the contact is without shear. */
+void rw_numerical_end(rwedge_contact *contact);
+
+#endif

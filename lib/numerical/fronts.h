@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The step with exact fronts, given which zones stick and slip and which way. With the m zones that
+ * stick between the fronts c_j, X(z)^2 = product of (z - c_j), the change dt of traction is
+ * known where it slips, and
+ *     Omega + stretch = X (1/pi) int_slip [dt/X] ds/(s - z) + p/X,
+ * p a polynomial of the degree 2m - 1: from the load and the stretch at infinity, and because two
+ * zones that stick do not move apart. dt is bounded where the fronts are right: then p = 0.
+ * Newton's method in the angles of the fronts takes the coefficients of 1/sqrt there to 0. */
+#ifndef RW_FRONTS_H
+#define RW_FRONTS_H
+
+#include "numerical/problem.h"
+
+enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK, RW_MOST_SEGMENTS = 96 };
+
+/* A part of a slip zone, and where its points begin in the row of all. */
+typedef struct {
+    double from, to;
+    int label, panels;
+    size_t first, count;
+} rw_segment;
+
+typedef struct {
+    const rw_problem *problem;
+    int zones, fronts, sticks, unknowns;
+    int label[RW_MOST_ZONES];
+    bool sticks_to_edge[2];   /* left, right: of a growing contact */
+    double y[RW_MOST_FRONTS]; /* angles of the fronts, then the layers */
+    /* the quadrature: places, weights, changes of traction, X there */
+    int order;
+    double node[RW_TERMS], weight[RW_TERMS];
+    rw_segment segment[RW_MOST_SEGMENTS];
+    int segments;
+    rw_layers layers; /* for which the changes hold */
+    size_t count, capacity;
+    double *x, *step, *change, *X;
+    int budget; /* residuals that may still be computed */
+} rw_fronts;
+
+/* For zones that alternate between stick and slip. false where memory is short. */
+bool rw_fronts_create(rw_fronts *fronts, int order);
+void rw_fronts_destroy(rw_fronts *fronts);
+
+/* Takes over the zones; false where they are no pattern of such a problem. */
+bool rw_fronts_begin(rw_fronts *fronts, const rw_problem *problem, const rw_zones *zones);
+
+/* To the fronts where dt is bounded, from y. false where that does not succeed. */
+bool rw_fronts_newton(rw_fronts *fronts, double residual);
+
+/* Front by front, before Newton: into the zone that sticks where the traction would exceed friction
+ * there, else back. */
+bool rw_fronts_relax(rw_fronts *fronts);
+
+/* The zones and layers that y stands for. */
+rw_layers rw_fronts_zones(const rw_fronts *fronts, rw_zones *zones);
+
+/* Prepares and gives the traction in the zones that stick. */
+bool rw_fronts_prepare_stick(rw_fronts *fronts, const rw_zones *zones, rw_layers layers);
+double rw_fronts_stick_traction(const rw_fronts *fronts, const rw_zones *zones, rw_layers layers,
+                                double x);
+
+#endif

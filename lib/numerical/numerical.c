@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerical/numerical.h"
+
+#include "base/domain.h"
+#include "numerical/transform.h"
+
+/* ---- Life ---- */
+
+typedef struct {
+    const rw_numerical *numerical;
+    rw_function slip;
+    const void *context;
+} beginning;
+
+/* The displacement that the traction and the stretch make, less the move of what sticks. */
+static double displacement(const rw_stance *s, double x)
+{
+    return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
+}
+
+static double origin_at_first(double x, const void *context)
+{
+    const beginning *b = context;
+    return b->slip(x, b->context) - displacement(&b->numerical->now, x);
+}
+
+/* The contact's edges, the rounding's, and kinks. */
+static size_t breaks_of(const rw_frame *frame, const rw_stance *s, double at[])
+{
+    size_t n = 0;
+    const double inner[] = {-frame->a, frame->a};
+    at[n++] = s->contact.left;
+    for (int i = 0; i < 2; i++)
+        if (inner[i] > at[n - 1] && inner[i] < s->contact.right)
+            at[n++] = inner[i];
+    at[n++] = s->contact.right;
+    return n;
+}
+
+/* To this part of what is asked for. */
+static const double FIT = 0.03;
+
+static double slip_tolerance(const rw_frame *frame, const rw_stance *s)
+{
+    return FIT * frame->tolerance * rw_peak_friction(frame, s->contact) *
+           rw_patch_half_width(s->contact);
+}
+
+bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_stance *now,
+                        rw_function slip, const void *context)
+{
+    *n = (rw_numerical){.now = *now, .has_origin = slip != NULL};
+    if (!slip)
+        return true;
+    double at[4];
+    const beginning b = {n, slip, context};
+    const size_t breaks = breaks_of(frame, now, at);
+    if (rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now)))
+        return true;
+    rw_traction_destroy(&n->origin);
+    return false;
+}
+
+bool rw_numerical_copy(const rw_numerical *n, rw_numerical *copy)
+{
+    *copy = *n;
+    if (!rw_traction_copy(&n->now.shear.traction, &copy->now.shear.traction))
+        return false;
+    if (rw_traction_copy(&n->origin, &copy->origin))
+        return true;
+    rw_traction_destroy(&copy->now.shear.traction);
+    return false;
+}
+
+void rw_numerical_destroy(rw_numerical *n)
+{
+    rw_shear_state_destroy(&n->now.shear);
+    rw_traction_destroy(&n->origin);
+}
+
+double rw_numerical_slip(const rw_numerical *n, double x)
+{
+    return rw_traction_at(&n->origin, x) + displacement(&n->now, x);
+}
+
+/* ---- Errors ---- */
+
+double rw_numerical_error(const rw_numerical *n)
+{
+    double sum = 0;
+    for (int i = 0; i < n->errors; i++)
+        sum += n->error[i].error;
+    return sum;
+}
+
+/* What stuck in a load that slipped less far in is forgotten with its error. */
+static void note_error(rw_numerical *n, const rw_stance *s, double error)
+{
+    rw_load_error last = {error, s->contact.right, s->contact.left};
+    for (int i = 0; i < s->shear.zones.count; i++)
+        if (s->shear.zones.zone[i].label == 0) {
+            last.left = fmin(last.left, s->shear.zones.zone[i].left);
+            last.right = fmax(last.right, s->shear.zones.zone[i].right);
+        }
+    while (n->errors > 0 && n->error[n->errors - 1].left <= last.left &&
+           n->error[n->errors - 1].right >= last.right)
+        n->errors--;
+    if (n->errors == RW_MOST_ERRORS)
+        n->error[n->errors - 1].error += error;
+    else
+        n->error[n->errors++] = last;
+}
+
+/* ---- New places in contact ---- */
+
+typedef struct {
+    const rw_numerical *numerical; /* before the step */
+    const rw_stance *now;
+} growth;
+
+/* A place that comes into contact has not slipped. */
+static double origin_after(double x, const void *context)
+{
+    const growth *g = context;
+    const rw_patch before = g->numerical->now.contact;
+    if (x >= before.left && x <= before.right)
+        return rw_traction_at(&g->numerical->origin, x);
+    return -displacement(g->now, x);
+}
+
+static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance *now)
+{
+    const rw_patch before = n->now.contact, contact = now->contact;
+    const bool is_inside = contact.left >= before.left && contact.right <= before.right;
+    if (!n->has_origin || is_inside)
+        return true;
+    double at[6];
+    size_t count = 0;
+    rw_traction origin = {0};
+    const growth g = {n, now};
+    const double all[] = {contact.left, fmax(contact.left, before.left),
+                          fmin(contact.right, before.right), contact.right};
+    for (size_t i = 0; i < 4; i++)
+        if (count == 0 || all[i] > at[count - 1])
+            at[count++] = all[i];
+    if (!rw_traction_fit(&origin, origin_after, &g, count, at, slip_tolerance(frame, now))) {
+        rw_traction_destroy(&origin);
+        return false;
+    }
+    rw_traction_destroy(&n->origin);
+    n->origin = origin;
+    return true;
+}
+
+/* ---- Steps ---- */
+
+/* Halvings of a load. */
+enum { HALVINGS = 4 };
+
+/* Takes over where a step has led. */
+static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
+{
+    if (!renew_origin(n, w->frame, now)) {
+        w->is_short = true;
+        rw_shear_state_destroy(&now->shear);
+        return false;
+    }
+    note_error(n, now, now->error);
+    rw_shear_state_destroy(&n->now.shear);
+    n->now = *now;
+    return true;
+}
+
+/* The largest difference of two tractions, over the scale. */
+static double difference(double scale, const rw_stance *one, const rw_stance *other)
+{
+    enum { POINTS = 61 };
+    double most = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const double x = rw_patch_middle(one->contact) -
+                         rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
+        most = fmax(most, fabs(rw_traction_at(&one->shear.traction, x) -
+                               rw_traction_at(&other->shear.traction, x)));
+    }
+    return most / scale;
+}
+
+/* Energies may differ by so many times what tractions may, over the square of scale and
+ * half-width. */
+static const double ENERGY = 10;
+
+/* How far the halves are from the whole: the error of the halves is of that size, and of that of
+ * the elements. Whether that is little, and so is the difference of the energies. */
+static const double SAFETY = 2, ELEMENTS = 2e-3;
+
+static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
+                    rw_stance *both)
+{
+    const double scale = rw_peak_friction(frame, whole->contact);
+    const double unit = scale * rw_patch_half_width(whole->contact);
+    const double energy = fabs(whole->energy - both->energy) / (unit * unit);
+    both->error += half->error + SAFETY * difference(scale, whole, both);
+    const bool is_close = both->error <= frame->tolerance && energy <= ENERGY * frame->tolerance;
+    both->error += ELEMENTS * frame->tolerance;
+    return is_close;
+}
+
+static rw_course half_way(rw_course from, rw_course to)
+{
+    return (rw_course){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2, from.shear / 2 + to.shear / 2,
+                       from.stretch / 2 + to.stretch / 2};
+}
+
+/* A step that may be there or not. */
+typedef struct {
+    bool is_known;
+    rw_stance stance;
+} trial;
+
+static void drop(trial *t)
+{
+    if (t->is_known)
+        rw_shear_state_destroy(&t->stance.shear);
+    t->is_known = false;
+}
+
+static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse)
+{
+    trial t;
+    t.is_known = rw_implicit_step(w, from, to, coarse, &t.stance);
+    return t;
+}
+
+/* The step as a whole, if it is known, and by way of the middle: how far these are apart is the
+ * error. Both halves are divided again until it is small. */
+static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
+{
+    const bool is_last = halvings == 0;
+    const rw_course middle = half_way(n->now.at, to);
+    if (is_last && !whole->is_known)
+        *whole = try_step(w, &n->now, to, true);
+    trial half = try_step(w, &n->now, middle, is_last), both = {.is_known = false};
+    if (half.is_known && whole->is_known)
+        both = try_step(w, &half.stance, to, is_last);
+    const bool is_close =
+        both.is_known && compare(w->frame, &whole->stance, &half.stance, &both.stance);
+    drop(whole);
+    if (is_close || (both.is_known && is_last)) {
+        drop(&half);
+        return accept(w, n, &both.stance);
+    }
+    drop(&both);
+    if (is_last || w->is_short) {
+        drop(&half);
+        return false;
+    }
+    if (!advance(w, n, middle, &half, halvings - 1))
+        return false;
+    trial rest = try_step(w, &n->now, to, false);
+    return advance(w, n, to, &rest, halvings - 1);
+}
+
+rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
+{
+    rw_work w;
+    rw_numerical next;
+    if (!rw_work_create(&w, frame))
+        return RW_STEP_NO_MEMORY;
+    if (!rw_numerical_copy(n, &next)) {
+        rw_work_destroy(&w);
+        return RW_STEP_NO_MEMORY;
+    }
+    trial whole = try_step(&w, &next.now, to, false);
+    const bool is_done = advance(&w, &next, to, &whole, HALVINGS);
+    rw_work_destroy(&w);
+    rw_numerical_destroy(is_done ? n : &next);
+    if (is_done)
+        *n = next;
+    return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The shear of a contact whose history has no closed form: its traction on elements, with the slip
+ * so far and an estimate of the error. It is as large as the traction is complicated, not as its
+ * history is long. */
+#ifndef RW_NUMERICAL_H
+#define RW_NUMERICAL_H
+
+#include "numerical/step.h"
+
+enum { RW_MOST_ERRORS = 24 };
+
+/* The error of a load, and what stuck of it: a later load that slips farther in forgets it. */
+typedef struct {
+    double error, left, right;
+} rw_load_error;
+
+typedef struct {
+    rw_stance now;
+    bool has_origin;    /* slip is known */
+    rw_traction origin; /* slip less the displacement, at each place since it came into contact */
+    int errors;
+    rw_load_error error[RW_MOST_ERRORS];
+} rw_numerical;
+
+typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
+
+/* Begins where `now` stands, whose traction is set; slip is what has slipped before, NULL where
+ * that is not known. false where memory is short, and nothing is to be freed but `now`. */
+bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame, const rw_stance *now,
+                        rw_function slip, const void *context);
+
+bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
+void rw_numerical_destroy(rw_numerical *numerical);
+
+/* On a straight line to new loads. Unless it is done all is as before. */
+rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_course to);
+
+/* Over f times the peak pressure. */
+double rw_numerical_error(const rw_numerical *numerical);
+
+/* The slip of a place in contact, over theta. */
+double rw_numerical_slip(const rw_numerical *numerical, double x);
+
+#endif

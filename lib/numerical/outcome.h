@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a step leaves, once its zones are known, and how well it keeps the conditions of the
+ * problem: Coulomb's where it sticks, the sense of slip where it slips. */
+#ifndef RW_OUTCOME_H
+#define RW_OUTCOME_H
+
+#include "numerical/fronts.h"
+#include "numerical/grid.h"
+
+typedef struct {
+    rw_shear_state state;
+    rw_layers layers;
+    double violation; /* the larger one, over f times the peak pressure, and its half-width */
+    double energy;    /* in theta^2/A */
+    double move;      /* of what sticks: the constant part of dw */
+    rw_zones wrong;   /* parts that should have another label */
+} rw_outcome;
+
+void rw_shear_state_destroy(rw_shear_state *state);
+
+/* From exact fronts, and from the grid where there are none. false where memory is short, or a
+ * number is not finite. */
+bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
+bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, rw_layers layers,
+                        rw_outcome *outcome);
+
+#endif

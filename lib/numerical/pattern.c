@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerical/pattern.h"
+
+#include <math.h>
+#include <string.h>
+
+static double width(rw_zone zone)
+{
+    return zone.right - zone.left;
+}
+
+static bool insert_at(rw_zones *z, int i, rw_zone zone)
+{
+    if (z->count == RW_MOST_ZONES)
+        return false;
+    memmove(z->zone + i + 1, z->zone + i, (size_t)(z->count - i) * sizeof *z->zone);
+    z->zone[i] = zone;
+    z->count++;
+    return true;
+}
+
+static void remove_at(rw_zones *z, int i)
+{
+    z->count--;
+    memmove(z->zone + i, z->zone + i + 1, (size_t)(z->count - i) * sizeof *z->zone);
+}
+
+bool rw_pattern_clean(rw_zones *z, double least)
+{
+    for (int i = 0; i + 1 < z->count;) {
+        rw_zone *one = &z->zone[i], *next = one + 1;
+        if (one->label == next->label) {
+            one->right = next->right;
+            remove_at(z, i + 1);
+        } else if (one->label != 0 && next->label != 0) {
+            const double part = fmin(least, fmin(0.2 * width(*one), 0.2 * width(*next)));
+            const double middle = one->right;
+            one->right = middle - part;
+            next->left = middle + part;
+            if (!insert_at(z, i + 1, (rw_zone){0, middle - part, middle + part}))
+                return false;
+        } else {
+            i++;
+        }
+    }
+    return true;
+}
+
+/* ---- At the edges ---- */
+
+/* The sign of slip at an edge at first, by the singularity there if all stuck. */
+static int edge_sign(const rw_problem *p, int side)
+{
+    const double from_load = p->shear / 3.14159265358979323846, from_stretch = p->stretch * p->half;
+    return from_load - (side ? 1 : -1) * from_stretch > 0 ? 1 : -1;
+}
+
+/* One zone as wide as an angle or so slips; `sign` 0: none. */
+static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flipped, double angle)
+{
+    rw_zone *last = side ? &z->zone[z->count - 1] : &z->zone[0];
+    if (last->label != 0)
+        return !flipped;
+    const int label = flipped ? -edge_sign(p, side) : edge_sign(p, side);
+    const double part = fmin(0.3 * angle, 0.3 * width(*last));
+    if (side) {
+        last->right -= part;
+        return insert_at(z, z->count, (rw_zone){label, last->right, last->right + part});
+    }
+    last->left += part;
+    return insert_at(z, 0, (rw_zone){label, last->left - part, last->left});
+}
+
+static bool stick_to_edge(const rw_problem *p, rw_zones *z, int side)
+{
+    if (!p->grows[side])
+        return false;
+    const int at = side ? z->count - 1 : 0;
+    if (z->zone[at].label == 0)
+        return true;
+    const int next = side ? at - 1 : 1;
+    if (z->count == 1 || z->zone[next].label != 0)
+        return false;
+    if (side)
+        z->zone[next].right = z->zone[at].right;
+    else
+        z->zone[next].left = z->zone[at].left;
+    remove_at(z, at);
+    return true;
+}
+
+/* Whether a growing edge sticks at first trial: its slip is only a few angles wide. */
+static bool seems_stuck(const rw_problem *p, const rw_zones *z, int side, double angle)
+{
+    const rw_zone last = side ? z->zone[z->count - 1] : z->zone[0];
+    const double grown = side ? p->to.right - p->from.right : p->from.left - p->to.left;
+    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * grown);
+}
+
+bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, int number,
+                        rw_zones *variant)
+{
+    *variant = *z;
+    for (int side = 0; side < 2; side++) {
+        const int bits = number >> (side ? 0 : 2) & 3;
+        const bool sticks = ((bits & 2) != 0) != seems_stuck(p, z, side, angle);
+        const bool flipped = (bits & 1) != 0;
+        if (sticks && flipped)
+            return false;
+        if (!(sticks ? stick_to_edge(p, variant, side)
+                     : slip_at_edge(p, variant, side, flipped, angle)))
+            return false;
+    }
+    return true;
+}
+
+/* ---- Inside ---- */
+
+bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
+{
+    if (z->count <= 3)
+        return false;
+    int narrow = 1;
+    double narrowest = HUGE_VAL;
+    for (int i = 1; i + 1 < z->count; i++) {
+        const double angle = rw_angle_of(p, z->zone[i].right) - rw_angle_of(p, z->zone[i].left);
+        if (angle < narrowest) {
+            narrowest = angle;
+            narrow = i;
+        }
+    }
+    rw_zone *zone = &z->zone[narrow], *before = zone - 1, *next = zone + 1;
+    if (zone->label != 0) {
+        zone->label = 0;
+    } else if (before->label == next->label) {
+        zone->label = before->label;
+    } else { /* between two ways: the wider takes the room of the other */
+        rw_zone *wider = width(*before) < width(*next) ? next : before;
+        rw_zone *other = wider == next ? before : next;
+        const bool is_inner = other > z->zone && other < z->zone + z->count - 1;
+        other->label = is_inner ? 0 : wider->label;
+        zone->label = is_inner ? 0 : wider->label;
+    }
+    return rw_pattern_clean(z, least);
+}
+
+static bool insert_part(rw_zones *z, rw_zone part)
+{
+    rw_zones new = {.count = 0};
+    for (int i = 0; i < z->count; i++) {
+        const rw_zone zone = z->zone[i];
+        const double left = fmax(zone.left, part.left), right = fmin(zone.right, part.right);
+        const bool is_changed = left < right && zone.label != part.label;
+        const rw_zone pieces[3] = {{zone.label, zone.left, is_changed ? left : zone.right},
+                                   {part.label, left, right},
+                                   {zone.label, right, zone.right}};
+        for (int k = 0; k < (is_changed ? 3 : 1); k++)
+            if (pieces[k].right > pieces[k].left && !insert_at(&new, new.count, pieces[k]))
+                return false;
+    }
+    *z = new;
+    return true;
+}
+
+bool rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)
+{
+    for (int i = 0; i < parts->count; i++)
+        if (!insert_part(z, parts->zone[i]))
+            return false;
+    return rw_pattern_clean(z, least);
+}
+
+bool rw_pattern_is_same(const rw_zones *one, const rw_zones *other)
+{
+    bool is_same = one->count == other->count;
+    for (int i = 0; is_same && i < one->count; i++)
+        is_same = one->zone[i].label == other->zone[i].label;
+    return is_same;
+}

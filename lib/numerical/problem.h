@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One step of the shear. Tractions are in theta/A, t = -q, so that the integral of t is the shear
+ * load; displacements in theta. On the surface the half-plane moves against the pad by w with
+ *     w' = Omega + stretch,   stretch = (surface strain of the bulk tension)/theta.
+ * A straight step to new loads is a convex problem with one solution. Its traction is t + dt, with
+ * |t + dt| <= F' = f |p'|. Where it sticks, dw is one constant; where it slips, t + dt = S F', and
+ * dw less that constant has the sign -S.
+ *
+ * A growing contact brings new material into contact without slip. Where that sticks up to the
+ * edge, the change holds D_1 (F' - F), and a layer of a second profile, ((x - x_0)/half)^2, where
+ * the two edges differ. */
+#ifndef RW_PROBLEM_H
+#define RW_PROBLEM_H
+
+#include "numerical/traction.h"
+#include "stress/eccentric.h"
+
+enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48 };
+
+/* Neighbours share their ends; 0 sticks, +-1 is the sign of t. */
+typedef struct {
+    int label;
+    double left, right;
+} rw_zone;
+
+typedef struct {
+    int count;
+    rw_zone zone[RW_MOST_ZONES];
+} rw_zones;
+
+/* Where the shear stands: in closed form no more. Kinks are where the traction is not smooth. */
+typedef struct {
+    rw_traction traction;
+    rw_zones zones;
+    int kinks;
+    double kink[RW_MOST_KINKS];
+} rw_shear_state;
+
+/* Layers of a contact that grows. */
+typedef struct {
+    double first, second;
+} rw_layers;
+
+typedef struct {
+    double a, f;
+    double scale;            /* f times the peak pressure */
+    double tolerance;        /* of tractions */
+    double allowed;          /* violations, over the scale */
+    rw_patch from, to, both; /* both: what is in either */
+    rw_eccentric from_pressure, to_pressure;
+    bool is_still;                 /* the contact is as it was */
+    bool grows[2];                 /* at the left, right edge */
+    double load, tilt;             /* by which the contact changes: lengths, theta */
+    double layer_load, layer_tilt; /* of the second layer */
+    double middle, half;           /* of the contact after the step */
+    double shear, stretch;         /* the changes */
+    const rw_shear_state *old;
+} rw_problem;
+
+/* loads are lengths: P A/theta, and what the old traction carries is its total. */
+void rw_problem_init(rw_problem *p, double a, double f, rw_patch from, rw_patch to,
+                     const rw_shear_state *old, double shear, double stretch);
+
+/* F after the step, and before it. */
+double rw_friction_after(const rw_problem *p, double x);
+double rw_friction_before(const rw_problem *p, double x);
+
+/* The old traction and the layers. */
+double rw_base_traction(const rw_problem *p, rw_layers layers, double x);
+
+/* The angle of a place in the contact, 0 at its left edge to pi, and back. */
+double rw_angle_of(const rw_problem *p, double x);
+double rw_place_of(const rw_problem *p, double angle);
+
+#endif

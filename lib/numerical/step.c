@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerical/step.h"
+
+#include "base/domain.h"
+#include "numerical/pattern.h"
+
+#include <string.h>
+
+/* Angles of the grid; at a second trial twice as many. */
+enum { ANGLES = 96 };
+
+/* Residuals that a pattern may cost. */
+enum { BUDGET = 400 };
+
+/* Violations over the tolerance that count as none. */
+static const double ALLOWED = 0.2;
+
+/* The residual of Newton's method, over the tolerance. */
+static const double RESIDUAL = 1e-5;
+
+/* ---- One problem ---- */
+
+/* The zones of the guess that are about as an old front was begin just inside the old zone that
+ * stuck, where the residual is steep; side -1: just outside. Whether any is moved. */
+static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int side)
+{
+    const rw_zones *old = &p->old->zones;
+    bool is_moved = false;
+    for (int j = 0; j < f->fronts; j++)
+        for (int i = 0; i + 1 < old->count; i++) {
+            const int one = old->zone[i].label, other = old->zone[i + 1].label;
+            const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
+            if ((one != 0 ? one : other) != slip || (one == 0) != (f->label[j] == 0))
+                continue;
+            const double at = rw_angle_of(p, old->zone[i].right);
+            if (fabs(at - f->y[j]) < 2.5 * angle) {
+                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * 0.05 * angle;
+                is_moved = true;
+            }
+        }
+    return is_moved;
+}
+
+static bool is_ordered(const rw_fronts *f)
+{
+    for (int j = 0; j <= f->fronts; j++)
+        if (!((j > 0 ? f->y[j - 1] : 0) < (j < f->fronts ? f->y[j] : RW_PI)))
+            return false;
+    return true;
+}
+
+static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
+{
+    rw_fronts *f = &w->fronts;
+    const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
+    for (int side = 1; side >= -1; side -= 2) {
+        if (!rw_fronts_begin(f, p, zones))
+            return false;
+        f->budget = BUDGET;
+        const bool is_moved = start_beside(p, f, angle, side);
+        if (side < 0 && !is_moved)
+            return false;
+        if (!is_ordered(f))
+            rw_fronts_begin(f, p, zones);
+        double start[RW_MOST_FRONTS];
+        memcpy(start, f->y, sizeof start);
+        if (rw_fronts_newton(f, residual))
+            return true;
+        memcpy(f->y, start, sizeof start);
+        f->budget = BUDGET;
+        if (rw_fronts_relax(f) && rw_fronts_newton(f, residual))
+            return true;
+    }
+    return false;
+}
+
+/* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
+ * again. */
+static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                        double least, rw_outcome *best)
+{
+    if (!find_fronts(w, p, zones, angle) || !rw_outcome_of_fronts(&w->fronts, best))
+        return false;
+    for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
+        rw_zones mended = best->state.zones;
+        rw_outcome other;
+        if (!rw_pattern_insert(&mended, &best->wrong, least) ||
+            !find_fronts(w, p, &mended, angle) || !rw_outcome_of_fronts(&w->fronts, &other))
+            break;
+        rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
+        if (!(other.violation < best->violation))
+            break;
+        *best = other;
+    }
+    return true;
+}
+
+/* Keeps the better of two. */
+static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *other)
+{
+    rw_outcome worse = *other;
+    if (!*is_known || other->violation < best->violation) {
+        worse = *best;
+        *best = *other;
+    }
+    if (*is_known)
+        rw_shear_state_destroy(&worse.state);
+    *is_known = true;
+}
+
+/* What the layers of a growing contact are at first: at each edge the ratio of the rates of shear
+ * and friction, as if all else stuck. */
+static rw_layers guess_layers(const rw_problem *p)
+{
+    double ratio[2] = {0, 0};
+    for (int side = 0; side < 2; side++) {
+        if (!p->grows[side])
+            continue;
+        const double sign = side ? 1 : -1;
+        const double friction = p->f * (p->load / RW_PI + sign * p->tilt * p->half);
+        const double shear = p->shear / RW_PI - sign * p->stretch * p->half;
+        ratio[side] = friction > 0 ? fmax(-1, fmin(1, shear / friction)) : shear > 0 ? 1 : -1;
+    }
+    if (!p->grows[0] || !p->grows[1])
+        return (rw_layers){ratio[0] + ratio[1], 0};
+    return (rw_layers){(ratio[0] + ratio[1]) / 2, 0};
+}
+
+static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                    rw_outcome *best)
+{
+    const double width = p->half * angle * angle * 2;
+    rw_zones pattern = *zones, tried[RW_VARIANTS];
+    bool is_known = false;
+    if (!rw_pattern_clean(&pattern, width))
+        return false;
+    for (int level = 0; level < 4; level++) {
+        int count = 0;
+        for (int number = 0; number < RW_VARIANTS; number++) {
+            rw_zones variant;
+            if (!rw_pattern_variant(p, &pattern, width, number, &variant) ||
+                !rw_pattern_clean(&variant, width))
+                continue;
+            bool is_new = true;
+            for (int i = 0; i < count; i++)
+                is_new = is_new && !rw_pattern_is_same(&variant, &tried[i]);
+            if (!is_new)
+                continue;
+            tried[count++] = variant;
+            rw_outcome outcome;
+            if (!try_pattern(w, p, &variant, angle, width, &outcome))
+                continue;
+            keep_better(best, &is_known, &outcome);
+            if (best->violation <= p->allowed)
+                return true;
+        }
+        if (!rw_pattern_simpler(p, &pattern, width))
+            break;
+    }
+    return is_known;
+}
+
+/* Of exact fronts; or of the grid, where `coarse` allows it. */
+static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best)
+{
+    bool is_known = false;
+    for (int trial = 0; trial < RW_TRIALS; trial++) {
+        rw_grid *grid = &w->grid[trial];
+        const int n = ANGLES << trial;
+        if (!grid->x && !rw_grid_create(grid, n)) {
+            w->is_short = true;
+            break;
+        }
+        const rw_layers layers = guess_layers(p);
+        rw_zones zones;
+        rw_outcome outcome;
+        if (!rw_grid_solve(grid, p, layers) || !rw_grid_zones(grid, p, &zones))
+            continue;
+        if (try_all(w, p, &zones, RW_PI / n, &outcome))
+            keep_better(best, &is_known, &outcome);
+        if (is_known && best->violation <= p->allowed)
+            return true;
+        if (coarse && trial + 1 == RW_TRIALS && rw_outcome_of_grid(grid, p, layers, &outcome)) {
+            outcome.violation = fmax(outcome.violation, 0.3 / n);
+            keep_better(best, &is_known, &outcome);
+        }
+    }
+    if (is_known && !coarse && best->violation > w->frame->tolerance) {
+        rw_shear_state_destroy(&best->state);
+        return false;
+    }
+    return is_known;
+}
+
+/* ---- Steps ---- */
+
+static rw_patch contact_of(const rw_frame *frame, rw_course at)
+{
+    return rw_patch_of_moment(frame->a, at.P, at.M);
+}
+
+double rw_peak_friction(const rw_frame *frame, rw_patch contact)
+{
+    rw_eccentric potential;
+    rw_eccentric_init(&potential, frame->a, contact);
+    double peak = 0;
+    for (int i = 1; i < 32; i++) {
+        const double x = contact.left + (contact.right - contact.left) * (i + 0.3) / 32.6;
+        peak = fmax(peak, -rw_eccentric_at(&potential, x, 0).G_im);
+    }
+    return frame->f * peak;
+}
+
+static void set_problem(const rw_frame *frame, const rw_stance *from, rw_course to,
+                        rw_patch contact, rw_problem *p)
+{
+    rw_problem_init(p, frame->a, frame->f, from->contact, contact, &from->shear,
+                    to.shear - rw_traction_total(&from->shear.traction),
+                    to.stretch - from->at.stretch);
+    p->scale = rw_peak_friction(frame, contact);
+    p->tolerance = frame->tolerance * p->scale;
+    p->allowed = ALLOWED * frame->tolerance;
+}
+
+bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
+                      rw_stance *there)
+{
+    const bool is_still = to.P == from->at.P && to.M == from->at.M;
+    const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
+    rw_problem p;
+    rw_outcome outcome;
+    set_problem(w->frame, from, to, contact, &p);
+    if (!solve(w, &p, coarse, &outcome))
+        return false;
+    *there = (rw_stance){.shear = outcome.state,
+                         .contact = contact,
+                         .at = to,
+                         .move = from->move + outcome.move,
+                         .energy = from->energy + outcome.energy,
+                         .error = outcome.violation};
+    return true;
+}
+
+bool rw_work_create(rw_work *w, const rw_frame *frame)
+{
+    *w = (rw_work){.frame = frame};
+    return rw_fronts_create(&w->fronts, RW_TERMS);
+}
+
+void rw_work_destroy(rw_work *w)
+{
+    rw_fronts_destroy(&w->fronts);
+    for (int i = 0; i < RW_TRIALS; i++)
+        rw_grid_destroy(&w->grid[i]);
+}

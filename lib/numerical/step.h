@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One implicit step of the shear: the grid's zones, then exact fronts. */
+#ifndef RW_STEP_H
+#define RW_STEP_H
+
+#include "numerical/outcome.h"
+
+/* Where a step leads: P A/theta, M A/theta and Q A/theta, lengths and a square of one; the
+ * stretch. */
+typedef struct {
+    double P, M, shear, stretch;
+} rw_course;
+
+/* What does not change: rounding, friction, and the error of q over f times the peak pressure that
+ * is asked for. */
+typedef struct {
+    double a, f, tolerance;
+} rw_frame;
+
+/* How it stands with the shear of a contact. */
+typedef struct {
+    rw_shear_state shear;
+    rw_patch contact;
+    rw_course at;
+    double move, energy; /* summed */
+    double error;        /* of the step that led here */
+} rw_stance;
+
+enum { RW_TRIALS = 2 };
+
+/* What steps work with, kept from one to the next. */
+typedef struct {
+    const rw_frame *frame;
+    rw_fronts fronts;
+    rw_grid grid[RW_TRIALS];
+    bool is_short; /* memory was */
+} rw_work;
+
+bool rw_work_create(rw_work *work, const rw_frame *frame);
+void rw_work_destroy(rw_work *work);
+
+/* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them
+ * best, or the grid's answer: then false means that there is none. */
+bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse,
+                      rw_stance *there);
+
+/* f times the peak pressure of a contact, in theta/A. */
+double rw_peak_friction(const rw_frame *frame, rw_patch contact);
+
+#endif

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A traction that is no sum of patches: a piecewise function of x on square-root elements,
+ *     x = end + scale u^2,   first <= u <= last,
+ * on each a Legendre series in u. At an edge of the contact and at a front of slip a traction
+ * behaves like a square root of the distance, which is smooth in u. Its Cauchy transform and its
+ * logarithmic potential have closed forms (transform.h). */
+#ifndef RW_TRACTION_H
+#define RW_TRACTION_H
+
+#include "base/root.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { RW_TERMS = 16 };
+
+typedef struct {
+    double end, scale, first, last;
+    double low, high;                /* the ends in x, in order */
+    double coefficient[RW_TERMS];    /* of the Legendre polynomials in u */
+    double u[RW_TERMS], x[RW_TERMS]; /* Gauss's nodes */
+    double load[RW_TERMS];           /* the traction there times its weight in x */
+    double primitive[RW_TERMS + 2];  /* of the load up to u: its coefficients */
+    double carried[RW_TERMS];        /* the primitive at the nodes times scale d(u^2) */
+} rw_element;
+
+typedef struct {
+    rw_element *elements;
+    size_t count, capacity;
+} rw_traction;
+
+/* Gauss's nodes and weights for 0 to 1. */
+void rw_gauss(int n, double node[], double weight[]);
+
+bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
+void rw_traction_destroy(rw_traction *traction);
+
+/* A function as a traction, between neighbours of the breaks, in order: it may be like a square
+ * root there. Elements are divided until their last coefficients are below the tolerance. Replaces
+ * what the traction was. false where memory is short. */
+bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,
+                     const double at[], double tolerance);
+
+/* Appends an element of which all but the coefficients' consequences is set. */
+bool rw_traction_append(rw_traction *traction, const rw_element *element);
+
+/* 0 outside. */
+double rw_traction_at(const rw_traction *traction, double x);
+
+/* Its integral. */
+double rw_traction_total(const rw_traction *traction);
+
+#endif

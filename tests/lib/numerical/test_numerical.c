@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Steps of the shear computed numerically where the contact has a closed form, which is not
+ * used. */
+#include "claims.h"
+#include "numerical/numerical.h"
+#include "rwedge.h"
+
+static const double F = 0.5;
+
+/* theta = A = a = 1; both of them from the same loads without shear. */
+typedef struct {
+    rw_frame frame;
+    rw_numerical numerical;
+    rwedge_contact *exact;
+} pair;
+
+static double no_slip(double x, const void *context)
+{
+    (void)x;
+    (void)context;
+    return 0;
+}
+
+static pair begin(double P, double M, double tolerance)
+{
+    pair c = {.frame = {1, F, tolerance}};
+    rw_stance now = {.contact = rw_patch_of_moment(1, P, M), .at = {P, M, 0, 0}};
+    now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
+    assert_true(rw_numerical_begin(&c.numerical, &c.frame, &now, no_slip, NULL));
+    assert_int_equal(rwedge_contact_create(1, 1, 1, F, &c.exact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_apply(c.exact, P, M, 0, 0), RWEDGE_OK);
+    return c;
+}
+
+static void end(pair *c)
+{
+    rw_numerical_destroy(&c->numerical);
+    rwedge_contact_destroy(c->exact);
+}
+
+static double peak_pressure(const rwedge_contact *contact)
+{
+    double left, right, most = 0;
+    assert_int_equal(rwedge_contact_edges(contact, &left, &right), RWEDGE_OK);
+    for (int i = 1; i < 100; i++) {
+        double p, q;
+        const double x = left + (right - left) * i / 100;
+        assert_int_equal(rwedge_contact_tractions(contact, 1, &x, &p, &q), RWEDGE_OK);
+        most = fmax(most, -p);
+    }
+    return most;
+}
+
+/* The largest difference of the two tractions, over f times the peak pressure. */
+static double difference(const pair *c)
+{
+    double left, right, most = 0;
+    assert_int_equal(rwedge_contact_edges(c->exact, &left, &right), RWEDGE_OK);
+    for (int i = 0; i < 333; i++) {
+        double p, q;
+        const double x = left + (right - left) * (i + 0.5) / 333;
+        assert_int_equal(rwedge_contact_tractions(c->exact, 1, &x, &p, &q), RWEDGE_OK);
+        most = fmax(most, fabs(q + rw_traction_at(&c->numerical.now.shear.traction, x)));
+    }
+    return most / (F * peak_pressure(c->exact));
+}
+
+static void go(pair *c, double P, double M, double Q, double sigma)
+{
+    assert_int_equal(rwedge_contact_apply(c->exact, P, M, Q, sigma), RWEDGE_OK);
+    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, (rw_course){P, M, Q, sigma / 4}),
+                     RW_STEP_DONE);
+    assert_within(difference(c), 0, c->frame.tolerance);
+    assert_within(rw_traction_total(&c->numerical.now.shear.traction), Q, 0.1 * c->frame.tolerance);
+}
+
+static const double TOLERANCES[] = {1e-3, 1e-4, 1e-6};
+
+static void slip_is_that_of_the_closed_form(const pair *c)
+{
+    double left, right;
+    assert_int_equal(rwedge_contact_edges(c->exact, &left, &right), RWEDGE_OK);
+    for (int i = 0; i < 40; i++) {
+        const double x = left + (right - left) * (i + 0.5) / 40;
+        double slip;
+        assert_int_equal(rwedge_contact_slip(c->exact, 1, &x, &slip), RWEDGE_OK);
+        assert_within(rw_numerical_slip(&c->numerical, x), slip, 3 * c->frame.tolerance * F);
+    }
+}
+
+static void mindlins_loading_unloading_and_reloading(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        pair c = begin(4, 0, TOLERANCES[i]);
+        const double Q[] = {1.2, 0.4, -0.9, -0.1, 1.1, 1.5};
+        for (int k = 0; k < 6; k++) {
+            go(&c, 4, 0, Q[k], 0);
+            slip_is_that_of_the_closed_form(&c);
+        }
+        assert_close(c.numerical.now.energy, rwedge_contact_dissipated_energy(c.exact),
+                     2e-4 + TOLERANCES[i]);
+        end(&c);
+    }
+}
+
+static void tension_in_phase_with_a_moment(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        pair c = begin(4, 1.2, TOLERANCES[i]);
+        go(&c, 4, 1.2, 1, 0.3);
+        go(&c, 4, 1.2, -0.5, -0.15);
+        go(&c, 4, 1.2, 0.8, 0.24);
+        end(&c);
+    }
+}
+
+static void a_contact_that_grows_and_recedes(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        pair c = begin(3, 0, TOLERANCES[i]);
+        go(&c, 3, 0, 0.6, 0);
+        go(&c, 4, 0, 0.9, 0); /* the ring sticks, at the ratio 0.6 of friction */
+        go(&c, 4, 0, 1.3, 0);
+        go(&c, 3.5, 0, 1.2, 0); /* recedes and slips */
+        end(&c);
+    }
+}
+
+/* The error that is told is not below the true one, and not far above the tolerance. */
+static void a_step_in_parts_is_the_step_as_a_whole(void **state)
+{
+    (void)state;
+    const rw_course from = {4, 0, 0, 0}, to = {4.4, 0.3, 0.9, 0.3};
+    const int parts[] = {1, 2, 7, 50};
+    rw_traction first = {0};
+    for (int k = 0; k < 4; k++) {
+        pair c = begin(4, 0, 1e-4);
+        for (int i = 1; i <= parts[k]; i++) {
+            const double t = (double)i / parts[k];
+            const rw_course at = {from.P + t * (to.P - from.P), t * to.M, t * to.shear,
+                                  t * to.stretch};
+            assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, at), RW_STEP_DONE);
+        }
+        const rw_traction *t = &c.numerical.now.shear.traction;
+        if (k == 0)
+            assert_true(rw_traction_copy(t, &first));
+        for (int i = -20; i <= 20; i++)
+            assert_within(rw_traction_at(t, i / 10.0), rw_traction_at(&first, i / 10.0), F * 1e-3);
+        end(&c);
+    }
+    rw_traction_destroy(&first);
+}
+
+static void repeated_loads_do_not_fill_the_memory(void **state)
+{
+    (void)state;
+    pair c = begin(4, 0, 1e-3);
+    size_t most = 0;
+    for (int i = 0; i < 200; i++) {
+        const rw_course to = {4, 0, 0.9 * sin(i * 0.7), 0.15 * cos(i * 0.7 + 0.1 * sin(i))};
+        assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to), RW_STEP_DONE);
+        const size_t count = c.numerical.now.shear.traction.count;
+        most = count > most ? count : most;
+    }
+    assert_true(most < 400);
+    assert_true(c.numerical.errors <= RW_MOST_ERRORS);
+    end(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(mindlins_loading_unloading_and_reloading),
+        cmocka_unit_test(tension_in_phase_with_a_moment),
+        cmocka_unit_test(a_contact_that_grows_and_recedes),
+        cmocka_unit_test(a_step_in_parts_is_the_step_as_a_whole),
+        cmocka_unit_test(repeated_loads_do_not_fill_the_memory),
+    };
+    return RUN_CLAIMS("numerical", tests);
+}

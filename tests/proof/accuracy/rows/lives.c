@@ -30,8 +30,8 @@ static bool draw_fatemi_socie(probe *call)
     static const char *const NAMES[] = {"fatemi_socie", "G", "tf", "b", "gf", "c"};
     const double *v = call->value;
     draw_curve(call, NAMES, 600, 60e3);
-    call->result[0] = rwedge_fatemi_socie_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B],
-                                               v[DUCTILITY], v[C], 0);
+    call->result[0] =
+        rwedge_fatemi_socie_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B], v[DUCTILITY], v[C], 0);
     return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
 }
 

@@ -73,7 +73,7 @@ class Field {
             this.ways.length > 1 ? this.chooser(name) : "",
             this.unit,
         );
-        this.box = element("div", { class: "field" }, this.label, row, this.slider?.input ?? "", this.note);
+        this.box = element("div", { class: "field" }, this.label, row, this.slider?.box ?? "", this.note);
     }
 
     get name() {

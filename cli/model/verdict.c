@@ -8,7 +8,7 @@
 
 #include <rwedge.h>
 
-/* ---- Strength --------------------------------------------------------------------------------- */
+/* ---- Strength ---- */
 
 /* As many digits as a design needs. */
 enum { DIGITS = 4 };
@@ -67,7 +67,7 @@ static void add_sliding(const writer *w, const results *answer, bool alone)
         add_place(w, answer->value[RESULT_YIELD_X].number, answer->value[RESULT_YIELD_Y].number);
 }
 
-/* ---- The whole -------------------------------------------------------------------------------- */
+/* ---- The whole ---- */
 
 /* NAN, of an empty cell, is in no order. */
 static const char *yields(double factor, double safety)

@@ -4,6 +4,7 @@ import { readAddress, writeAddress } from "./address.js";
 import { asCommand, asPython } from "./export.js";
 import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
+import { makeFinder } from "./left/find.js";
 import { drawingOf } from "./left/drawing.js";
 import { makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
@@ -78,6 +79,7 @@ const tabs = makeTabs(
         remember();
     },
 );
+const finder = makeFinder(form.take);
 const drawing = element("div", { class: "drawing" });
 const verdict = makeVerdict();
 const exports = element("div", {});
@@ -114,6 +116,7 @@ function render() {
     const began = performance.now();
     model = makeModel(state);
     form.show(model);
+    finder.show(model);
     if (model.results || drawing.innerHTML === "") drawing.innerHTML = drawingOf(model);
     drawing.classList.toggle("old", !model.results && drawing.dataset.of === "case");
     if (model.results) drawing.dataset.of = "case";
@@ -188,8 +191,9 @@ function build() {
     exports.append(details);
     document
         .getElementById("case")
-        .replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
-    document.getElementById("answers").append(tooLong, verdict.box, tabs.list, ...tabs.panels);
+        .replaceChildren(drawing, form.box, finder.box, element("p", { class: "note" }, unitsRemark), exports);
+    document.getElementById("verdict").append(verdict.box);
+    document.getElementById("answers").append(tooLong, tabs.list, ...tabs.panels);
 }
 
 function show(texts) {

@@ -60,6 +60,12 @@ export function solveHolding(texts, sign, length = "") {
     return { ...answer, contact: held };
 }
 
+/** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
+export function findInput(texts, sign, name, safety) {
+    const { inputs, faults } = taken(ask("find", linesOf(texts, sign), name, safety));
+    return faults.length > 0 ? { complaint: faults[0].text } : { value: inputs[name] };
+}
+
 export const isOffCentre = ({ M, sigma }) => M !== 0 || sigma !== 0;
 
 /** The factor by which the yield stress may fall, as in the workbook. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict, above all tabs: strength in a sentence, a bar for its factor, the figures that are asked for first, what is doubtful.
 import { element, escaped } from "./elements.js";
-import { symbols } from "./symbols.js";
+import { symbols } from "./tabs/symbols.js";
 
 const MOST = 3; // where the bar ends
 
@@ -22,14 +22,15 @@ function figureText(model, [name, meaning, unit]) {
 function barText(factor, colour) {
     const share = (100 * Math.min(factor, MOST)) / MOST;
     return (
-        `<div class="factor ${colour}" role="img" aria-label="Factor ${factor.toPrecision(3)}; below 1 it yields">` +
-        `<i style="width:${share.toFixed(1)}%"></i><u style="left:${(100 / MOST).toFixed(1)}%"></u></div>` +
+        `<svg class="factor ${colour}" viewBox="0 0 100 10" preserveAspectRatio="none" role="img" aria-label="Factor ${factor.toPrecision(3)}; below 1 it yields">` +
+        `<rect width="100" height="10"/><rect class="reached" width="${share.toFixed(1)}" height="10"/>` +
+        `<rect class="limit" x="${(100 / MOST).toFixed(1)}" width="0.4" height="10"/></svg>` +
         `<p class="scale"><span>0</span><span>1: yields</span><span>2</span><span>${MOST} and more</span></p>`
     );
 }
 
 const advice =
-    "The factor on the stress is that of the loads as they are. Take that of the sliding contact, a factor on P, where Q may grow.";
+    "The factor on the stress is for the loads as they are. Where Q may grow, take that of the sliding contact, a factor on P.";
 
 function wholeText(model) {
     const { strength, factor, colour } = model.verdict;
@@ -37,7 +38,7 @@ function wholeText(model) {
         `<p class="sentence">${escaped(strength)}</p>` +
         (Number.isFinite(factor) ? barText(factor, colour) : "") +
         `<p class="figures">${figures.map((figure) => figureText(model, figure)).join(" ")}</p>` +
-        (Number.isFinite(factor) ? `<p class="note">${advice}</p>` : "")
+        (Number.isFinite(model.results.safety) ? `<p class="note">${advice}</p>` : "")
     );
 }
 

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { answerOf } from "../src/cycle/answer.js";
 import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
-import { solveHolding } from "../src/solution.js";
+import { findInput, solveHolding } from "../src/solution.js";
 import { goThrough, solveRows } from "../src/tables.js";
 import { inputs } from "../src/words.js";
 
@@ -165,6 +165,20 @@ test("the sentence on strength has the numbers of the results, the unit and the 
         [Number.isNaN(none.factor), none.strength],
         [true, "No yield stress is given, so nothing is known of its strength."],
     );
+});
+
+test("what gives a safety is found: solved forwards it has it, and the tool finds the same", () => {
+    for (const name of ["radius", "a", "P", "f"]) {
+        const texts = { ...usual };
+        const { value } = findInput(texts, ".", name, 1.5);
+        for (const other of name === "radius" ? ["a"] : [name]) delete texts[other];
+        const { safety } = solveHolding({ ...texts, [name]: String(value) }, ".").results;
+        assert.ok(Math.abs(safety / 1.5 - 1) < 1e-12, `${name} ${value}: ${safety}`);
+        const told = run(["solve", ...optionsOf(texts), "--for", name, "--safety", "1.5"]).stdout;
+        const line = told.split("\n").find((text) => text.startsWith(`${name},`));
+        assert.ok(Math.abs(Number(line.split(",")[1]) / value - 1) < 1e-12, `${name} ${value}: ${line}`);
+    }
+    assert.match(findInput(usual, ".", "f", 9).complaint, /^no solution: even without friction the safety is \d/);
 });
 
 test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {

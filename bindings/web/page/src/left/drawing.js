@@ -46,7 +46,7 @@ function loads({ M, Q, sigma }) {
         );
     }
     if (sigma) {
-        const y = box.surface + 84,
+        const y = box.surface + 50,
             out = sigma > 0;
         parts.push(
             arrow(out ? 594 : 636, y, out ? 636 : 594, y, "\u03c3"),

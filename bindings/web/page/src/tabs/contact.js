@@ -2,7 +2,7 @@
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
 import { element } from "../elements.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
-import { groups, ofEdges, symbols } from "../symbols.js";
+import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../words.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";

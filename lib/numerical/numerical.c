@@ -235,7 +235,7 @@ static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
  * error. Both halves are divided again until it is small. */
 static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
 {
-    const bool is_last = halvings == 0;
+    const bool is_last = halvings == 0 || w->effort > RW_MOST_EFFORT;
     const rw_course middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, true);

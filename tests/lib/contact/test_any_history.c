@@ -217,9 +217,6 @@ static void a_stress_history_is_that_of_its_loads(void **state)
     rwedge_contact_destroy(one);
 }
 
-/* In a cycle under constant P and no tension the area of the loop of Q over the rigid displacement
- * is what is dissipated; here the slip of the two ends of a straight cycle, with tension in it,
- * gives the same as the two loads' work. */
 static void yield_is_found_and_the_energy_grows(void **state)
 {
     (void)state;
@@ -234,6 +231,32 @@ static void yield_is_found_and_the_energy_grows(void **state)
         assert_true(rwedge_contact_dissipated_energy(contact) > before);
         before = rwedge_contact_dissipated_energy(contact);
     }
+    rwedge_contact_destroy(contact);
+}
+
+/* Under constant P and tension the area of a closed loop of Q over the displacement is
+ * dissipated. */
+static void the_loops_area_is_the_energy(void **state)
+{
+    (void)state;
+    enum { STEPS = 120 };
+    rwedge_contact *contact = computed();
+    apply(contact, 4, 0, 0, 0.5);
+    apply(contact, 4, 0, 1.2, 0.5);
+    apply(contact, 4, 0, -1.2, 0.5);
+    apply(contact, 4, 0, 1.2, 0.5);
+    const double before = rwedge_contact_dissipated_energy(contact);
+    double area = 0, last = rwedge_contact_displacement(contact, 10), Q_last = 1.2;
+    for (int i = 1; i <= STEPS; i++) {
+        const double Q = 1.2 * cos(2 * PI * i / STEPS);
+        apply(contact, 4, 0, Q, 0.5);
+        const double now = rwedge_contact_displacement(contact, 10);
+        area += (Q + Q_last) / 2 * (now - last);
+        last = now;
+        Q_last = Q;
+    }
+    assert_true(rwedge_contact_error(contact) > 0);
+    assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
     rwedge_contact_destroy(contact);
 }
 
@@ -333,6 +356,7 @@ int main(void)
         cmocka_unit_test(a_copy_and_a_restored_contact_go_on_to_the_same_bits),
         cmocka_unit_test(a_stress_history_is_that_of_its_loads),
         cmocka_unit_test(yield_is_found_and_the_energy_grows),
+        cmocka_unit_test(the_loops_area_is_the_energy),
         cmocka_unit_test(bodies_touch_under_shear_and_tension),
         cmocka_unit_test(realistic_programmes_are_answered),
     };

@@ -56,7 +56,6 @@ typedef struct {
     int cells;
     rw_worst_plane best;
     rw_direction psi, beta;
-    view view; /* of the cell that is looked at: on the stack each level would have its own */
 } search;
 
 /* ---- One load on one plane ---- */
@@ -298,27 +297,41 @@ static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
 /* How many of the first n loads are left in the cell, and its halves; 0 where it is done with. */
 static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
 {
-    view *v = &w->view;
+    view v;
     corners severity;
-    look(w, a, n, v);
-    record(w, a, n, v->around.ball.radius);
+    look(w, a, n, &v);
+    record(w, a, n, v.around.ball.radius);
     lose_patience(w);
-    const double bound = bound_of(w->severity, &v->amplitude, &v->peak, &severity);
+    const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
     if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
         return 0;
-    const size_t kept = keep(w, a, n, v);
+    const size_t kept = keep(w, a, n, &v);
     if (is_worst_at_equator(w, a, kept))
         return 0;
     divide(a, &severity, half);
     return kept;
 }
 
+/* A cell to be looked at, with the loads that are left in it. */
+typedef struct {
+    cell area;
+    size_t loads;
+} task;
+
+/* Halvings from the first cells to the smallest ones are fewer. */
+enum { TASKS = 64 };
+
+/* Cells wait in a list of their own: recursion would take much of a small stack. */
 static void explore(search *w, const cell *a, size_t n)
 {
-    cell half[2];
-    const size_t kept = narrow(w, a, n, half);
-    for (int i = 0; kept > 0 && i < 2; i++)
-        explore(w, &half[i], kept);
+    task waiting[TASKS] = {{*a, n}};
+    for (int count = 1; count > 0;) {
+        const task now = waiting[--count];
+        cell half[2];
+        const size_t kept = narrow(w, &now.area, now.loads, half);
+        for (int i = 1; kept > 0 && i >= 0; i--)
+            waiting[count++] = (task){half[i], kept};
+    }
 }
 
 /* ---- The quarter of the sphere ---- */

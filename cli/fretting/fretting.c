@@ -162,20 +162,6 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
 
 /* ---- The command ---- */
 
-static void read_plan(arguments *given, plan *job, output_options *how)
-{
-    criteria asked;
-    output_options_read(given, how);
-    places_spare_files(given, how);
-    job->threads = threads_read(given);
-    material_read(given->value[OPTION_MATERIAL], given, &job->constants);
-    criteria_read(given, &asked);
-    course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
-    criteria_read_strength(given, &job->whole.what, &asked);
-    last_cycle_begin(&job->whole, &asked, &job->last);
-    surface_places(given, how->decimal_sign, &job->last, &job->all);
-}
-
 static distance read_distance(const arguments *given, const material *constants)
 {
     const char *text = given->value[OPTION_LENGTH], *method = given->value[OPTION_METHOD];
@@ -194,6 +180,23 @@ static distance read_distance(const arguments *given, const material *constants)
         usage_error("--%s %s: needs --at-worst or --worst", text != NULL ? "length" : "method",
                     text != NULL ? text : method);
     return below;
+}
+
+static void read_plan(arguments *given, plan *job, output_options *how)
+{
+    criteria asked;
+    output_options_read(given, how);
+    places_spare_files(given, how);
+    job->threads = threads_read(given);
+    material_read(given->value[OPTION_MATERIAL], given, &job->constants);
+    criteria_read(given, &asked);
+    job->worst = (worst_table){.last = &job->last,
+                               .material = &job->constants,
+                               .below = read_distance(given, &job->constants)};
+    course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
+    criteria_read_strength(given, &job->whole.what, &asked);
+    last_cycle_begin(&job->whole, &asked, &job->last);
+    surface_places(given, how->decimal_sign, &job->last, &job->all);
 }
 
 /* The same as for the rows, but for the file and the format of its ending. */
@@ -245,9 +248,6 @@ static int fretting(const arguments *line)
     read_plan(&given, &job, &how);
     read_worst(&given, &how, &how_worst);
     compute(&job);
-    job.worst = (worst_table){.last = &job.last,
-                              .material = &job.constants,
-                              .below = read_distance(&given, &job.constants)};
     worst_find(&job.all, &job.worst);
     worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
     if (job.all.line > 0 && given.value[OPTION_X] == NULL)

@@ -173,11 +173,9 @@ static bool is_written(const worst_table *worst, int column)
 {
     const criteria *asked = &worst->last->asked;
     const int criterion = column_criterion(column);
-    bool any = false;
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        any = any || asked->is_wanted[i];
     return !isnan(worst->row[column].value) &&
-           (!worst->is_verdict || (criterion >= 0 && (!any || asked->is_wanted[criterion])));
+           (!worst->is_verdict ||
+            (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));
 }
 
 bool worst_write_rows(void *of_worst, records *rows, bool show_progress)

@@ -31,8 +31,8 @@ typedef struct {
     double value[MATERIAL_COUNT]; /* NAN where not given */
 } material;
 
-/* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants stand
- * for options that are not given. What is wrong ends the command. */
+/* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
+ * stand for options that are not given. What is wrong ends the command. */
 void material_read(const char *path, arguments *given, material *all);
 
 /* What a criterion must not exceed; NAN where it is not known. */

@@ -365,7 +365,7 @@ export async function plots_are_saved({ session, file }) {
         for (const [, size, text] of of("image/png"))
             assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
         for (const [, , text] of of("text/csv"))
-            assert.ok(/^\w+(,\w+)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
+            assert.ok(/^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
     }
     await page.close();
 }
@@ -446,7 +446,7 @@ export async function contours_show_what_the_library_says({ session, file }) {
         }, name);
     for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
         const [names, row] = await saved(measure);
-        assert.equal(names.at(-1), measure);
+        assert.equal(names.at(-1), `${measure} [MPa]`);
         await enter(page, { "probe-x": row[0], "probe-y": row[1] });
         const told = Number((await shownNumbers(page))[measure]);
         assert.ok(

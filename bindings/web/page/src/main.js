@@ -128,7 +128,9 @@ function render() {
     verdict.show(model, state.tab);
     if (exports.querySelector("details").open) showExports();
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
-    printed.textContent = [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`].filter(Boolean).join(", ");
+    printed.textContent = [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`]
+        .filter(Boolean)
+        .join(", ");
     remember();
 }
 

@@ -29,7 +29,11 @@ export const unitSystems = {
 };
 
 /** In metres and newtons. */
-const sizes = { mm: { length: 1e-3, force: 1 }, m: { length: 1, force: 1 }, in: { length: 0.0254, force: 4.4482216152605 } };
+const sizes = {
+    mm: { length: 1e-3, force: 1 },
+    m: { length: 1, force: 1 },
+    in: { length: 0.0254, force: 4.4482216152605 },
+};
 
 /** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
 export function conversion(from, to, dimension) {

@@ -365,7 +365,10 @@ export async function plots_are_saved({ session, file }) {
         for (const [, size, text] of of("image/png"))
             assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
         for (const [, , text] of of("text/csv"))
-            assert.ok(/^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
+            assert.ok(
+                /^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20,
+                `${tab}: ${text.slice(0, 100)}`,
+            );
     }
     await page.close();
 }

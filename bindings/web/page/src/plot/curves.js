@@ -50,7 +50,8 @@ function markText(point, scale, box) {
 function scalesOf({ curves, pinned = [], points = [], xDomain, yDomain }, box) {
     const all = [...curves, ...pinned],
         reach = pinned.length > 0 && yDomain ? [0, ...pinned.flatMap((c) => extent(c.y)), ...yDomain] : null;
-    const x = !xDomain || pinned.length > 0 ? extent([...(xDomain ?? []), ...all.flatMap((c) => extent(c.x))]) : xDomain;
+    const x =
+        !xDomain || pinned.length > 0 ? extent([...(xDomain ?? []), ...all.flatMap((c) => extent(c.x))]) : xDomain;
     const room = roomy(extent([0, ...all.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
     return scales(x, reach ? extent(reach) : (yDomain ?? room), box);
 }

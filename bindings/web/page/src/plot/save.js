@@ -59,9 +59,7 @@ function saveButtons(name, svg, table) {
         " ",
         button("PNG", () => savePng(name, svg())),
         " ",
-        button("CSV", () =>
-            download(`${fileOf(name)}.csv`, new Blob([csvText(table())], { type: "text/csv" })),
-        ),
+        button("CSV", () => download(`${fileOf(name)}.csv`, new Blob([csvText(table())], { type: "text/csv" }))),
     );
 }
 

@@ -77,7 +77,9 @@ function groupText(model, { title, names }) {
 
 export function makeContact() {
     let curves, unit;
-    const plot = curvePlot("tractions", () => curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]));
+    const plot = curvePlot("tractions", () =>
+        curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]),
+    );
     const colours = "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.";
     const few = element("div", { class: "wide few" }),
         numbers = element("div", { class: "wide" }),

@@ -51,7 +51,11 @@ function worstText({ worst }, { unit, write }) {
 function surfaceTable({ x, measured }, unit) {
     const names = measureKinds.map((kind) => kind.name);
     const units = [unit.length, ...measureKinds.map((kind) => unit[kind.unit])];
-    return { names: ["x", ...names], units, rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]) };
+    return {
+        names: ["x", ...names],
+        units,
+        rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]),
+    };
 }
 
 function loopTable({ loop }) {

@@ -42,5 +42,5 @@ export function makeFinder(take) {
         answer,
         use,
     );
-    return { box: element("details", { open: true }, element("summary", {}, "Find an input"), line), show };
+    return { box: element("fieldset", { class: "find" }, element("legend", {}, "Find an input"), line), show };
 }

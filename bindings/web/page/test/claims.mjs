@@ -634,6 +634,58 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
     await page.close();
 }
 
+/** Values under the pointer, curves that stay beside the next case, units that convert, the name in files, one sheet of paper. */
+export async function a_plot_is_read_pinned_and_saved_by_name({ session, file, tool }) {
+    const page = await openPage(session, file, asAddress(usual));
+    const middle = await page.$eval("#panel-contact .frame", (frame) => {
+        frame.scrollIntoView();
+        const { left, top, width, height } = frame.getBoundingClientRect();
+        return [left + width / 2, top + height / 2];
+    });
+    await page.mouse.move(...middle);
+    const read = await page.$eval("#panel-contact .under-pointer", (part) => part.textContent);
+    const pressure = Number(read.match(/pressure \S+ (\S+);/)[1]);
+    const { p0 } = run(tool, ["solve", ...optionsOf(usual), "--format", "json"]).numbers();
+    assert.ok(Math.abs(pressure / p0 - 1) < 2e-3, `${read}; p0 = ${p0}`);
+    const pin = await page.$("#panel-contact [aria-pressed]");
+    await pin.click();
+    await enter(page, { "in-P": "120", "case-name": "pad 7" });
+    const curves = await page.$$eval(
+        "#panel-contact .pinned, #panel-contact .curve.one:not(.pinned)",
+        (all) => all.length,
+    );
+    assert.ok(curves >= 4, `${curves} curves`);
+    const name = await page.evaluate(() => {
+        let saved;
+        HTMLAnchorElement.prototype.click = function () {
+            saved = this.download; // nothing is downloaded
+        };
+        document.querySelector('#panel-contact .save button[aria-label$="CSV"]').click();
+        return saved;
+    });
+    assert.equal(name, "pad-7-tractions.csv");
+    const safety = (await shownNumbers(page)).safety;
+    await page.evaluate(() => document.getElementById("convert").click());
+    await enter(page, { "set-units": "in" });
+    assert.equal((await shownNumbers(page)).safety, safety);
+    assert.equal(
+        Number(await page.$eval("#in-a", (input) => input.value)).toPrecision(6),
+        (0.05 / 25.4).toPrecision(6),
+    );
+    await page.close();
+}
+
+/** What gives a safety is taken into the form. */
+export async function a_safety_is_asked_for({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual, { digits: "10" }));
+    for (const name of ["radius", "P", "f"]) {
+        await enter(page, { "find-input": name, "find-safety": "1.5" });
+        await page.click(".find button");
+        assert.ok(Math.abs(Number((await shownNumbers(page)).safety) - 1.5) < 1e-8, name);
+    }
+    await page.close();
+}
+
 /** What was said and asked for in all the others: axe-core's own letters are data, and ask no one. */
 export function nothing_is_said_and_nothing_asked_for({ session }) {
     assert.deepEqual(session.said, []);

@@ -174,7 +174,7 @@ function contacts()
     refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));
     refused('arguments', {'contact.load(P, Q)'}, @() c.load(1000));
     before = c.state();
-    refused('sliding', {'Q = 1e+06', 'element 3'}, @() c.load(1500, [100 200 1e6]));
+    refused('sliding', {'Q = 1000000', 'element 3'}, @() c.load(1500, [100 200 1e6]));
     refused('path', {'element 2'}, @() c.apply(1500, [0 800], 100, 0));
     claim('of loads of which one is refused, none is taken', isequal(c.state(), before));
     other = c.copy();

@@ -67,7 +67,7 @@ class Series(SeriesMethods, Handle):
         Parameters
         ----------
         x, p : array_like, of one dimension and the same length
-            where and what, |x| < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
+            where and what, abs(x) < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
             2^33 (half a minute); samples near Chebyshev's points (x = cos t, t equally spaced) fit best
         terms : int
             >= 1
@@ -121,7 +121,7 @@ class Series(SeriesMethods, Handle):
         return _residual(self._address)
 
     def pressure(self, x: Numbers) -> NDArray[Any]:
-        """The pressure at x, finite; 0 for |x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
+        """The pressure at x, finite; 0 for abs(x) >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
         return _pressure(self._address, x)
 
     def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:

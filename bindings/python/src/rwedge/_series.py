@@ -117,7 +117,7 @@ class Series(SeriesMethods, Handle):
     @property
     def residual(self) -> float:
         """Error of the series as a pressure: of the analytic one an upper bound of what is cut off, the sum of all further
-        |a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
+        abs(a_k) (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
         return _residual(self._address)
 
     def pressure(self, x: Numbers) -> NDArray[Any]:

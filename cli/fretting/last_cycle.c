@@ -31,20 +31,11 @@ static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
         cycle->edge_count += 2;
 }
 
-static void note_doubts(const rwedge_contact *contact, last_cycle *cycle)
-{
-    const contact_case *setup = cycle->setup;
-    double factor = NAN;
-    if (!isnan(setup->k))
-        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
-    cycle->doubts |= doubts_of_state(setup, contact, factor);
-}
-
 static void note_load(const rwedge_contact *contact, size_t i, last_cycle *cycle)
 {
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
     note_edges(contact, cycle);
-    note_doubts(contact, cycle);
+    cycle->doubts |= doubts_of_state(cycle->setup, contact);
 }
 
 static void keep(const rwedge_contact *contact, last_cycle *cycle)
@@ -63,7 +54,7 @@ static void look_before(const course *whole, last_cycle *cycle)
         return;
     for (size_t i = 0; i < whole->before.count; i++)
         if (load_table_apply(&whole->before, i, whole->what.f, contact, complaint))
-            note_doubts(contact, cycle);
+            cycle->doubts |= doubts_of_state(cycle->setup, contact);
     rwedge_contact_destroy(contact);
 }
 
@@ -109,9 +100,8 @@ static double strength_of(const criteria *asked)
     return isnan(asked->su) ? 1 : asked->su;
 }
 
-/* Stresses of all loads at n places; room for 3 * loads * n. */
-static int32_t stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                        double *stress)
+int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                            double *stress)
 {
     const size_t all = cycle->loads * n;
     rwedge_contact *going = NULL;
@@ -156,16 +146,24 @@ static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress
     return status;
 }
 
-static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                       double *room, measures at[])
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[])
 {
-    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses(cycle, n, x, y, stress);
-    if (status == RWEDGE_OK)
-        status = add_range(cycle, n, stress, room, at);
+    double *room = malloc((3 * n + 1) * sizeof *room);
+    int32_t status = room == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, room, at);
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
         if (!isnan(cycle->asked.constant[i]))
             status = add_criterion(cycle, i, n, stress, room, at);
+    free(room);
+    return status;
+}
+
+static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                       measures at[])
+{
+    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : last_cycle_stresses(cycle, n, x, y, stress);
+    if (status == RWEDGE_OK)
+        status = last_cycle_criteria(cycle, n, stress, at);
     free(stress);
     return status;
 }
@@ -211,7 +209,7 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
         depth[i] = cycle->setup->a == 0 && x[i] == 0 && y[i] == 0 ? 1 : y[i];
         forget(&at[i]);
     }
-    int32_t status = fatigue(cycle, n, x, depth, room, at);
+    int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
         status = friction(cycle, n, x, depth, room, at);
     for (size_t i = 0; i < n; i++)

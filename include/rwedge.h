@@ -313,6 +313,24 @@ typedef struct rwedge_contact rwedge_contact;
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 
+/* The same of a flat pad with rounded edges, over |x| < a flat and beyond of the radius R; a = 0 is a
+ * cylinder.                                                                    THEORY new
+ *   a  half-width of the flat, length
+ *   R  radius of the edges, length, > 0, at most 1e60
+ * Its slope is x/R beyond the flat, as far as |x| = a + R: a load that would bring the contact
+ * farther is refused with RWEDGE_ERANGE. For theta stands 1 where a function below names it.
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, double f,
+                                              rwedge_contact **contact);
+
+/* The same of any convex profile, by its slopes: linear between the places, constant beyond. new
+ *   x      length, finite: of each place, from left to right; equal places are a kink
+ *   slope  finite, |slope| < pi/2: the slope there, positive where the profile rises to the right
+ * RWEDGE_EDOMAIN where a place or a slope is less than the one before, where all slopes are equal,
+ * and unless 2 <= n <= 1000; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_create_profile(size_t n, const double x[], const double slope[],
+                                                 double A, double f, rwedge_contact **contact);
+
 /* How much a bulk tension stretches the surface of the half-plane against that of the wedge: A/4 of
  * the tension unless it is set. That is right for bodies of equal compliance. For others it is
  * (1 - nu1^2)/E1 of the tension, E1 and nu1 being those of the half-plane.                      new
@@ -409,6 +427,14 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
  * is larger, over 1 - |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
+/* How far the contact of rwedge_contact_create_flat() reaches beyond the corners of the flat, with
+ * the digits that the edges lose where that is little; below 0 where a corner is lifted.        new
+ *   left, right  length
+ * RWEDGE_EABSENT when separated; RWEDGE_EDOMAIN for other contacts; RWEDGE_ENULL. Relative error
+ * below 1e-14 without a moment; else that of the edges. */
+RWEDGE_API int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left,
+                                              double *right);
+
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
  * |p|. Those of the contact where there is no such zone.                                        new
  *   left, right  length
@@ -465,6 +491,13 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,
                                           double Q2, double sigma2, double *left, double *right);
+
+/* The same for the pad, the friction and the strain per tension of a contact, whose own loads do not
+ * count. */
+RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
+                                                  double M1, double Q1, double sigma1, double P2,
+                                                  double M2, double Q2, double sigma2, double *left,
+                                                  double *right);
 
 /* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
  * off the centre.

@@ -62,7 +62,8 @@ rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side)
     for (int k = 0; k < rw_main_parts(contact); k++)
         for (int of = -1; of <= 1; of += 2)
             if (k != part || of != side)
-                look_to(&m, rw_mark_edge(part_of(contact, k), of), k < part || (k == part && side < of));
+                look_to(&m, rw_mark_edge(part_of(contact, k), of),
+                        k < part || (k == part && side < of));
     for (size_t i = 1; i < last; i++)
         for (int of = -1; of <= 1; of += 2)
             look_to(&m, rw_mark_edge(corners[i].patch, of), false);

@@ -53,8 +53,7 @@ void rw_pad_append(rw_pad *pad, rw_arc arc, double weight)
 /* The pad is taken over. */
 static int32_t create(rw_geometry geometry, double f, rwedge_contact **contact)
 {
-    const int32_t status =
-        geometry.pad ? rw_contact_create(&geometry, f, contact) : RWEDGE_ENOMEM;
+    const int32_t status = geometry.pad ? rw_contact_create(&geometry, f, contact) : RWEDGE_ENOMEM;
     if (status != RWEDGE_OK)
         rw_pad_destroy(geometry.pad);
     return status;
@@ -155,14 +154,13 @@ int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left, 
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
     const rw_geometry *g = &contact->geometry;
-    if (g->reach == 0)
-        return RWEDGE_EDOMAIN;
     if (contact->memory.count < 2)
         return RWEDGE_EABSENT;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;
-    const double a = g->pad ? g->pad->arcs[1].left : 0;
+    const bool has_flat = g->pad && g->reach > 0;
+    const double a = has_flat ? g->pad->arcs[1].left : 0;
     const flat_pad p = {a, g->a, rw_as_length(g, contact->loads.P)};
-    const bool is_level = g->pad && patch.right == -patch.left;
+    const bool is_level = has_flat && patch.right == -patch.left;
     *left = is_level ? beyond_flat(&p) : -a - patch.left;
     *right = is_level ? *left : patch.right - a;
     return RWEDGE_OK;

@@ -99,8 +99,8 @@ static double tilt_of(const rw_corners *k, double half, int *side)
     const int in = k->is_inside[1];
     *side = in ? 1 : -1;
     const double arc = rw_angle(-*side * k->sine[in], k->cosine[in]);
-    return -*side * (sine_less_arc(arc, k->cosine[in], -*side * k->sine[in]) / RW_PI *
-                     k->per_alpha);
+    return -*side *
+           (sine_less_arc(arc, k->cosine[in], -*side * k->sine[in]) / RW_PI * k->per_alpha);
 }
 
 rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side)

@@ -69,9 +69,10 @@ bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt);
 /* The ends of an arc as the patch sees them; one that is outside counts as the
  * edge. half is half the angle phi between them, middle the angle midway. */
 typedef struct {
-    double alpha, per_alpha;   /* half the arc over s; its reciprocal, 0 where the wedge is sharp to the last bit */
-    double sine[2], cosine[2]; /* of phi */
-    double sin_half, cos_half; /* half >= 0 */
+    double alpha,
+        per_alpha; /* half the arc over s; its reciprocal, 0 where it is a kink to the last bit */
+    double sine[2], cosine[2];       /* of phi */
+    double sin_half, cos_half;       /* half >= 0 */
     double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
     double sin_middle, cos_middle;   /* cos_middle >= sin_half */
     bool is_inside[2];

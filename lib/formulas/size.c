@@ -56,9 +56,9 @@ double rw_normal_load(const rw_geometry *geometry, double b)
 {
     if (b == 0)
         return 0;
-    return rw_unit_stress(geometry) *
-           (geometry->pad ? rw_pad_pressing(geometry->pad, (rw_patch){-b, b}).load
-                          : b * load_per_width(geometry->a, b));
+    return rw_unit_stress(geometry) * (geometry->pad
+                                           ? rw_pad_pressing(geometry->pad, (rw_patch){-b, b}).load
+                                           : b * load_per_width(geometry->a, b));
 }
 
 double rwedge_normal_load(double theta, double a, double A, double b)
@@ -91,7 +91,8 @@ rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
     if (!(fabs(tilt) < 1))
         return (rw_patch){NAN, NAN};
     const double length = rw_as_length(g, P);
-    return g->pad ? rw_pad_patch_of_tilt(g->pad, length, tilt) : rw_patch_of_tilt(g->a, length, tilt);
+    return g->pad ? rw_pad_patch_of_tilt(g->pad, length, tilt)
+                  : rw_patch_of_tilt(g->a, length, tilt);
 }
 
 rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)

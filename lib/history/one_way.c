@@ -56,7 +56,8 @@ typedef struct {
 
 static void add_gap(const zone *z, size_t i, double weight, double x, estimate *sum)
 {
-    const double gap = rw_patch_gap(z->geometry, patch_of(z, i), x), distance = fabs(x - edge_of(z, i));
+    const double gap = rw_patch_gap(z->geometry, patch_of(z, i), x),
+                 distance = fabs(x - edge_of(z, i));
     sum->value += weight * gap;
     if (gap > 0)
         sum->error += (ROUNDING + 1.5 * z->edge_error / distance) * fabs(weight) * gap;

@@ -156,17 +156,18 @@ static bool strength(const contact_case *setup, double b, cell row[],
     return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
 }
 
-static bool yield_factor(const contact_case *setup, cell row[], char complaint[COMPLAINT_SIZE])
+static bool yield_factor(const contact_case *setup, results *answer, char complaint[COMPLAINT_SIZE])
 {
     rwedge_contact *contact = NULL;
     double factor;
     int32_t status = case_loaded(setup, &contact);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
+        status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor,
+                                             &answer->hardest_x, &answer->hardest_y);
     rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
         return not_computed("yield_factor", rwedge_strerror(status), complaint);
-    row[RESULT_YIELD_FACTOR] = cell_number(factor);
+    answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
     return true;
 }
 
@@ -191,7 +192,7 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     if (!isnormal(b) || !isfinite(setup->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
     if (!compute(setup, b, answer->value, complaint) ||
-        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer->value, complaint)))
+        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
     answer->doubts = doubts_of(setup, answer->value[RESULT_B].number, safety);

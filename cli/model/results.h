@@ -53,6 +53,7 @@ bool results_include(results_wanted wanted, int result);
  * library's. */
 typedef struct {
     cell value[RESULT_COUNT];
+    double hardest_x, hardest_y; /* the place of the yield factor, where that is known */
     char warnings[512], bound[32];
     int32_t doubts;
 } results;

@@ -2,10 +2,72 @@
 #include "verdict.h"
 
 #include "text/list.h"
+#include "text/number.h"
 
 #include <stdio.h>
 
 #include <rwedge.h>
+
+/* ---- Strength ---- */
+
+/* As many digits as a design needs. */
+enum { DIGITS = 4 };
+
+typedef struct {
+    verdict *to;
+    verdict_style style;
+} writer;
+
+static const char *write(const writer *w, double value, char text[NUMBER_SIZE])
+{
+    number_write(value, DIGITS, w->style.decimal_sign, text);
+    return text;
+}
+
+/* The middle is found within rounding. */
+static void add_place(const writer *w, double x, double y)
+{
+    const double rounding = 1e-9;
+    char x_text[NUMBER_SIZE], y_text[NUMBER_SIZE];
+    list_add(w->to->strength, sizeof w->to->strength, "", " at x = %s, y = %s%s%s, %s the surface.",
+             write(w, fabs(x) > rounding * y ? x : 0, x_text), write(w, y, y_text),
+             w->style.length[0] != '\0' ? " " : "", w->style.length, y > 0 ? "below" : "at");
+}
+
+static void add_present(const writer *w, const results *answer, double factor)
+{
+    char text[NUMBER_SIZE];
+    if (!(factor > 0)) {
+        list_add(w->to->strength, sizeof w->to->strength, "",
+                 "It yields: the stress at a sharp apex has no bound.");
+        return;
+    }
+    list_add(w->to->strength, sizeof w->to->strength, "",
+             factor < 1 ? "It yields: the stress is %s times what body 1 bears,"
+                        : "Elastic with a factor of %s on the stress; it yields first",
+             write(w, factor < 1 ? 1 / factor : factor, text));
+    add_place(w, answer->hardest_x, answer->hardest_y);
+}
+
+static void add_sliding(const writer *w, const results *answer, bool alone)
+{
+    char text[NUMBER_SIZE];
+    const cell safety = answer->value[RESULT_SAFETY];
+    const bool is_bound = safety.text != NULL;
+    if (is_bound ? safety.text[0] == '\0' : isnan(safety.number))
+        return;
+    list_add(w->to->strength, sizeof w->to->strength, " ",
+             safety.number < 1 ? "If it slid, it would yield: the factor on P is %s"
+                               : "If it slid, it would be elastic with a factor of %s on P",
+             is_bound ? safety.text : write(w, safety.number, text));
+    const bool has_place = answer->value[RESULT_YIELD_X].text == NULL;
+    list_add(w->to->strength, sizeof w->to->strength, "",
+             alone && has_place ? "; it yields first" : ".");
+    if (alone && has_place)
+        add_place(w, answer->value[RESULT_YIELD_X].number, answer->value[RESULT_YIELD_Y].number);
+}
+
+/* ---- The whole ---- */
 
 /* NAN, of an empty cell, is in no order. */
 static const char *yields(double factor, double safety)
@@ -17,29 +79,44 @@ static const char *yields(double factor, double safety)
     return "";
 }
 
-verdict verdict_of(const results *answer)
+static void write_text(verdict *result, const results *answer, bool strong)
 {
     const double factor = answer->value[RESULT_YIELD_FACTOR].number;
     const double safety = answer->value[RESULT_SAFETY].number;
-    const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
-    verdict result = {.colour = "red"};
-    snprintf(result.text, sizeof result.text, "%s", yields(factor, safety));
-    if (result.text[0] == '\0')
-        result.colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
+    snprintf(result->text, sizeof result->text, "%s", yields(factor, safety));
+    if (result->text[0] == '\0')
+        result->colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
     if (answer->warnings[0] != '\0')
-        list_add(result.text, sizeof result.text, " ", "CAUTION: %s%s", answer->warnings,
+        list_add(result->text, sizeof result->text, " ", "CAUTION: %s%s", answer->warnings,
                  safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
     else if (!strong)
-        list_add(result.text, sizeof result.text, " ",
+        list_add(result->text, sizeof result->text, " ",
                  "CAUTION: no yield stress is given, so there is no safety");
-    if (result.text[0] == '\0')
-        snprintf(result.text, sizeof result.text, "OK");
+    if (result->text[0] == '\0')
+        snprintf(result->text, sizeof result->text, "OK");
+}
+
+verdict verdict_of(const results *answer, verdict_style style)
+{
+    verdict result = {.colour = "red"};
+    const double factor = answer->value[RESULT_YIELD_FACTOR].number;
+    const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
+    const writer w = {&result, style};
+    result.factor = isnan(factor) ? answer->value[RESULT_SAFETY].number : factor;
+    if (!isnan(factor))
+        add_present(&w, answer, factor);
+    if (strong)
+        add_sliding(&w, answer, isnan(factor));
+    else
+        list_add(result.strength, sizeof result.strength, "",
+                 "No yield stress is given, so nothing is known of its strength.");
+    write_text(&result, answer, strong);
     return result;
 }
 
 verdict verdict_of_fault(int32_t status, const char *complaint)
 {
-    verdict result = {.colour = "red"};
+    verdict result = {.colour = "red", .factor = NAN};
     const char *why = status == RWEDGE_ESLIDING ? "SLIDES: Q is above f P, there is no equilibrium."
                       : status == RWEDGE_EPATH  ? "NO CLOSED FORM:"
                                                 : "CHECK THE INPUTS:";

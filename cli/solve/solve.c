@@ -6,14 +6,23 @@
 #include "input/text_input.h"
 #include "options/threads.h"
 #include "text/message.h"
-#include "model/results.h"
+#include "text/number.h"
+#include "model/inverse.h"
+#include "model/verdict.h"
 
 #include "contact/notices.h"
 #include "contact/load_table.h"
 
 #include <string.h>
 
-enum { OPTION_INPUT_FILE = OPTION_AFTER_LOADS, OPTION_LAYOUT, OPTION_YIELD_FACTOR };
+enum {
+    OPTION_INPUT_FILE = OPTION_AFTER_LOADS,
+    OPTION_LAYOUT,
+    OPTION_YIELD_FACTOR,
+    OPTION_VERDICT,
+    OPTION_FOR,
+    OPTION_SAFETY
+};
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
@@ -25,6 +34,12 @@ static const struct poptOption options[] = {
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
+    {"verdict", '\0', POPT_ARG_NONE, NULL, OPTION_VERDICT,
+     "Say on standard error what the results come to, of one contact; takes longer", NULL},
+    {"for", '\0', POPT_ARG_STRING, NULL, OPTION_FOR,
+     "Find this input, which is not given, so that the contact has the safety", "radius|a|P|f"},
+    {"safety", '\0', POPT_ARG_STRING, NULL, OPTION_SAFETY, "P_yield/P, in full sliding, for --for",
+     "NUMBER"},
     {NO_FORMULAS_OPTION},
     {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
@@ -50,9 +65,26 @@ static void describe_results(FILE *stream)
 
 typedef struct {
     results answer;
-    bool as_row;
+    bool as_row, says_verdict;
     results_wanted wanted;
+    int looked_for; /* an input, or INPUT_COUNT */
+    double safety, answer_for;
 } job;
+
+/* What was looked for comes first, unless it is a result anyway. */
+static bool shows_input(const job *task)
+{
+    return task->looked_for == INPUT_P || task->looked_for == INPUT_F;
+}
+
+static void write_line(records *rows, const char *const columns[3], const char *name, cell value,
+                       const char *meaning)
+{
+    rows->format->value(rows, columns[0], cell_text(name));
+    rows->format->value(rows, columns[1], value);
+    rows->format->value(rows, columns[2], cell_text(meaning));
+    rows->format->end_row(rows);
+}
 
 static void write_list(const job *task, records *rows)
 {
@@ -60,22 +92,27 @@ static void write_list(const job *task, records *rows)
     for (int i = 0; i < 3; i++)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
-    for (int i = 0; i < RESULT_COUNT; i++) {
-        if (!results_include(task->wanted, i))
-            continue;
-        rows->format->value(rows, columns[0], cell_text(result_kinds[i].name));
-        rows->format->value(rows, columns[1], task->answer.value[i]);
-        rows->format->value(rows, columns[2], cell_text(result_kinds[i].meaning));
-        rows->format->end_row(rows);
+    if (shows_input(task)) {
+        const input_kind *input = &input_kinds[task->looked_for];
+        write_line(rows, columns, input->option, cell_number(task->answer_for), input->meaning);
     }
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (results_include(task->wanted, i))
+            write_line(rows, columns, result_kinds[i].name, task->answer.value[i],
+                       result_kinds[i].meaning);
 }
 
 static void write_row(const job *task, records *rows)
 {
+    const char *input = shows_input(task) ? input_kinds[task->looked_for].option : NULL;
+    if (input != NULL)
+        rows->format->name(rows, input);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(task->wanted, i))
             rows->format->name(rows, result_kinds[i].name);
     rows->format->end_header(rows);
+    if (input != NULL)
+        rows->format->value(rows, input, cell_number(task->answer_for));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(task->wanted, i))
             rows->format->value(rows, result_kinds[i].name, task->answer.value[i]);
@@ -97,18 +134,26 @@ static bool write_rows(void *of_job, records *rows, bool show_progress)
 static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
 {
     char complaint[COMPLAINT_SIZE];
-    if (!results_compute(setup, task->wanted, &task->answer, complaint))
+    results_wanted wanted = task->wanted;
+    wanted.yield_factor = wanted.yield_factor || task->says_verdict;
+    if (!results_compute(setup, wanted, &task->answer, complaint))
         failure("%s", complaint);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
+    if (task->says_verdict)
+        notice("%s", verdict_of(&task->answer, (verdict_style){how->decimal_sign, ""}).strength);
 }
 
 static void solve_one(const input_texts *texts, job *task, const output_options *how)
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
-        usage_error("%s", complaint);
+    if (task->looked_for == INPUT_COUNT) {
+        if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
+            usage_error("%s", complaint);
+    } else if (!inverse_find(texts, task->looked_for, task->safety, &setup, &task->answer_for,
+                             complaint))
+        failure("%s", complaint);
     write_answer_to(&setup, task, how);
 }
 
@@ -160,6 +205,37 @@ static bool read_yield_factor(const arguments *line, const input_texts *texts)
     return wanted;
 }
 
+/* What is looked for cannot be given too, and there is one contact. */
+static void read_inverse(const arguments *line, const input_texts *texts, job *task)
+{
+    const char *name = line->value[OPTION_FOR], *safety = line->value[OPTION_SAFETY];
+    task->looked_for = name == NULL ? INPUT_COUNT : inverse_input(name);
+    if (name == NULL && safety != NULL)
+        usage_error("--safety %s: needs --for", safety);
+    if (name == NULL)
+        return;
+    if (task->looked_for == INPUT_COUNT)
+        usage_error("--for %s: is no input that can be found; allowed: %s", name, inverse_names);
+    if (safety == NULL)
+        usage_error("--for %s: needs --safety", name);
+    if (!number_read(safety, &task->safety) || !(task->safety > 0))
+        usage_error("--safety %s: must be a number above 0", safety);
+    const int other = input_alternative(task->looked_for);
+    if (input_is_given(texts, task->looked_for) || (other >= 0 && input_is_given(texts, other)))
+        usage_error("--for %s: it is given too; allowed: one of the two", name);
+}
+
+static void check_one_contact(const arguments *line, const job *task, const batch *many,
+                              const load_source *from)
+{
+    if (task->says_verdict && many->path != NULL)
+        usage_error("--verdict: is of one contact, not with --input");
+    if (task->looked_for != INPUT_COUNT && (many->path != NULL || load_source_is_given(from)))
+        usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
+                    "--history",
+                    line->value[OPTION_FOR]);
+}
+
 /* A file of contacts, or one of loads. */
 static void check_files(const batch *many, const load_source *from)
 {
@@ -197,6 +273,9 @@ static int solve(const arguments *line)
     task.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
                         input_is_given(&many.constants, INPUT_SIGMA);
     many.wanted = task.wanted;
+    task.says_verdict = line->value[OPTION_VERDICT] != NULL;
+    read_inverse(line, &many.constants, &task);
+    check_one_contact(line, &task, &many, &from);
     if (many.path != NULL)
         return batch_run(&many, &how);
     if (load_source_is_given(&from))

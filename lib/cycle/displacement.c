@@ -9,6 +9,7 @@
  *
  * Off the centre it is the slip of a place, and what the tractions do there. */
 #include "contact/contact.h"
+#include "numerical/transform.h"
 
 /* int P(s)/s ds from 0 to s, in theta/A. */
 static double load_integral(double a, double s)
@@ -52,6 +53,14 @@ static double panel(const rwedge_contact *contact, double b, double x, double fr
     return sum * (30.0 / POINTS) * fabs(to - from);
 }
 
+/* int -q(t) ln(b/(2 |t - x|)) dt, of a shear that is no sum of patches. */
+static double numerical_sum(const rwedge_contact *contact, double b, double x)
+{
+    const rw_traction *t = &contact->numerical->now.shear.traction;
+    return rw_unit_stress(&contact->geometry) *
+           (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
+}
+
 /* The edges of the patches are kinks. They lie one in the other. */
 static double off_centre(const rwedge_contact *contact, double b)
 {
@@ -61,7 +70,9 @@ static double off_centre(const rwedge_contact *contact, double b)
     double slip, left = x, right = x, sum = 0;
     if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
         return NAN;
-    for (size_t i = 1; i < path->count; i++) {
+    if (contact->numerical)
+        sum = numerical_sum(contact, b, x);
+    for (size_t i = 1; i < path->count && !contact->numerical; i++) {
         const rw_patch patch = path->corners[i].patch;
         if (patch.left < left)
             sum += panel(contact, b, x, left, patch.left);

@@ -21,6 +21,8 @@ static double share_of(int part)
  * which a line leaves the last common segment has the slope of that segment. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
+    if (before->numerical || after->numerical)
+        return (rw_patch){HUGE_VAL, -HUGE_VAL}; /* not known of any place */
     const rw_memory *path = &after->memory;
     const rw_trail old = rw_memory_trail(&before->memory);
     const size_t common = rw_memory_common(path, &old);

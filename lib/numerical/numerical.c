@@ -171,12 +171,8 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
     return true;
 }
 
-/* Energies may differ by so many times what tractions may, over the square of scale and
- * half-width. */
-static const double ENERGY = 0.1;
-
-/* The largest difference of two tractions, over the scale, or of the energies. */
-static double difference(const rw_frame *frame, const rw_stance *one, const rw_stance *other)
+/* The largest difference of two tractions, over the scale. */
+static double difference(double scale, const rw_stance *one, const rw_stance *other)
 {
     enum { POINTS = 61 };
     double most = 0;
@@ -186,9 +182,27 @@ static double difference(const rw_frame *frame, const rw_stance *one, const rw_s
         most = fmax(most, fabs(rw_traction_at(&one->shear.traction, x) -
                                rw_traction_at(&other->shear.traction, x)));
     }
-    const double scale = rw_peak_friction(frame, one->contact);
-    const double unit = scale * rw_patch_half_width(one->contact);
-    return fmax(most / scale, ENERGY * fabs(one->energy - other->energy) / (unit * unit));
+    return most / scale;
+}
+
+/* Energies may differ by so many times what tractions may, over the square of scale and
+ * half-width. */
+static const double ENERGY = 10;
+
+/* How far the halves are from the whole: the error of the halves is of that size, and of that of
+ * the elements. Whether that is little, and so is the difference of the energies. */
+static const double SAFETY = 2, ELEMENTS = 2e-3;
+
+static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
+                    rw_stance *both)
+{
+    const double scale = rw_peak_friction(frame, whole->contact);
+    const double unit = scale * rw_patch_half_width(whole->contact);
+    const double energy = fabs(whole->energy - both->energy) / (unit * unit);
+    both->error += half->error + SAFETY * difference(scale, whole, both);
+    const bool is_close = both->error <= frame->tolerance && energy <= ENERGY * frame->tolerance;
+    both->error += ELEMENTS * frame->tolerance;
+    return is_close;
 }
 
 static rw_course half_way(rw_course from, rw_course to)
@@ -221,17 +235,17 @@ static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
  * error. Both halves are divided again until it is small. */
 static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
 {
-    const bool is_last = halvings == 0;
+    const bool is_last = halvings == 0 || w->effort > RW_MOST_EFFORT;
     const rw_course middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, true);
     trial half = try_step(w, &n->now, middle, is_last), both = {.is_known = false};
     if (half.is_known && whole->is_known)
         both = try_step(w, &half.stance, to, is_last);
-    if (both.is_known)
-        both.stance.error += half.stance.error + difference(w->frame, &whole->stance, &both.stance);
+    const bool is_close =
+        both.is_known && compare(w->frame, &whole->stance, &half.stance, &both.stance);
     drop(whole);
-    if (both.is_known && (both.stance.error <= w->frame->tolerance || is_last)) {
+    if (is_close || (both.is_known && is_last)) {
         drop(&half);
         return accept(w, n, &both.stance);
     }

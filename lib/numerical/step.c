@@ -54,7 +54,7 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     rw_fronts *f = &w->fronts;
     const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
     for (int side = 1; side >= -1; side -= 2) {
-        if (!rw_fronts_begin(f, p, zones))
+        if (w->effort > RW_MOST_EFFORT || !rw_fronts_begin(f, p, zones))
             return false;
         f->budget = BUDGET;
         const bool is_moved = start_beside(p, f, angle, side);
@@ -64,11 +64,15 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
             rw_fronts_begin(f, p, zones);
         double start[RW_MOST_FRONTS];
         memcpy(start, f->y, sizeof start);
-        if (rw_fronts_newton(f, residual))
-            return true;
-        memcpy(f->y, start, sizeof start);
-        f->budget = BUDGET;
-        if (rw_fronts_relax(f) && rw_fronts_newton(f, residual))
+        bool is_done = rw_fronts_newton(f, residual);
+        w->effort += BUDGET - f->budget;
+        if (!is_done) {
+            memcpy(f->y, start, sizeof start);
+            f->budget = BUDGET;
+            is_done = rw_fronts_relax(f) && rw_fronts_newton(f, residual);
+            w->effort += BUDGET - f->budget;
+        }
+        if (is_done)
             return true;
     }
     return false;
@@ -230,7 +234,7 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
     rw_problem p;
     rw_outcome outcome;
     set_problem(w->frame, from, to, contact, &p);
-    if (!solve(w, &p, coarse, &outcome))
+    if (!solve(w, &p, coarse || w->effort > RW_MOST_EFFORT, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,
                          .contact = contact,

@@ -26,13 +26,14 @@ typedef struct {
     double error;        /* of the step that led here */
 } rw_stance;
 
-enum { RW_TRIALS = 2 };
+enum { RW_TRIALS = 2, RW_MOST_EFFORT = 4000 };
 
 /* What steps work with, kept from one to the next. */
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
     rw_grid grid[RW_TRIALS];
+    int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid */
     bool is_short; /* memory was */
 } rw_work;
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The C sources are laid out as .clang-format says, and no line of theirs is longer than its 100 columns. (clang-format leaves
+# The C and C++ sources are laid out as .clang-format says, and no line of theirs is longer than its 100 columns. (clang-format leaves
 # comments and strings alone, however long they are.) No line of a Markdown file is longer than 130 columns, except in tables
 # and code.
 #     layout.sh SOURCE
@@ -10,7 +10,7 @@ version=14
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # a released archive has generated files, which are laid out by what writes them
-find include lib cli tests bindings packages -path bindings/made -prune -o -name '*.[ch]' -print >"$work/files"
+find include lib cli tests bindings packages -path bindings/made -prune -o \( -name '*.[ch]' -o -name '*.[ch]pp' \) -print >"$work/files"
 [ "$(wc -l <"$work/files")" -gt 100 ] || { echo "FAILED: the sources were not found"; exit 1; }
 
 status=0

@@ -7,8 +7,8 @@ set -eu
 cd "$1"
 status=0
 fail() { echo "FAILED: $*"; status=1; }
-lists=$(find bindings packages -name build -prune -o \( -path '*/packages/*.txt' -o -name requirements.txt -o -name package-lock.json \) -print)
-[ "$(echo "$lists" | wc -l)" -ge 7 ] || fail "the lists were not found"
+lists=$(find bindings packages tests -name build -prune -o \( -path '*/packages/*.txt' -o -name requirements.txt -o -name package-lock.json \) -print)
+[ "$(echo "$lists" | wc -l)" -ge 8 ] || fail "the lists were not found"
 for list in $lists; do
     ! grep -nE '"resolved"|^[^ ]*(-url|://)' "$list" || fail "$list names a server"
     case $list in

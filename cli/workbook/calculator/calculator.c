@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { LABEL, NAME, VALUE, UNIT, HINT, SKETCH };
-enum { INPUT_ROW = 3, STATUS_ROW = 22, RESULT_ROW = 24 };
+enum { INPUT_ROW = 3, STATUS_ROW = 22, STATUS_LINES = 6, RESULT_ROW = 24 };
 
 /* Two steel bodies: a/b = 0.29, and yield at half as much load again. */
 static const double example[INPUT_CELLS] = {
@@ -113,12 +113,13 @@ static void write_inputs(xlsx *book)
 
 /* ---- Verdict --------------------------------------------------------------------------------- */
 
+/* What yields, then what is doubtful, as the model has it for full sliding. */
 static const char verdict[] =
     "=IF(rwt_any=0,\"Type into the yellow cells.\",IF(rwt_bad<>\"\",\"CHECK THE INPUTS: \"&rwt_bad,"
-    "IF(rwt_slides=1,\"SLIDES: Q is above f P, there is no equilibrium. \",\"\")"
-    "&IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield. "
-    "\",IF(rw_remarks<>\"\",IF(rwt_slides=1,\"\",\"CAUTION: \")&rw_remarks,IF(rwt_slides=1,\"\","
-    "IF(rwt_has_k=0,\"CAUTION: no yield stress is given, so there is no safety\",\"OK\"))))))";
+    "IF(rwt_slides=1,\"SLIDES: Q is above f P, there is no equilibrium.\","
+    "IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield. "
+    "\",\"\")&IF(rw_remarks<>\"\",\"CAUTION: \"&rw_remarks,"
+    "IF(rwt_has_k=0,\"CAUTION: no yield stress is given, so there is no safety\",\"OK\")))))";
 
 static void write_status(xlsx *book)
 {
@@ -134,7 +135,7 @@ static void write_status(xlsx *book)
                  {"SLIDES", XLSX_RED}};
     xlsx_text(book, STATUS_ROW, LABEL, "Status", XLSX_HEADING);
     xlsx_text(book, STATUS_ROW, NAME, "rw_status", XLSX_NOTE);
-    xlsx_lines(book, STATUS_ROW, 3);
+    xlsx_lines(book, STATUS_ROW, STATUS_LINES);
     xlsx_merge(book, area, XLSX_VERDICT);
     xlsx_text_formula(book, STATUS_ROW, VALUE, verdict, "OK", XLSX_VERDICT);
     xlsx_name(book, "rw_status", STATUS_ROW, VALUE);

@@ -9,16 +9,16 @@
 /* ---- Conditions ------------------------------------------------------------------------------ */
 
 #define ABOVE_0(N) "OR(" N "<1E-60," N ">1E+60)"
-#define POISSON(N) "OR(" N "<=-1," N ">0.5)"
+#define POISSON(N) "OR(" N "<0," N ">0.5)"
 #define MUST_BE_ABOVE_0 "a number above 0"
-#define MUST_BE_POISSON "a number above -1, up to 0.5"
+#define MUST_BE_POISSON "a number from 0 to 0.5"
 
 /* name, column, words where it is empty, condition that it is wrong, words for it, hint. A text is
  * above every number, and so is wrong. */
 #define INPUTS(X)                                                                                  \
-    X(E1, "rw_E1", "E1", "E1 is missing; ", ABOVE_0("rw_E1"), MUST_BE_ABOVE_0,                     \
+    X(E1, "rw_E1", "E1", "; E1 is missing", ABOVE_0("rw_E1"), MUST_BE_ABOVE_0,                     \
       "half-plane: the body that may yield")                                                       \
-    X(NU1, "rw_nu1", "nu1", "nu1 is missing; ", POISSON("rw_nu1"), MUST_BE_POISSON,                \
+    X(NU1, "rw_nu1", "nu1", "; nu1 is missing", POISSON("rw_nu1"), MUST_BE_POISSON,                \
       "tables: 0 to 0.5")                                                                          \
     X(E2, "rw_E2", "E2", "", "AND(rw_E2<>\"inf\"," ABOVE_0("rw_E2") ")",                           \
       MUST_BE_ABOVE_0 ", or inf for a rigid wedge", "wedge; leave both empty for one material")    \
@@ -31,9 +31,9 @@
       "0: sharp; this, or the radius")                                                             \
     X(RADIUS, "rw_radius", "radius", "", "OR(rw_radius<0,rw_radius>1E+60)",                        \
       "a number, 0 or above", "R = a/theta")                                                       \
-    X(LOAD, "rw_P", "P", "P is missing; ", ABOVE_0("rw_P"), MUST_BE_ABOVE_0, "per unit length")    \
+    X(LOAD, "rw_P", "P", "; P is missing", ABOVE_0("rw_P"), MUST_BE_ABOVE_0, "per unit length")    \
     X(Q, "rw_Q", "Q", "", "OR(rw_Q<-1E+60,rw_Q>1E+60)", "a number", "empty: 0; |Q| up to f P")     \
-    X(F, "rw_f", "f", "f is missing; ", "OR(rw_f<0,rw_f>1E+6)", "a number, 0 or above",            \
+    X(F, "rw_f", "f", "; f is missing", "OR(rw_f<0,rw_f>1E+6)", "a number, 0 or above",            \
       "tables: up to 0.8")                                                                         \
     X(K, "rw_k", "k", "", ABOVE_0("rw_k"), MUST_BE_ABOVE_0, "shear; this, or the tensile one")     \
     X(YIELD_STRESS, "rw_yield_stress", "yield_stress", "", ABOVE_0("rw_yield_stress"),             \
@@ -43,20 +43,22 @@
 const input_rule input_rules[INPUT_CELLS] = {INPUTS(RULE)};
 
 #define CHECK(ID, NAME, COLUMN, EMPTY, WRONG, MUST, HINT)                                          \
-    "&IF(" NAME "=\"\",\"" EMPTY "\",IF(" WRONG ",\"" COLUMN " must be " MUST "; \",\"\"))"
+    "&IF(" NAME "=\"\",\"" EMPTY "\",IF(" WRONG ",\"; " COLUMN " must be " MUST "\",\"\"))"
 
 #define ONE_OF(N1, C1, N2, C2)                                                                     \
-    "&IF(AND(" N1 "=\"\"," N2 "=\"\"),\"" C1 " or " C2 " is missing; \",\"\")" TWICE(N1, C1, N2, C2)
+    "&IF(AND(" N1 "=\"\"," N2 "=\"\"),\"; " C1 " or " C2 " is missing\",\"\")" TWICE(N1, C1, N2, C2)
 #define TWICE(N1, C1, N2, C2)                                                                      \
-    "&IF(OR(" N1 "=\"\"," N2 "=\"\"),\"\",\"" C1 " and " C2 ": give one of the two; \")"
+    "&IF(OR(" N1 "=\"\"," N2 "=\"\"),\"\",\"; " C1 " and " C2 ": give one of the two\")"
 #define SECOND_BODY                                                                                \
-    "&IF(OR((rw_E2=\"\")=(rw_nu2=\"\"),rw_E2=\"inf\"),\"\",\"E2 and nu2: give both, or neither; "  \
-    "\")"
+    "&IF(OR((rw_E2=\"\")=(rw_nu2=\"\"),rw_E2=\"inf\"),\"\",\"; E2 and nu2: give both, or "         \
+    "neither\")"
+/* Each begins with "; ", which the first one loses. */
+#define LISTED(TEXTS) "MID(\"\"" TEXTS ",3,2000)"
 #define BAD                                                                                        \
-    "=IF(rwt_any=0,\"\",\"\"" INPUTS(CHECK)                                                        \
-        SECOND_BODY ONE_OF("rw_theta", "theta", "rw_theta_deg", "theta_deg")                       \
+    "=IF(rwt_any=0,\"\"," LISTED(                                                                  \
+        INPUTS(CHECK) SECOND_BODY ONE_OF("rw_theta", "theta", "rw_theta_deg", "theta_deg")         \
             ONE_OF("rw_a", "a", "rw_radius", "radius")                                             \
-                TWICE("rw_k", "k", "rw_yield_stress", "yield_stress") ")"
+                TWICE("rw_k", "k", "rw_yield_stress", "yield_stress")) ")"
 
 /* ---- The contact ----------------------------------------------------------------------------- */
 
@@ -200,28 +202,27 @@ typedef char
 /* ---- Warnings -------------------------------------------------------------------------------- */
 
 /* The first five have the thresholds and the words of rwedge_validity(): a test compares. */
-#define WHEN(CONDITION, TEXT) "&IF(" CONDITION ",\"" TEXT "\",\"\")"
-#define WARNINGS                                                                                   \
-    "=IF(rwt_ok=0,\"\",\"\"" WHEN("rwt_theta>0.1",                                                 \
-                                  "theta is above 0.1 rad: the wedge is hardly a half-plane; ")    \
-        WHEN("AND(ABS(rw_beta)>1E-12,rwt_fr>0)",                                                   \
-             "Dundurs' beta is not 0: with friction its coupling is neglected; ")                  \
-            WHEN("AND(ISNUMBER(rw_safety),N(rw_safety)<1)",                                        \
-                 "P is above P_yield: the contact yields in full sliding; ")                       \
-                WHEN("AND(rwt_a>0,OR(rwt_ratio<0.01,rwt_ratio>10000))",                            \
-                     "a/b is below 0.01 or above 10000: are the units consistent? ")               \
-                    WHEN("IF(rwt_has_k=1,OR(rwt_k/rw_E1<0.00001,rwt_k/rw_E1>0.1))",                \
-                         "k/E is below 0.00001 or above 0.1: are the stresses in one unit? ")      \
-                        WHEN("rw_nu1<0", "nu1 is below 0, outside the tables: no yield; ")         \
-                            WHEN("rw_f>0.8", "f is above 0.8, outside the tables: no yield; ")     \
-                                WHEN("rwt_ok_tip=0", "a/b is below 0.003, outside the tables: no " \
-                                                     "elastic limit; ")                            \
-                                    WHEN("AND(ISTEXT(rw_safety),rwt_bound<1)",                     \
-                                         "yield is outside the tables; ") ")"
+#define WHEN(CONDITION, TEXT) "&IF(" CONDITION ",\"; " TEXT "\",\"\")"
+#define OF_LIBRARY                                                                                 \
+    WHEN("rwt_theta>0.1", "theta is above 0.1 rad: the wedge is hardly a half-plane")              \
+    WHEN("AND(ABS(rw_beta)>1E-12,rwt_fr>0)",                                                       \
+         "Dundurs' beta is not 0: with friction its coupling is neglected")                        \
+    WHEN("AND(ISNUMBER(rw_safety),N(rw_safety)<1)",                                                \
+         "P is above P_yield: the contact yields in full sliding")                                 \
+    WHEN("AND(rwt_a>0,OR(rwt_ratio<0.01,rwt_ratio>10000))",                                        \
+         "a/b is below 0.01 or above 10000: are the units consistent?")                            \
+    WHEN("IF(rwt_has_k=1,OR(rwt_k/rw_E1<0.00001,rwt_k/rw_E1>0.1))",                                \
+         "k/E is below 0.00001 or above 0.1: are the stresses in one unit?")
+#define OF_TABLES                                                                                  \
+    WHEN("rw_f>0.8", "f is above 0.8, outside the tables: no yield")                               \
+    WHEN("rwt_ok_tip=0", "a/b is below 0.003, outside the tables: no elastic limit")               \
+    WHEN("AND(rwt_ok_f=1,rwt_has_k=1,rwt_slides=0,rw_P_yield=\"\",rwt_bound<1)",                   \
+         "yield is outside the tables: no safety")
+#define WARNINGS "=IF(rwt_ok=0,\"\"," LISTED(OF_LIBRARY OF_TABLES) ")"
 
 #define ERROR                                                                                      \
     "=IF(rwt_bad<>\"\",rwt_bad,IF(rwt_slides=1,\"Q is above f P: it slides, there is no "          \
-    "equilibrium; \",\"\"))"
+    "equilibrium\",\"\"))"
 
 /* ---- The cells ------------------------------------------------------------------------------- */
 
@@ -281,9 +282,9 @@ const case_cell case_cells[CELL_COUNT] = {
     SHOWN(CELL_VON_MISES, "rw_von_mises", "von_mises_sliding", "Largest von Mises stress, sliding",
           "MPa", "=IF(N(rw_P_over_bk)>0,SQRT(3)*rwt_load/rwt_b/rw_P_over_bk,\"\")"),
     SHOWN(CELL_F_CRITICAL, "rw_f_critical", "f_critical", "Critical friction", "-",
-          "=IF(AND(rwt_ok_tip=1,rwt_ok=1,rwt_a>0),IF(rw_nu1<0,\"\",IF(rwt_gaps=0,0,SQRT(INDEX("
+          "=IF(AND(rwt_ok_tip=1,rwt_ok=1,rwt_a>0),IF(rwt_gaps=0,0,SQRT(INDEX("
           "rwt_f,rwt_gn)^2+(INDEX(rwt_f,rwt_gn+1)^2-INDEX(rwt_f,rwt_gn)^2)*rwt_g1/"
-          "(rwt_g1-rwt_g2)))),\"\")"),
+          "(rwt_g1-rwt_g2))),\"\")"),
     SHOWN(CELL_LOAD_OVER_BK, "rw_load_over_bk", "load_over_bk", "Load P/(bk)", "-",
           "=IF(rwt_has_k=1,rwt_load/(rwt_b*rwt_k),\"\")"),
     SHOWN(CELL_P_OVER_BK, "rw_P_over_bk", "P_over_bk", "Elastic limit P/(bk)", "-",
@@ -292,11 +293,12 @@ const case_cell case_cells[CELL_COUNT] = {
           "=IF(AND(rwt_ok_f=1,rwt_has_k=1,OR(rwt_a=0,rwt_y<1E+98)),IF(rwt_a=0,0,rwt_y*rwt_theta*"
           "rwt_a/rwt_comp),\"\")"),
     SHOWN(CELL_SAFETY, "rw_safety", "safety", "Safety on load P_yield/P", "-",
-          "=IF(AND(rwt_ok_f=1,rwt_has_k=1),IF(ISNUMBER(rw_P_yield),rw_P_yield/rwt_load,\"> "
-          "\"&rwt_bound),\"\")"),
+          "=IF(AND(rwt_ok_f=1,rwt_has_k=1,rwt_slides=0),IF(ISNUMBER(rw_P_yield),rw_P_yield/"
+          "rwt_load,IF(rwt_bound<1,\"\",\"> \"&rwt_bound)),\"\")"),
     SHOWN(CELL_SAFETY_STRENGTH, "rw_safety_strength", "safety_strength",
           "Safety on strength, of k or Y", "-",
-          "=IF(AND(rwt_has_k=1,ISNUMBER(rw_P_over_bk)),rw_P_over_bk*rwt_b*rwt_k/rwt_load,\"\")"),
+          "=IF(AND(rwt_has_k=1,rwt_slides=0,ISNUMBER(rw_P_over_bk)),rw_P_over_bk*rwt_b*rwt_k/"
+          "rwt_load,\"\")"),
     SIGNED(
         CELL_YIELD_X, "rw_yield_x", "yield_x", "Place of first yield, x", "mm",
         "=IF(ISNUMBER(rw_P_yield),IF(N(rw_Q)<0,-1,1)*rwt_unit*rwt_ft*" AT_PLACE("rwt_pr") ",\"\")"),
@@ -354,7 +356,7 @@ const case_cell case_cells[CELL_COUNT] = {
          "=IF(rwt_cc>0,SQRT(MAX(0,(rwt_b/MAX(1E-90,rwt_cc)-1)*(rwt_b/MAX(1E-90,rwt_cc)+1))),0)"),
     WORK(WORK_G, "rwt_g", "G of the stick zone at b", STICK_G),
 
-    WORK(WORK_NU_TABLE, "rwt_nut", "nu1 in the table", "=IF(rwt_ok=1,MIN(MAX(rw_nu1,0),0.5),0.3)"),
+    WORK(WORK_NU_TABLE, "rwt_nut", "nu1 in the table", "=IF(rwt_ok=1,rw_nu1,0.3)"),
     WORK(WORK_F_TABLE, "rwt_ft", "f in the table", "=MIN(rwt_fr,0.8)"),
     WORK(WORK_NU_NODE, "rwt_kn", "first node of nu", "=MIN(MATCH(rwt_nut,rwt_nu,1),14)"),
     WORK(WORK_F_NODE, "rwt_fn", "first node of f", "=MIN(MAX(MATCH(rwt_ft,rwt_f,1)-1,1),19)"),
@@ -379,8 +381,7 @@ const case_cell case_cells[CELL_COUNT] = {
     WORK(WORK_BELOW, "rwt_jb", "J2, below; 0: none", IF_THERE_3(AT_T(BELOW))),
     WORK(WORK_LIMIT, "rwt_limit", "P/(bk)",
          "=IF(rwt_a=0,0,(ASIN(rwt_n5)/rwt_n5+rwt_cos)/SQRT(MAX(rwt_js,rwt_jb)))"),
-    WORK(WORK_OK_F, "rwt_ok_f", "1: nu1 and f are in the table",
-         "=IF(rwt_ok=1,IF(AND(rw_nu1>=0,rw_f<=0.8),1,0),0)"),
+    WORK(WORK_OK_F, "rwt_ok_f", "1: f is in the table", "=IF(rwt_ok=1,IF(rw_f<=0.8,1,0),0)"),
     WORK(WORK_OK_TIP, "rwt_ok_tip", "1: a/b is in the table",
          "=IF(OR(rwt_a=0,rwt_ratio>=0.003*(1-1E-9)),1,0)"),
 

@@ -217,9 +217,6 @@ static void a_stress_history_is_that_of_its_loads(void **state)
     rwedge_contact_destroy(one);
 }
 
-/* In a cycle under constant P and no tension the area of the loop of Q over the rigid displacement
- * is what is dissipated; here the slip of the two ends of a straight cycle, with tension in it,
- * gives the same as the two loads' work. */
 static void yield_is_found_and_the_energy_grows(void **state)
 {
     (void)state;
@@ -234,6 +231,32 @@ static void yield_is_found_and_the_energy_grows(void **state)
         assert_true(rwedge_contact_dissipated_energy(contact) > before);
         before = rwedge_contact_dissipated_energy(contact);
     }
+    rwedge_contact_destroy(contact);
+}
+
+/* Under constant P and tension the area of a closed loop of Q over the displacement is
+ * dissipated. */
+static void the_loops_area_is_the_energy(void **state)
+{
+    (void)state;
+    enum { STEPS = 120 };
+    rwedge_contact *contact = computed();
+    apply(contact, 4, 0, 0, 0.5);
+    apply(contact, 4, 0, 1.2, 0.5);
+    apply(contact, 4, 0, -1.2, 0.5);
+    apply(contact, 4, 0, 1.2, 0.5);
+    const double before = rwedge_contact_dissipated_energy(contact);
+    double area = 0, last = rwedge_contact_displacement(contact, 10), Q_last = 1.2;
+    for (int i = 1; i <= STEPS; i++) {
+        const double Q = 1.2 * cos(2 * PI * i / STEPS);
+        apply(contact, 4, 0, Q, 0.5);
+        const double now = rwedge_contact_displacement(contact, 10);
+        area += (Q + Q_last) / 2 * (now - last);
+        last = now;
+        Q_last = Q;
+    }
+    assert_true(rwedge_contact_error(contact) > 0);
+    assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
     rwedge_contact_destroy(contact);
 }
 
@@ -252,6 +275,75 @@ static void bodies_touch_under_shear_and_tension(void **state)
     rwedge_contact_destroy(parts);
 }
 
+/* ---- Programmes of tests/data/programmes.csv: N, mm, MPa ---- */
+
+enum { CYCLE = 48 };
+
+typedef struct {
+    int family;
+    double value;
+    uint64_t state;
+} programme;
+
+static double noise(programme *p)
+{
+    double sum = -6;
+    for (int i = 0; i < 12; i++)
+        sum += random_fraction(&p->state);
+    return p->value * sum;
+}
+
+static int32_t apply_programme(rwedge_contact *contact, programme *p, int load, double b)
+{
+    const double P = 150, Q = 0.5 * 0.6 * P, phase = 2 * PI * load / CYCLE, wave = sin(phase);
+    switch (p->family) {
+    case 1: /* tension lags behind Q, in degrees */
+        return rwedge_contact_apply(contact, P, 0, Q * wave,
+                                    100 * sin(phase - p->value * PI / 180));
+    case 2: /* tension in phase, so many times 4 Q/(pi b) */
+        return rwedge_contact_apply(contact, P, 0, Q * wave, p->value * 4 * Q / (PI * b) * wave);
+    case 3: /* a moment with Q, so many times 3 b Q, and tension */
+        return rwedge_contact_apply(contact, P, 3 * p->value * b * Q * wave, Q * wave, 50 * wave);
+    case 4: /* P too, by such a part */
+        return rwedge_contact_apply(contact, P * (1 + p->value * sin(phase + 20 * p->value)), 0,
+                                    0.8 * Q * wave, 60 * sin(phase + 15 * p->value));
+    default: { /* a log with noise */
+        const double P_now = P * (1 + noise(p)), Q_now = Q * (wave + noise(p));
+        return rwedge_contact_apply(contact, P_now, 0, Q_now, 80 * (wave + noise(p)));
+    }
+    }
+}
+
+static void follow_programme(programme p, int loads)
+{
+    rwedge_contact *contact;
+    const double compliance = rwedge_compliance(72e3, 0.33, 72e3, 0.33);
+    assert_int_equal(rwedge_contact_create(0.01, 0.3, compliance, 0.6, &contact), RWEDGE_OK);
+    assert_int_equal(rwedge_contact_allow_error(contact, 1e-3), RWEDGE_OK);
+    apply(contact, 150, 0, 0, 0);
+    const double b = rwedge_contact_half_width(contact);
+    for (int i = 0; i < loads; i++)
+        assert_int_equal(apply_programme(contact, &p, i, b), RWEDGE_OK);
+    for (int i = -9; i <= 9; i++)
+        assert_true(fabs(shear(contact, i * b / 10)) <=
+                    0.6 * fabs(pressure(contact, i * b / 10)) * (1 + 1e-3));
+    assert_true(rwedge_contact_error(contact) < 1);
+    rwedge_contact_destroy(contact);
+}
+
+/* RWEDGE_PROGRAMMES=1 follows all of them for three cycles; else every 16th for half of one. */
+static void realistic_programmes_are_answered(void **state)
+{
+    (void)state;
+    const bool all = getenv("RWEDGE_PROGRAMMES") != NULL;
+    reference table = reference_open("programmes.csv");
+    for (int row = 0; reference_next(&table); row++)
+        if (all || row % 16 == 5)
+            follow_programme(
+                (programme){(int)table.cell[0], table.cell[1], (uint64_t)table.cell[2] + 1},
+                all ? 3 * CYCLE : CYCLE / 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -264,7 +356,9 @@ int main(void)
         cmocka_unit_test(a_copy_and_a_restored_contact_go_on_to_the_same_bits),
         cmocka_unit_test(a_stress_history_is_that_of_its_loads),
         cmocka_unit_test(yield_is_found_and_the_energy_grows),
+        cmocka_unit_test(the_loops_area_is_the_energy),
         cmocka_unit_test(bodies_touch_under_shear_and_tension),
+        cmocka_unit_test(realistic_programmes_are_answered),
     };
     return RUN_CLAIMS("any_history", tests);
 }

@@ -280,7 +280,8 @@ static void damage_that_is_signed_does_no_harm(void **state)
     rwedge_contact_destroy(none);
 }
 
-/* A state of the first version, which did not hold the strain, is that of equal compliances. What has
+/* A state of the first version, which did not hold the strain, is that of equal compliances. What
+ * has
  * no closed form is at the end since the third, what is no wedge after the energy. */
 static void older_states_are_read(void **state)
 {

@@ -87,6 +87,8 @@ static void write_verdict(verdict result)
     records_add("verdict");
     records_text(result.colour);
     records_text(result.text);
+    records_text(result.strength);
+    records_number(result.factor);
 }
 
 /* The numbers of all inputs that are given, and a refusal of each that is none. */
@@ -150,6 +152,8 @@ static void write_hardest(const contact_case *setup, results *answer)
         return;
     if (strong)
         answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
+    answer->hardest_x = x;
+    answer->hardest_y = y;
     if (!(factor > 0)) /* infinite at a sharp apex */
         return;
     records_add("hardest");
@@ -159,7 +163,7 @@ static void write_hardest(const contact_case *setup, results *answer)
     records_number(1.7320508075688772 * k / factor);
 }
 
-static void write_results(const contact_case *setup)
+static void write_results(const contact_case *setup, verdict_style style)
 {
     results answer;
     char complaint[COMPLAINT_SIZE];
@@ -181,18 +185,19 @@ static void write_results(const contact_case *setup)
         else
             records_number(value->number);
     }
-    write_verdict(verdict_of(&answer));
+    write_verdict(verdict_of(&answer, style));
 }
 
-/* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict. */
-EXPORTED const char *page_answer(char *lines)
+/* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
+ * unit of lengths. */
+EXPORTED const char *page_answer(char *lines, const char *length, int decimal_sign)
 {
     contact_case setup;
     const input_texts texts = field_texts(lines);
     answers_keep(NULL);
     records_begin();
     if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
-        write_results(&setup);
+        write_results(&setup, (verdict_style){(char)decimal_sign, length});
     return records_end();
 }
 

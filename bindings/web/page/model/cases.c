@@ -64,7 +64,7 @@ static void write_row(const case_table *table, const csv_row *row)
     const bool solved =
         !row->malformed && case_table_solve(table, row->cell, row->count, &answer, complaint);
     records_add("row");
-    records_text(solved ? verdict_of(&answer).colour : "red");
+    records_text(solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red");
     records_text(solved ? "" : complaint);
     for (size_t i = 0; i < table->names.count; i++)
         records_text(i < row->count ? row->cell[i] : "");

@@ -47,7 +47,7 @@ P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
 contact = rwedge.Contact(theta=theta, a=a, A=A, f=f)
-contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
+${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)
 print("c", contact.stick_half_width)

@@ -4,11 +4,13 @@ import { readAddress, writeAddress } from "./address.js";
 import { asCommand, asPython } from "./export.js";
 import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
+import { makeFinder } from "./left/find.js";
 import { drawingOf } from "./left/drawing.js";
 import { makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
 import { measures } from "./stresses.js";
 import { makeTabs } from "./tabs/tabs.js";
+import { makeVerdict } from "./verdict.js";
 import { unitsRemark, unitSystems } from "./units.js";
 import { inputNames } from "./words.js";
 
@@ -16,7 +18,7 @@ import { inputNames } from "./words.js";
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const settings = {
     units: "mm",
-    digits: "6",
+    digits: "4",
     sign: ".",
     tab: "contact",
     measure: "von_mises",
@@ -42,7 +44,7 @@ function take(given) {
     for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
     if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
     if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
-    state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 6;
+    state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 4;
     state.sign = state.sign === "," ? "," : ".";
 }
 
@@ -73,12 +75,13 @@ const tabs = makeTabs(
     state,
     () => model,
     () => {
-        showStatus();
+        verdict.show(model, state.tab);
         remember();
     },
 );
+const finder = makeFinder(form.take);
 const drawing = element("div", { class: "drawing" });
-const status = element("p", { class: "status", role: "status", id: "status" });
+const verdict = makeVerdict();
 const exports = element("div", {});
 const tooLong = element(
     "p",
@@ -109,23 +112,16 @@ function showExports() {
         );
 }
 
-/** The tabs of many loads or cases judge these themselves. */
-function showStatus() {
-    const { colour, text } = model.verdict,
-        said = ["cycle", "batch"].includes(state.tab) ? `The case at the left: ${text}` : text;
-    status.className = `status ${colour}`;
-    if (status.textContent !== said) status.textContent = said;
-}
-
 function render() {
     const began = performance.now();
     model = makeModel(state);
     form.show(model);
+    finder.show(model);
     if (model.results || drawing.innerHTML === "") drawing.innerHTML = drawingOf(model);
     drawing.classList.toggle("old", !model.results && drawing.dataset.of === "case");
     if (model.results) drawing.dataset.of = "case";
     tabs.show(model);
-    showStatus();
+    verdict.show(model, state.tab);
     if (exports.querySelector("details").open) showExports();
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
     remember();
@@ -195,8 +191,9 @@ function build() {
     exports.append(details);
     document
         .getElementById("case")
-        .replaceChildren(form.above, drawing, form.below, element("p", { class: "note" }, unitsRemark), exports);
-    document.getElementById("answers").append(tooLong, status, tabs.list, ...tabs.panels);
+        .replaceChildren(drawing, form.box, finder.box, element("p", { class: "note" }, unitsRemark), exports);
+    document.getElementById("verdict").append(verdict.box);
+    document.getElementById("answers").append(tooLong, tabs.list, ...tabs.panels);
 }
 
 function show(texts) {

@@ -6,10 +6,11 @@ import { unitsOf } from "./units.js";
 
 export function makeModel(state) {
     shown.sign = state.sign;
+    const unit = unitsOf(state.units);
     return {
-        ...solveHolding(state.texts, state.sign),
+        ...solveHolding(state.texts, state.sign, unit.length),
         texts: state.texts,
-        unit: unitsOf(state.units),
+        unit,
         sign: state.sign,
         write: (value) => (typeof value === "number" ? writeNumber(value, state.digits, state.sign) : (value ?? "")),
     };

@@ -15,7 +15,8 @@ const takers = {
     },
     number: (answer, name, value) => ((answer.results ??= {})[name] = value === "" ? null : number(value)),
     text: (answer, name, value) => ((answer.results ??= {})[name] = value === "" ? null : value),
-    verdict: (answer, colour, text) => (answer.verdict = { colour, text }),
+    verdict: (answer, colour, text, strength, factor) =>
+        (answer.verdict = { colour, text, strength, factor: number(factor) }),
     load(answer, ...numbers) {
         const [P, M, Q, sigma] = numbers.map(number);
         answer.loads.push({ P, M, Q, sigma });
@@ -50,13 +51,19 @@ export function taken(records) {
 
 let held = null;
 
-/** The case as it stands, with its contact under its loads. One at a time: the next one that has results frees it. */
-export function solveHolding(texts, sign) {
-    const answer = taken(ask("answer", linesOf(texts, sign)));
+/** The case as it stands, with its contact under its loads; length is the unit that the verdict names. One at a time: the next one that has results frees it. */
+export function solveHolding(texts, sign, length = "") {
+    const answer = taken(ask("answer", linesOf(texts, sign), length, sign.charCodeAt(0)));
     if (!answer.results) return { ...answer, contact: null };
     held?.free();
     held = answeredContact();
     return { ...answer, contact: held };
+}
+
+/** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
+export function findInput(texts, sign, name, safety) {
+    const { inputs, faults } = taken(ask("find", linesOf(texts, sign), name, safety));
+    return faults.length > 0 ? { complaint: faults[0].text } : { value: inputs[name] };
 }
 
 export const isOffCentre = ({ M, sigma }) => M !== 0 || sigma !== 0;

@@ -4,8 +4,9 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { answerOf } from "../src/cycle/answer.js";
+import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
-import { solveHolding } from "../src/solution.js";
+import { findInput, solveHolding } from "../src/solution.js";
 import { goThrough, solveRows } from "../src/tables.js";
 import { inputs } from "../src/words.js";
 
@@ -141,7 +142,43 @@ test("what yields under the loads and what would in full sliding are told apart"
     assert.match(told("250").verdict.text, /^YIELDS: the stress under these loads/);
     const steep = solveHolding({ ...usual, theta: "0.5", k: "250" }, ".");
     assert.match(steep.verdict.text, /^YIELDS: .* CAUTION: theta is above 0.1 rad/);
-    assert.deepEqual(told("900").verdict, { colour: "green", text: "OK" });
+    const { colour, text } = told("900").verdict;
+    assert.deepEqual([colour, text], ["green", "OK"]);
+});
+
+test("the sentence on strength has the numbers of the results, the unit and the decimal sign", () => {
+    const four = (value) => String(Number(value.toPrecision(4)));
+    const { verdict, results, hardest } = solveHolding(usual, ".", "mm");
+    assert.equal(
+        verdict.strength,
+        `Elastic with a factor of ${four(results.yield_factor)} on the stress; it yields first at x = ${four(hardest.x)}, ` +
+            `y = ${four(hardest.y)} mm, below the surface. ` +
+            `If it slid, it would be elastic with a factor of ${four(results.safety)} on P.`,
+    );
+    assert.equal(verdict.factor, results.yield_factor);
+    assert.match(solveHolding(usual, ",", "mm").verdict.strength, /factor of \d,\d+ on the stress/);
+    const weak = solveHolding({ ...usual, k: "250" }, ".").verdict;
+    assert.ok(weak.factor < 1 && /^It yields: the stress is 1\.\d+ times what body 1 bears/.test(weak.strength));
+    const { k, ...without } = usual;
+    const none = solveHolding(without, ".").verdict;
+    assert.deepEqual(
+        [Number.isNaN(none.factor), none.strength],
+        [true, "No yield stress is given, so nothing is known of its strength."],
+    );
+});
+
+test("what gives a safety is found: solved forwards it has it, and the tool finds the same", () => {
+    for (const name of ["radius", "a", "P", "f"]) {
+        const texts = { ...usual };
+        const { value } = findInput(texts, ".", name, 1.5);
+        for (const other of name === "radius" ? ["a"] : [name]) delete texts[other];
+        const { safety } = solveHolding({ ...texts, [name]: String(value) }, ".").results;
+        assert.ok(Math.abs(safety / 1.5 - 1) < 1e-12, `${name} ${value}: ${safety}`);
+        const told = run(["solve", ...optionsOf(texts), "--for", name, "--safety", "1.5"]).stdout;
+        const line = told.split("\n").find((text) => text.startsWith(`${name},`));
+        assert.ok(Math.abs(Number(line.split(",")[1]) / value - 1) < 1e-12, `${name} ${value}: ${line}`);
+    }
+    assert.match(findInput(usual, ".", "f", 9).complaint, /^no solution: even without friction the safety is \d/);
 });
 
 test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {
@@ -156,7 +193,9 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
         f: ".5",
         sigma: ".04",
     };
-    const { results } = solveHolding(texts, ".");
+    const answer = solveHolding(texts, "."),
+        { results } = answer;
+    assert.match(asPython(answer), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
     assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
 });
 

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawing of the contact: the wedge as it touches, its loads, the pressure below, the stick zone. Heights are stretched.
+// The drawing of the contact: the wedge as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
 import { escaped } from "../elements.js";
 import { placesAcross } from "../stresses.js";
 
-const box = { width: 640, height: 300, middle: 320, surface: 178, flank: 108, deep: 78 };
+const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
-/** The wedge's heights over the surface, over theta, where it touches between two edges. */
-function profile({ a, tilt, left, right }) {
-    const g = (x) => (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
-    return (x) => (x > right ? g(x) - g(right) : x < left ? g(x) - g(left) : 0);
+/** The wedge's heights over its apex, over theta. */
+const shapeOf = ({ a, tilt }) => (x) => (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
+
+/** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
+function profilesOf(shape) {
+    const g = shapeOf(shape),
+        edge = (x) => g(x > shape.right ? shape.right : shape.left);
+    return {
+        pressed: (x) => (x > shape.right || x < shape.left ? g(x) - edge(x) : 0),
+        free: (x) => g(x) - Math.max(g(shape.left), g(shape.right)),
+    };
 }
 
 function arrow(x1, y1, x2, y2, text, anchor = "middle") {
@@ -23,23 +30,23 @@ function arrow(x1, y1, x2, y2, text, anchor = "middle") {
 }
 
 function loads({ M, Q, sigma }) {
-    const parts = [arrow(box.middle, 6, box.middle, 52, "P")];
+    const parts = [arrow(box.middle, 4, box.middle, 44, "P")];
     if (Q)
         parts.push(
             Q > 0
-                ? arrow(box.middle - 78, 60, box.middle - 22, 60, "Q")
-                : arrow(box.middle + 78, 60, box.middle + 22, 60, "Q"),
+                ? arrow(box.middle - 78, 54, box.middle - 22, 54, "Q")
+                : arrow(box.middle + 78, 54, box.middle + 22, 54, "Q"),
         );
     if (M) {
         const [from, to] = M > 0 ? [-1, 1] : [1, -1],
             c = box.middle;
         parts.push(
-            `<path class="arc" d="M${c + 34 * from},104A36,26 0 0 ${M > 0 ? 1 : 0} ${c + 34 * to},104"/>`,
-            `<path class="arrow" d="M${c + 34 * to},114l-5,-12h10Z"/><text class="mark" x="${c + 46}" y="90">M</text>`,
+            `<path class="arc" d="M${c + 34 * from},88A36,26 0 0 ${M > 0 ? 1 : 0} ${c + 34 * to},88"/>`,
+            `<path class="arrow" d="M${c + 34 * to},98l-5,-12h10Z"/><text class="mark" x="${c + 46}" y="76">M</text>`,
         );
     }
     if (sigma) {
-        const y = box.surface + 62,
+        const y = box.surface + 50,
             out = sigma > 0;
         parts.push(
             arrow(out ? 594 : 636, y, out ? 636 : 594, y, "\u03c3"),
@@ -52,12 +59,36 @@ function loads({ M, Q, sigma }) {
 const size = (from, to, y, text) =>
     `<path class="sizes" d="M${from},${y - 4}v8M${to},${y - 4}v8M${from},${y}H${to}"/><text class="mark" x="${(from + to) / 2}" y="${y - 5}" text-anchor="middle">${text}</text>`;
 
-/** The pressure, drawn downwards below the contact. */
+/** Apart from the bodies, over a line of its own. */
 function pressureText({ pressure, left, right }, toX) {
     if (pressure.length === 0) return "";
-    const below = pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.surface + box.deep * p).toFixed(1)}`);
     const [l, r] = [toX(left), toX(right)].map((v) => v.toFixed(1));
-    return `<path class="pressure" d="M${l},${box.surface}L${below.join("L")}L${r},${box.surface}Z"/>`;
+    const over = pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.base - box.high * p).toFixed(1)}`);
+    return (
+        `<path class="dashed" d="M${l},${box.surface}V${box.base}M${r},${box.surface}V${box.base}"/>` +
+        `<path class="pressure" d="M${l},${box.base}L${over.join("L")}L${r},${box.base}Z"/>` +
+        `<path class="sizes" d="M20,${box.base}H620"/><text class="mark" x="20" y="${box.base - 8}">pressure</text>`
+    );
+}
+
+/** The angle between surface and flank, at the right. */
+function angleText(toX, toY, reach, pressed) {
+    const x = 0.94 * reach,
+        [u, top] = [toX(x), toY(pressed(x))];
+    return (
+        `<path class="sizes" d="M${u.toFixed(1)},${box.surface}Q${(u + 6).toFixed(1)},${((box.surface + top) / 2).toFixed(1)} ${u.toFixed(1)},${top.toFixed(1)}"/>` +
+        `<text class="mark" x="${(u - 16).toFixed(1)}" y="${((box.surface + top) / 2 + 8).toFixed(1)}">\u03b8</text>`
+    );
+}
+
+/** The tip as it was, before it was pressed on, and its radius. */
+function tipText({ a, left, right }, toX, toY, free) {
+    const points = Array.from({ length: 81 }, (_, i) => left + ((right - left) * i) / 80);
+    const path = points.map((x) => `${toX(x).toFixed(1)},${toY(free(x)).toFixed(1)}`).join("L");
+    const x = Math.min(0.6 * a, 0.6 * right),
+        [u, v] = [toX(x), toY(free(x))];
+    const radius = `<path class="sizes" d="M${u.toFixed(1)},${v.toFixed(1)}L${(u + 34).toFixed(1)},${(v + 26).toFixed(1)}"/><text class="mark" x="${(u + 38).toFixed(1)}" y="${(v + 36).toFixed(1)}">R</text>`;
+    return `<path class="dashed" d="M${path}"/>${a > 0 ? radius : ""}`;
 }
 
 function stickText({ stickLeft, stickRight }, toX) {
@@ -69,29 +100,37 @@ function stickText({ stickLeft, stickRight }, toX) {
     );
 }
 
+/** Lines of the wedge, and how x and heights become pixels: the wedge above and its tip below have room. */
+function placed(shape) {
+    const reach = 1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), Math.min(shape.a, 2 * shape.right)),
+        { pressed, free } = profilesOf(shape);
+    const most = Math.max(pressed(reach), pressed(-reach)),
+        scale = Math.min(box.up / most, box.down / (-free(0) || most));
+    return { reach, pressed, free, toX: (x) => box.middle + (x / reach) * 300, toY: (h) => box.surface - scale * h };
+}
+
 /** shape: { a, left, right, tilt (over theta), stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
 function drawingText(shape) {
-    const reach = 1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), shape.a);
-    const toX = (x) => box.middle + (x / reach) * 300,
-        height = profile(shape);
-    const most = Math.max(height(reach), height(-reach)) || 1;
-    const outline = Array.from({ length: 121 }, (_, i) => {
-        const x = reach * (i / 60 - 1);
-        return `${toX(x).toFixed(1)},${(box.surface - (box.flank * height(x)) / most).toFixed(1)}`;
-    });
-    const [l, r] = [toX(shape.left), toX(shape.right)].map((v) => v.toFixed(1));
+    const { reach, pressed, free, toX, toY } = placed(shape);
+    const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
+        (x) => `${toX(x).toFixed(1)},${toY(pressed(x)).toFixed(1)}`,
+    );
     const title = `Wedge on half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
+    const middle = (shape.left + shape.right) / 2;
     return (
         `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.height - box.surface}"/>` +
-        `<path class="solid" d="M20,34L${outline.join("L")}L620,34Z"/>` +
+        `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.floor - box.surface}"/>` +
+        `<path class="solid" d="M20,30L${outline.join("L")}L620,30Z"/>` +
         `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
+        tipText(shape, toX, toY, free) +
         pressureText(shape, toX) +
         stickText(shape, toX) +
-        (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 18, "a") : "") +
-        size(+l, +r, box.height - 10, "contact") +
+        (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 14, "a") : "") +
+        size(toX(middle), toX(shape.right), box.floor + 20, "b") +
+        angleText(toX, toY, reach, pressed) +
         loads(shape) +
-        `<text class="mark" x="70" y="62">wedge, body 2</text><text class="mark" x="20" y="${box.height - 28}">half-plane, body 1</text></svg>`
+        `<text class="mark" x="34" y="52">wedge, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
+        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text></svg>`
     );
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inputs of the case: fields with units, complaints and sliders, around the drawing.
+// The inputs of the case: fields with units, complaints and sliders.
 import { element } from "../elements.js";
 import { rwedge } from "../library.js";
 import { writeNumber } from "../number.js";
@@ -7,9 +7,10 @@ import { alternatives, inputs } from "../words.js";
 import { slider } from "./slider.js";
 
 const groups = [
-    { title: "Loads", names: ["P", "Q", "M"], place: "above" },
-    { title: "Wedge", names: ["theta", "a", "E2", "nu2", "f"], place: "above" },
-    { title: "Half-plane", names: ["E1", "nu1", "k", "sigma"], place: "below" },
+    { title: "Loads", names: ["P", "Q", "M"] },
+    { title: "Wedge", names: ["theta", "a", "E2", "nu2"] },
+    { title: "Between the bodies", names: ["f"] },
+    { title: "Half-plane", names: ["E1", "nu1", "k", "sigma"] },
 ];
 const labels = {
     P: "Normal load P",
@@ -73,7 +74,7 @@ class Field {
             this.ways.length > 1 ? this.chooser(name) : "",
             this.unit,
         );
-        this.box = element("div", { class: "field" }, this.label, row, this.slider?.input ?? "", this.note);
+        this.box = element("div", { class: "field" }, this.label, row, this.slider?.box ?? "", this.note);
     }
 
     get name() {
@@ -84,6 +85,12 @@ class Field {
         for (const way of this.ways) delete this.state.texts[way];
         if (text.trim() !== "") this.state.texts[this.name] = text;
         this.change();
+    }
+
+    /** The text of one of its ways, which is chosen. */
+    put(way, text) {
+        for (const each of this.ways) this.state.way[each] = each === way;
+        this.type(text);
     }
 
     chooser(name) {
@@ -101,8 +108,7 @@ class Field {
         const from = this.name,
             other = from in this.numbers ? converted(from, this.numbers) : NaN,
             text = Number.isFinite(other) ? writeNumber(other, 15, this.state.sign) : (this.state.texts[from] ?? "");
-        for (const each of this.ways) this.state.way[each] = each === way;
-        this.type(text);
+        this.put(way, text);
     }
 
     show(model) {
@@ -125,14 +131,15 @@ class Field {
     }
 }
 
-/** The form: its parts above and below the drawing, and show(model). */
+/** The form, take(name, text) for one of its fields, and show(model). */
 export function makeForm(state, change) {
-    const parts = { above: element("div", { class: "groups" }), below: element("div", { class: "groups" }) };
+    const box = element("div", { class: "groups" });
     const fields = [];
-    for (const { title, names, place } of groups) {
+    for (const { title, names } of groups) {
         const made = names.map((name) => new Field(name, state, change));
         fields.push(...made);
-        parts[place].append(element("fieldset", {}, element("legend", {}, title), ...made.map((field) => field.box)));
+        box.append(element("fieldset", {}, element("legend", {}, title), ...made.map((field) => field.box)));
     }
-    return { ...parts, show: (model) => fields.forEach((field) => field.show(model)) };
+    const take = (name, text) => fields.find((field) => field.ways.includes(name)).put(name, text);
+    return { box, take, show: (model) => fields.forEach((field) => field.show(model)) };
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides.
+// A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides of a number that stays until the value leaves them.
 import { element } from "../elements.js";
 import { writeNumber } from "../number.js";
 
 const steps = 200;
 
-/** From -1 to 1 and back, about the number from which the drag began. */
+/** From -1 to 1 and back, about a number. */
 const byFactor = { to: (base, share) => base * 10 ** share, from: (base, value) => Math.log10(value / base) };
 const ways = {
     P: byFactor,
@@ -17,11 +17,13 @@ const ways = {
 };
 
 class Slider {
-    /** name: of the input as it is given now; base: the number from which the drag began. */
+    /** name: of the input as it is given now; base: the number in the middle, or the limit. */
     constructor(field, type) {
         Object.assign(this, { field, type, name: field, base: NaN });
         const label = `${field}, slider`;
         this.input = element("input", { type: "range", min: -steps, max: steps, step: 1, "aria-label": label });
+        this.ends = element("span", { class: "ends", "aria-hidden": "true" });
+        this.box = element("div", { class: "slider" }, this.input, this.ends);
         this.input.addEventListener("input", () => this.drag());
         this.input.addEventListener("change", () => this.letGo());
     }
@@ -29,7 +31,9 @@ class Slider {
     begin() {
         const { inputs } = this.model;
         const isShear = this.field === "Q"; // which runs as far as the friction
-        this.base = isShear ? (inputs.f ?? 0) * inputs.P : (inputs[this.name] ?? NaN);
+        const value = inputs[this.name] ?? NaN;
+        if (isShear) this.base = (inputs.f ?? 0) * inputs.P;
+        else if (!(value >= this.base / 10.01 && value <= this.base * 10.01)) this.base = value;
     }
 
     drag() {
@@ -45,12 +49,15 @@ class Slider {
     }
 
     show(name, model) {
+        if (name !== this.name) this.base = NaN;
         Object.assign(this, { name, model });
         if (document.activeElement === this.input && this.input.dataset.moving === "yes") return;
         this.begin();
         const ifEmpty = this.field === "Q" || this.field === "f" ? 0 : NaN;
         const share = ways[this.field].from(this.base, model.inputs[name] || ifEmpty);
         this.input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
+        const ends = [-1, 1].map((end) => writeNumber(ways[this.field].to(this.base, end), 3, model.sign));
+        this.ends.textContent = ends[1] === "" ? "" : ends.join(" \u2026 ");
         this.input.setAttribute("aria-valuetext", model.texts[name] ?? "empty");
     }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
 import { element } from "../elements.js";
-import { safetyOnStrength } from "../solution.js";
+import { isOffCentre, safetyOnStrength } from "../solution.js";
+import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../words.js";
 import { curvesTable, curvesText } from "../plot/curves.js";
 import { savedPlot } from "../plot/save.js";
@@ -64,15 +65,28 @@ function resultRows(model) {
     return rows;
 }
 
+/** The results of a group as people write them; the rows of all quantities have the tool's names. */
+function groupText(model, { title, names }) {
+    const shown = names.filter((name) => isOffCentre(model.setup) || !ofEdges.includes(name));
+    const rows = shown.map((name) => {
+        const { unit, meaning } = resultKinds.find((kind) => kind.name === name);
+        return { symbol: symbols[name], value: model.write(model.results[name]), unit: model.unit[unit], meaning };
+    });
+    return rows.some((row) => row.value !== "") ? `<h2>${title}</h2>${tableText(title, rows)}` : "";
+}
+
 export function makeContact() {
     let curves;
     const plot = savedPlot("tractions", () => curvesTable("x", curves));
     const colours = "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.";
-    const numbers = element("div", { class: "wide" });
+    const few = element("div", { class: "wide" }),
+        numbers = element("div", { class: "wide" }),
+        all = element("details", {}, element("summary", {}, "All quantities, by the tool\u2019s names"), numbers);
     const show = (model) => {
         curves = model.results && tractions(model);
         plot.draw(curves ? plotOf(model, curves) : noResults);
-        numbers.innerHTML = curves ? tableText("Results", resultRows(model)) : "";
+        few.innerHTML = curves ? groups.map((group) => groupText(model, group)).join("") : "";
+        numbers.innerHTML = curves ? tableText("All quantities", resultRows(model)) : "";
     };
-    return { panel: element("div", {}, ...plot.parts, element("p", { class: "note" }, colours), numbers), show };
+    return { panel: element("div", {}, ...plot.parts, element("p", { class: "note" }, colours), few, all), show };
 }

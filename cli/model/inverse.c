@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "inverse.h"
+
+#include "text/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+const char inverse_names[] = "radius, a, P, f";
+
+int inverse_input(const char *name)
+{
+    static const int those[] = {INPUT_RADIUS, INPUT_A, INPUT_P, INPUT_F};
+    for (size_t i = 0; i < sizeof those / sizeof those[0]; i++)
+        if (strcmp(name, input_kinds[those[i]].option) == 0)
+            return those[i];
+    return INPUT_COUNT;
+}
+
+static bool refuse(const char *why, char complaint[COMPLAINT_SIZE])
+{
+    snprintf(complaint, COMPLAINT_SIZE, "no solution: %s", why);
+    return false;
+}
+
+static double yield_load(const contact_case *setup, double f)
+{
+    return rwedge_yield_load(setup->theta, setup->a, setup->A, f, setup->nu1, setup->k);
+}
+
+/* ---- Friction ---- */
+
+static const double FRICTION_MOST = 1e6; /* its domain's end */
+
+/* P_yield falls as f grows. Halving ends 1e-21 wide. */
+static double bisect(const contact_case *setup, double P_yield)
+{
+    double lo = 0, hi = FRICTION_MOST;
+    for (int i = 0; i < 90; i++) {
+        const double middle = 0.5 * (lo + hi);
+        if (yield_load(setup, middle) >= P_yield)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
+static bool find_friction(const contact_case *setup, double safety, double *value,
+                          char complaint[COMPLAINT_SIZE])
+{
+    const double most = yield_load(setup, 0), least = yield_load(setup, FRICTION_MOST);
+    char why[120], text[NUMBER_SIZE];
+    if (most >= safety * setup->P && least <= safety * setup->P) {
+        *value = bisect(setup, safety * setup->P);
+        return true;
+    }
+    const bool is_weak = most < safety * setup->P;
+    number_write((is_weak ? most : least) / setup->P, 4, '.', text);
+    snprintf(why, sizeof why, "%s friction the safety is %s",
+             is_weak ? "even without" : "even with the most", text);
+    return refuse(why, complaint);
+}
+
+/* ---- Sizes and load ---- */
+
+/* At first yield a/b is the same for wedges of one angle, so P_yield is proportional to a; and P
+ * does not enter it. */
+static bool find_in_proportion(const contact_case *setup, int input, double safety, double *value,
+                               char complaint[COMPLAINT_SIZE])
+{
+    const double P_yield = yield_load(setup, setup->f);
+    if (!(P_yield > 0) || isinf(P_yield))
+        return refuse("no load yields, as far as is looked", complaint);
+    if (input == INPUT_P)
+        *value = P_yield / safety;
+    else {
+        const double a = setup->a * (safety * setup->P / P_yield);
+        *value = input == INPUT_A ? a : rwedge_radius(setup->theta, a);
+    }
+    return true;
+}
+
+/* ---- Together ---- */
+
+static bool is_centred(const input_texts *texts)
+{
+    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
+    char complaint[COMPLAINT_SIZE];
+    double value;
+    for (int i = 0; i < 2; i++)
+        if (input_is_given(texts, off_centre[i]) &&
+            input_read(texts, off_centre[i], &value, complaint) && value != 0)
+            return false;
+    return true;
+}
+
+static void put(input_texts *texts, int input, const char *text)
+{
+    const int other = input_alternative(input);
+    texts->text[input] = text;
+    texts->is_cell[input] = false;
+    if (other >= 0)
+        texts->text[other] = NULL;
+}
+
+/* The rest of the case, with 1 for what is looked for, and without Q: that is judged with the
+ * answer. */
+static bool read_rest(const input_texts *texts, int input, contact_case *setup,
+                      char complaint[COMPLAINT_SIZE])
+{
+    input_texts rest = *texts;
+    if (!is_centred(texts))
+        return refuse("with M or sigma there is no safety, only the yield factor", complaint);
+    put(&rest, input, "1");
+    rest.text[INPUT_Q] = NULL;
+    if (!case_read(&rest, CASE_OF_SOLVE, setup, complaint))
+        return false;
+    return isnan(setup->k) ? refuse("no yield stress is given", complaint) : true;
+}
+
+bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
+                  double *value, char complaint[COMPLAINT_SIZE])
+{
+    char text[NUMBER_SIZE];
+    input_texts all = *texts;
+    if (!read_rest(texts, input, setup, complaint) ||
+        !(input == INPUT_F ? find_friction(setup, safety, value, complaint)
+                           : find_in_proportion(setup, input, safety, value, complaint)))
+        return false;
+    number_write(*value, NUMBER_DIGITS, '.', text);
+    put(&all, input, text);
+    return case_read(&all, CASE_OF_SOLVE, setup, complaint);
+}

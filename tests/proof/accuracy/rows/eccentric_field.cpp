@@ -1,0 +1,396 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses, slip and energy of a contact off the centre, from the sums over breakpoints of the
+ * profile. With z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with
+ * the jumps k_j = +-1/a of the slope, psi_j = pi/2 - phi_j and
+ *
+ *     L_j = ln(1 - exp(-i phi_j) q) - ln(1 + exp(i phi_j) q) - i psi_j,
+ *
+ *     G  = sum k_j s { (i/pi)[ (sin zeta - sin phi_j) L_j - psi_j cos zeta ]
+ *                      - (1/pi)[ cos phi_j - psi_j sin phi_j ] },
+ *     G' = sum k_j (i/pi)[ L_j + (cos phi_j + psi_j sin zeta)/cos zeta ],
+ *     int G dz = sum k_j s^2 { (i/pi)[ (sin zeta - sin phi_j)^2 L_j/2
+ *                  + cos phi_j (cos zeta + zeta sin phi_j)/2 - psi_j (zeta + sin zeta cos zeta)/2 ]
+ *                  - (1/pi)[ cos phi_j - psi_j sin phi_j ] sin zeta }.
+ *
+ * An end on the left of the patch counts as one at its left edge, with the line continued: phi_j =
+ * -pi/2 makes all of its sum but a constant. For stresses and slip the edges are those that the
+ * library found: its rows judge them. */
+#include <initializer_list>
+#include <math.h>
+
+#ifdef BALLS_IN_FLINT
+#include <flint/acb_calc.h>
+#else
+#include <acb_calc.h>
+#endif
+
+#include "rows/eccentric.hpp"
+#include "rows/rows.hpp"
+
+namespace
+{
+
+struct patch {
+    ball middle, half, a, tilt;
+    ball phi[2], k[2]; /* of ends inside */
+    int ends;
+    ball rate; /* of the slope, left of the first end inside: k_left */
+};
+
+patch patch_of(const ball &a, const ball_edges &e)
+{
+    const carried c = carried_by(a, e);
+    patch p = {c.middle, c.half, a, c.tilt, {}, {}, 0, -a <= e.left ? 1 / a : 0};
+    for (const ball &at : {-a, a})
+        if (!(at <= e.left) && !(at >= e.right)) {
+            p.k[p.ends] = -1 / at;
+            p.phi[p.ends++] = asin((at - p.middle) / p.half);
+        }
+    return p;
+}
+
+patch patch_found(const double v[], const double edges[2])
+{
+    return patch_of(v[ROUNDING], {edges[0], edges[1]});
+}
+
+/* sin zeta, cos zeta, q, zeta of a point of the closed upper half-plane. */
+struct place {
+    complex_ball sine, cosine, q, zeta;
+};
+
+place place_of(const patch &p, const complex_ball &z)
+{
+    const complex_ball sine = (z - p.middle) / p.half, X = root(sine - 1) * root(sine + 1);
+    const complex_ball q = times_i(sine - X);
+    return {sine, over_i(X), q, over_i(log(q))};
+}
+
+/* u ln u, for Re u >= 0 or nearly so. Where u may be 0: r (|ln r| + 4) bounds it for |u| <= r <=
+ * 1/e, as |arg u| <= pi. */
+complex_ball times_own_logarithm(const complex_ball &u)
+{
+    if (!contains_zero(u))
+        return u * log(u);
+    const ball r = upper_bound(u);
+    if (!(r < 0.36))
+        return u * log(u);
+    const ball bound = r * (log(r) - 4);
+    return {widened(0, bound), widened(0, bound)};
+}
+
+/* L_j, (sin zeta - sin phi_j) L_j, and psi, cos(phi), sin(phi). With L_j = ln(A) - ln(B) - i
+ * psi_j, sin zeta - sin phi_j = (i B/2q) A. */
+struct patch_end {
+    complex_ball L, product;
+    ball psi, cosine, sine;
+
+    ball constant() const { return (cosine - psi * sine) / pi(); }
+};
+
+patch_end end_of(const patch &p, int j, const place &at)
+{
+    const ball psi = pi() / 2 - p.phi[j], cosine = cos(p.phi[j]), sine = sin(p.phi[j]);
+    const complex_ball A = 1 - complex_ball(cosine, -sine) * at.q,
+                       B = 1 + complex_ball(cosine, sine) * at.q;
+    const complex_ball rest = log(B) + complex_ball(0, psi);
+    return {log(A) - rest, times_own_logarithm(A) * times_i(B / at.q) / 2 - (at.sine - sine) * rest,
+            psi, cosine, sine};
+}
+
+/* G; and y G', if wanted. */
+complex_ball potential_at(const patch &p, const complex_ball &z)
+{
+    const place at = place_of(p, z);
+    complex_ball G = p.half * p.rate * (at.sine - times_i(at.cosine)); /* k_left */
+    for (int j = 0; j < p.ends; j++) {
+        const patch_end end = end_of(p, j, at);
+        G += p.k[j] * p.half * (i_over_pi(end.product - end.psi * at.cosine) - end.constant());
+    }
+    return G;
+}
+
+/* y G' */
+complex_ball depth_slope_at(const patch &p, const complex_ball &z)
+{
+    if (is_zero(im(z)))
+        return 0;
+    const place at = place_of(p, z);
+    complex_ball slope = p.rate * (1 + times_i(at.sine / at.cosine)); /* k_left */
+    for (int j = 0; j < p.ends; j++) {
+        const patch_end end = end_of(p, j, at);
+        slope += p.k[j] * i_over_pi(end.L + (end.psi * at.sine + end.cosine) / at.cosine);
+    }
+    return im(z) * slope;
+}
+
+/* int G dz, but for a constant of the patch. */
+complex_ball primitive(const patch &p, const complex_ball &z)
+{
+    const place at = place_of(p, z);
+    const complex_ball zeta_and = at.sine * at.cosine + at.zeta;
+    complex_ball sum = p.rate * (sqr(at.sine) - times_i(zeta_and)) / 2;
+    for (int j = 0; j < p.ends; j++) {
+        const patch_end end = end_of(p, j, at);
+        const complex_ball own = end.product * (at.sine - end.sine) +
+                                 end.cosine * (at.cosine + end.sine * at.zeta) - end.psi * zeta_and;
+        sum += p.k[j] * (i_over_pi(own / 2) - end.constant() * at.sine);
+    }
+    return sqr(p.half) * sum;
+}
+
+/* The faces of the wedge: x^2/(2a) on the rounding, |x| - a/2 beyond. */
+enum face { LEFT_FLANK = -1, TIP, RIGHT_FLANK };
+
+face face_at(double a, double x)
+{
+    return fabs(x) < a ? TIP : x < 0 ? LEFT_FLANK : RIGHT_FLANK;
+}
+
+complex_ball profile(const ball &a, face on, const complex_ball &z)
+{
+    return on == TIP ? sqr(z) / a / 2 : on * z - a / 2;
+}
+
+/* Outside of the patch, how far the tilted profile lies above the surface, but for a constant: that
+ * of its edge is taken off. */
+complex_ball height_at(const patch &p, const complex_ball &z, face on)
+{
+    return profile(p.a, on, z) - p.tilt * z - primitive(p, z);
+}
+
+/* ---- Rows ---- */
+
+enum { X_AT = TENSION + 1, Y_AT };
+enum { STICK_LEFT, STICK_RIGHT, WHOLE_LEFT, WHOLE_RIGHT, FOUND };
+
+/* Next to an edge of the contact or of the stick zone, to an end of the rounding, or anywhere. */
+double some_x(probe *call)
+{
+    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+    const double marks[] = {r[0], r[1], r[2], r[3], -call->value[ROUNDING], call->value[ROUNDING]};
+    if (chance(call, 0.3))
+        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
+    return marks[(int)(6 * uniform(call))] + either_sign(call, width * log_between(call, 1e-14, 1));
+}
+
+bool draw_slipping_rounded(probe *call, rwedge_contact **contact)
+{
+    *contact = NULL;
+    if (!draw_slipping(call, contact))
+        return false;
+    const double *r = call->result;
+    if (call->value[ROUNDING] > 0 && r[STICK_LEFT] < r[STICK_RIGHT])
+        return true;
+    rwedge_contact_destroy(*contact);
+    return false;
+}
+
+bool draw_stresses(probe *call)
+{
+    rwedge_contact *contact;
+    if (!draw_slipping_rounded(call, &contact))
+        return false;
+    double *r = call->result;
+    const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT], x = argument(call, "x", some_x(call));
+    const double y =
+        argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
+    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
+        RWEDGE_OK)
+        r[FOUND] = NAN;
+    rwedge_contact_destroy(contact);
+    return true;
+}
+
+/* 1 - |delta|, the smaller of two patches'. */
+ball flatness(const patch &one, const patch &other)
+{
+    return 1 - max(abs(one.tilt), abs(other.tilt));
+}
+
+/* Mean, difference and shear of the pressure and of the shear traction f (G - G of what sticks). */
+struct tensor {
+    ball xx, yy, xy;
+};
+
+/* Of the pressure and of the shear traction f (G - G of what sticks). */
+tensor stress_of(const patch &whole, const patch &stick, const double v[])
+{
+    const complex_ball z(v[X_AT], v[Y_AT]), G = potential_at(whole, z),
+                                            H = depth_slope_at(whole, z);
+    const ball f = v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION];
+    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
+    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
+    return {mean - difference, mean + difference, im(T) + re(K) - im(H)};
+}
+
+/* Over the larger of the stress and max(1, f)/(1+|z|), z from the middle of the contact, times 1 -
+ * |delta|; and |sigma|. */
+ball judge_stresses(const probe &call)
+{
+    const double *v = call.value, *r = call.result;
+    const patch whole = patch_found(v, r + WHOLE_LEFT), stick = patch_found(v, r + STICK_LEFT);
+    const tensor s = stress_of(whole, stick, v);
+    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
+    const double z = hypot(v[X_AT] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[Y_AT]) / b;
+    const ball most = max(max(abs(s.xx), abs(s.yy)), abs(s.xy)),
+               unit = ball(v[THETA]) / v[COMPLIANCE];
+    const ball scale = max(most, fmax(1, v[FRICTION]) / (1 + z)) / flatness(whole, stick) * unit +
+                       fabs(v[TENSION]);
+    const ball xx = error_over(r[FOUND], s.xx * unit + v[TENSION], scale),
+               yy = error_over(r[FOUND + 1], s.yy * unit, scale),
+               xy = error_over(r[FOUND + 2], s.xy * unit, scale);
+    return max(max(xx, yy), xy);
+}
+
+bool draw_slip(probe *call)
+{
+    rwedge_contact *contact;
+    if (!draw_slipping_rounded(call, &contact))
+        return false;
+    double *r = call->result;
+    const double x = argument(call, "x", fmax(r[WHOLE_LEFT], fmin(r[WHOLE_RIGHT], some_x(call))));
+    if (rwedge_contact_slip(contact, 1, &x, r + FOUND) != RWEDGE_OK)
+        r[FOUND] = NAN;
+    rwedge_contact_destroy(contact);
+    return true;
+}
+
+ball judge_slip(const probe &call)
+{
+    const double *v = call.value, *r = call.result, x = v[X_AT], a = v[ROUNDING];
+    const patch stick = patch_found(v, r + STICK_LEFT);
+    const double edge = x < r[STICK_LEFT] ? r[STICK_LEFT] : r[STICK_RIGHT];
+    const bool slips = x < r[STICK_LEFT] || x > r[STICK_RIGHT];
+    const ball gap = slips ? re(height_at(stick, x, face_at(a, x))) -
+                                 re(height_at(stick, edge, face_at(a, edge)))
+                           : 0;
+    const ball unit = (v[SHEAR] < 0 ? 1 : -1) * ball(v[FRICTION]) * v[THETA];
+    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
+    return error_over(r[FOUND], gap * unit, abs(unit * b) / flatness(stick, stick));
+}
+
+/* ---- Energy: slip at f p from zero does the work (f theta)^2/A int p gap dx ---- */
+
+/* A part of the slip zone on the right, with the ends of the rounding only at its own ends. */
+struct slip_zone {
+    const patch *whole, *stick;
+    complex_ball at_edge; /* the height where it begins to stick */
+    face on;
+};
+
+/* p times the gap: p = i (G - h' + delta), as the surface follows the tilted profile. Both are
+ * real there, and go on into the upper half-plane. */
+int work_density(acb_ptr work, const acb_t point, void *context, slong order, slong)
+{
+    const slip_zone &zone = *static_cast<const slip_zone *>(context);
+    complex_ball z;
+    acb_set(z.acb(), point);
+    if (order > 0 && !(im(z) > 0)) {
+        acb_indeterminate(work);
+        return 0;
+    }
+    const complex_ball slope = zone.on == TIP ? z / zone.whole->a : complex_ball(zone.on);
+    const complex_ball p = times_i(potential_at(*zone.whole, z) - slope + zone.whole->tilt);
+    acb_set(work, (p * (height_at(*zone.stick, z, zone.on) - zone.at_edge)).acb());
+    return 0;
+}
+
+/* From one end up, across, and down to the other: the formulas have their cuts below. */
+ball work_between(slip_zone *zone, const ball &from, const ball &to, const mag_t tolerance)
+{
+    const ball high = (to - from) / 2;
+    const complex_ball corner[] = {from, {from, high}, {to, high}, to};
+    ball work;
+    for (int i = 0; i < 3; i++) {
+        complex_ball part;
+        acb_calc_integrate(part.acb(), work_density, zone, corner[i].acb(), corner[i + 1].acb(),
+                           bits, tolerance, NULL, bits);
+        work += re(part);
+    }
+    return work;
+}
+
+/* What slips on the right of the patch. */
+ball work_on_the_right(const ball &a, const slipping &edges, const mag_t tolerance)
+{
+    ball work;
+    if (edges.whole.right <= edges.stick.right)
+        return work; /* it sticks up to the edge, to rounding of the loads */
+    const patch stick = patch_of(a, edges.stick), whole = patch_of(a, edges.whole);
+    slip_zone zone = {&whole, &stick, {}, TIP};
+    ball mark = edges.stick.right;
+    bool begins = true;
+    for (const face on : {LEFT_FLANK, TIP, RIGHT_FLANK}) {
+        zone.on = on;
+        const ball corner = on == LEFT_FLANK ? -a : a;
+        const bool ends = on == RIGHT_FLANK || corner > edges.whole.right;
+        const ball next = ends ? edges.whole.right : corner;
+        if (next <= mark)
+            continue;
+        if (begins)
+            zone.at_edge = height_at(stick, edges.stick.right, on);
+        begins = false;
+        work += work_between(&zone, mark, next, tolerance);
+        mark = next;
+    }
+    return work;
+}
+
+ball_edges mirrored(const ball_edges &e)
+{
+    return {-e.right, -e.left};
+}
+
+/* Takes off what rounding of the loads is magnified by: |x| at the edges over the width, 1/(1 -
+ * |delta|), and 1e-14 in units of 1e-12 of P over Q/f. */
+ball less_magnified(const ball &error, const double v[], const slipping &edges)
+{
+    const patch stick = patch_of(v[ROUNDING], edges.stick),
+                whole = patch_of(v[ROUNDING], edges.whole);
+    const ball width = 2 * whole.half, reach = max(abs(whole.middle) + whole.half, width);
+    const double of_loads = 1 + 0.01 * v[LOAD] / fabs(v[SHEAR] / v[FRICTION]);
+    return error * flatness(stick, whole) * width / reach / of_loads;
+}
+
+bool draw_energy(probe *call)
+{
+    rwedge_contact *contact;
+    if (!draw_slipping_rounded(call, &contact))
+        return false;
+    call->result[FOUND] = rwedge_contact_dissipated_energy(contact);
+    rwedge_contact_destroy(contact);
+    return true;
+}
+
+ball judge_energy(const probe &call)
+{
+    const precision here(2 * bits); /* the gap next to its edge is a small difference */
+    const double *v = call.value, *r = call.result;
+    const ball unit = sqr(ball(v[THETA]) * v[FRICTION]) / v[COMPLIANCE];
+    mag_t tolerance;
+    mag_init(tolerance);
+    arb_get_mag(tolerance, (r[FOUND] / unit).arb());
+    mag_mul_2exp_si(tolerance, tolerance, -72);
+    const slipping edges = ball_slipping(call);
+    const ball work =
+        work_on_the_right(v[ROUNDING], edges, tolerance) +
+        work_on_the_right(v[ROUNDING], {mirrored(edges.stick), mirrored(edges.whole)}, tolerance);
+    mag_clear(tolerance);
+    return less_magnified(relative_error(r[FOUND], work * unit), v, edges);
+}
+
+} // namespace
+
+const row ECCENTRIC_FIELD_ROWS[] = {
+    {"contact_stresses, off the centre", "after one step of Q and sigma; points dense at all edges",
+     "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\|; of the edges found", 1e-13,
+     "1e-13", 1, draw_stresses, judged<judge_stresses>},
+    {"contact_slip, off the centre", "the same",
+     "of f theta b, over 1 - \\|delta\\|; of the edges found", 1e-12, "1e-12", 1, draw_slip,
+     judged<judge_slip>},
+    {"contact_dissipated_energy, off the centre", "the same",
+     "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|; loads (4)", 1e-12, "1e-12 (4)",
+     0.004, draw_energy, judged<judge_energy>},
+    {},
+};

@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Criteria over all planes, of cycles between two opposite loads, where they have closed forms in
+ * the principal stresses s1, s2 and szz. */
+#include <float.h>
+#include <math.h>
+
+#include "rows/rows.hpp"
+#include "rwedge.h"
+
+namespace
+{
+
+enum { FIELD = 2, LOADS = 2 };
+
+/* ---- Opposite loads ---- */
+
+typedef struct {
+    double sxx[LOADS], syy[LOADS], txy[LOADS];
+} cycle;
+
+/* Whether the principal stresses are apart: where they are nearly equal a curve of planes is nearly
+ * as bad, and the header promises less. */
+bool are_apart(const double s[3], double nu)
+{
+    const double mean = (s[0] + s[1]) / 2, R = hypot((s[0] - s[1]) / 2, s[2]), z = 2 * nu * mean;
+    const double least = 1e-3 * (fabs(mean) + R);
+    return R > least && fabs(mean + R - z) > least && fabs(mean - R - z) > least;
+}
+
+/* Stresses of one load, and nu; the other load is the opposite one. */
+bool draw_cycle(probe *call, cycle *c, double *nu)
+{
+    static const char *const NAMES[] = {"sxx", "syy", "txy"};
+    const double size = log_between(call, 1e-50, 1e50);
+    double s[3];
+    for (int i = 0; i < 3; i++)
+        s[i] = argument(call, NAMES[i], size * between(call, -1, 1));
+    *nu = argument(call, "nu", some_poisson(call));
+    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}};
+    return are_apart(s, *nu);
+}
+
+/* The largest principal stress of the load that was drawn, the one between, the smallest. */
+struct principals {
+    ball largest, between, smallest, szz;
+};
+
+/* The principal stresses of the load that was drawn, and the one out of the plane. */
+principals principals_of(const probe &call)
+{
+    const ball sxx = call.value[0], syy = call.value[1], txy = call.value[2];
+    const ball twice = sxx + syy, R = hypot(syy - sxx, 2 * txy), szz = twice * call.value[3];
+    const ball s1 = (twice + R) / 2, s2 = (twice - R) / 2;
+    const ball largest = max(s1, szz), smallest = min(s2, szz);
+    return {largest, twice + szz - largest - smallest, smallest, szz};
+}
+
+/* |s1+s3|/2 and (s1-s3)/2, of the outermost; and the largest magnitude. */
+struct outermost {
+    ball mean, half, s;
+};
+
+/* |s1+s3|/2 and (s1-s3)/2, of the outermost; and the largest magnitude. */
+outermost outermost_of(const principals &s)
+{
+    const ball mean = abs(s.largest + s.smallest) / 2, half = (s.largest - s.smallest) / 2;
+    return {mean, half, mean + half};
+}
+
+outermost outermost_of(const probe &call)
+{
+    return outermost_of(principals_of(call));
+}
+
+/* (1+nu)/E */
+ball per_modulus(const probe &call)
+{
+    return (1 + ball(call.value[3])) / call.value[4];
+}
+
+void give(probe *call, int32_t status, double value)
+{
+    call->result[0] = status == RWEDGE_OK ? value : NAN;
+}
+
+/* ---- Findley, Fatemi and Socie ---- */
+
+bool draw_findley(probe *call)
+{
+    cycle c;
+    double nu, value, angle, out;
+    if (!draw_cycle(call, &c, &nu))
+        return false;
+    const double k = argument(call, "k", chance(call, 0.1) ? 0 : between(call, 0, 1));
+    const int32_t status = rwedge_findley(LOADS, c.sxx, c.syy, c.txy, nu, k, &value, &angle, &out);
+    give(call, status, value);
+    return true;
+}
+
+/* k |s1+s3|/2 + sqrt(1+k^2) (s1-s3)/2 */
+ball judge_findley(const probe &call)
+{
+    const outermost at = outermost_of(call);
+    const ball k = call.value[4];
+    return error_over(call.result[0], k * at.mean + sqrt(1 + sqr(k)) * at.half, (1 + k) * at.s);
+}
+
+bool draw_fatemi_socie(probe *call)
+{
+    cycle c;
+    double nu, value, angle, out;
+    if (!draw_cycle(call, &c, &nu))
+        return false;
+    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
+    const int32_t status =
+        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0, 0, &value, &angle, &out);
+    give(call, status, value);
+    return true;
+}
+
+/* (1+nu)/E (s1-s3) */
+ball judge_fatemi_socie(const probe &call)
+{
+    const outermost at = outermost_of(call);
+    return error_over(call.result[0], 2 * at.half * per_modulus(call), at.s * per_modulus(call));
+}
+
+/* ---- Smith, Watson and Topper ---- */
+
+bool draw_smith_watson_topper(probe *call)
+{
+    cycle c;
+    double nu, value, angle, out;
+    if (!draw_cycle(call, &c, &nu))
+        return false;
+    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
+    const int32_t status = rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0,
+                                                             &value, &angle, &out);
+    give(call, status, value);
+    return true;
+}
+
+/* A plane's normal stress and strain are means of the principal ones, with the squares of the
+ * normal's cosines as weights: two linear functions on a triangle, whose product is largest on an
+ * edge. */
+struct weights {
+    ball stress, strain;
+};
+
+/* The largest |stress strain| on the line between: at its ends, or where the slope is 0. */
+ball largest_on_edge(const weights &from, const weights &to)
+{
+    const ball d = to.stress - from.stress, e = to.strain - from.strain;
+    const ball place = (from.stress * e + from.strain * d) / (-2 * d * e); /* 0 to 1 */
+    const ball ends = max(abs(from.stress * from.strain), abs(to.stress * to.strain));
+    if (place > 0 && place < 1)
+        return max(ends, abs((from.stress + d * place) * (from.strain + e * place)));
+    return ends;
+}
+
+/* A plane's normal stress and strain are means of the principal ones, with the squares of the
+ * normal's cosines as weights: two linear functions on a triangle, whose product is largest on an
+ * edge. */
+ball judge_smith_watson_topper(const probe &call)
+{
+    const principals s = principals_of(call);
+    const weights corner[] = {{s.largest, s.largest - s.szz},
+                              {s.between, s.between - s.szz},
+                              {s.smallest, s.smallest - s.szz}};
+    ball most;
+    for (int i = 0; i < 3; i++)
+        most = max(most, largest_on_edge(corner[i], corner[(i + 1) % 3]));
+    return error_over(call.result[0], most * per_modulus(call),
+                      sqr(outermost_of(s).s) * per_modulus(call));
+}
+
+/* ---- Susmel, McDiarmid ---- */
+
+bool draw_modified_wohler(probe *call)
+{
+    cycle c;
+    double nu, value, angle, out;
+    if (!draw_cycle(call, &c, &nu))
+        return false;
+    const double kappa = argument(call, "kappa", fabs(c.sxx[0]) * between(call, 0, 1));
+    const int32_t status =
+        rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, nu, kappa, &value, &angle, &out);
+    give(call, status, value);
+    return true;
+}
+
+/* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
+ball judge_modified_wohler(const probe &call)
+{
+    const outermost at = outermost_of(call);
+    const double kappa = call.value[4];
+    return error_over(call.result[0], at.half + kappa * at.mean / at.half,
+                      at.s + kappa * at.s / at.half); /* s + kappa s/tau_a */
+}
+
+bool draw_mcdiarmid(probe *call)
+{
+    cycle c;
+    double nu, value, angle, out;
+    if (!draw_cycle(call, &c, &nu))
+        return false;
+    const double t_A = argument(call, "t_A", 1e-50 + fabs(c.sxx[0]) * between(call, 0.1, 10)),
+                 su = argument(call, "su", t_A * between(call, 1, 10));
+    const int32_t status =
+        rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, nu, t_A, su, &value, &angle, &out);
+    give(call, status, value);
+    return true;
+}
+
+ball judge_mcdiarmid(const probe &call)
+{
+    const outermost at = outermost_of(call);
+    const ball t_A = call.value[4], su = call.value[5];
+    return error_over(call.result[0], at.half / t_A + at.mean / su / 2, at.s * (1 / t_A + 1 / su));
+}
+
+/* ---- Crossland, Dang Van ---- */
+
+bool draw_sphere(probe *call, bool is_dang_van)
+{
+    cycle c;
+    double nu, value;
+    draw_cycle(call, &c, &nu);
+    const double alpha = argument(call, "alpha", chance(call, 0.1) ? 0 : between(call, 0, 1));
+    const int32_t status = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(
+        LOADS, c.sxx, c.syy, c.txy, nu, alpha, &value);
+    give(call, status, value);
+    return true;
+}
+
+bool draw_crossland(probe *call)
+{
+    return draw_sphere(call, false);
+}
+
+bool draw_dang_van(probe *call)
+{
+    return draw_sphere(call, true);
+}
+
+/* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
+ball judge_sphere(const probe &call, bool is_dang_van)
+{
+    const principals s = principals_of(call);
+    const outermost at = outermost_of(s);
+    const ball hydrostatic = abs(s.largest + s.between + s.smallest) / 3, alpha = call.value[4];
+    const ball J2 =
+        (sqr(s.largest - s.between) + sqr(s.between - s.smallest) + sqr(s.smallest - s.largest)) /
+        6;
+    return error_over(call.result[0], (is_dang_van ? at.half : sqrt(J2)) + alpha * hydrostatic,
+                      (1 + alpha) * at.s);
+}
+
+ball judge_crossland(const probe &call)
+{
+    return judge_sphere(call, false);
+}
+
+ball judge_dang_van(const probe &call)
+{
+    return judge_sphere(call, true);
+}
+
+/* ---- Fields ---- */
+
+/* The difference of a field's second point from the value of that point alone. */
+bool draw_field(probe *call, int criterion)
+{
+    cycle c;
+    double nu, own, v[FIELD], a[FIELD], o[FIELD], at[3][LOADS * FIELD];
+    draw_cycle(call, &c, &nu);
+    for (int i = 0; i < LOADS; i++)
+        for (int j = 0; j < FIELD; j++) {
+            at[0][i * FIELD + j] = c.sxx[i] * (j == 0 ? 0.5 : 1);
+            at[1][i * FIELD + j] = c.syy[i];
+            at[2][i * FIELD + j] = c.txy[i];
+        }
+    const double *x = at[0], *y = at[1], *t = at[2];
+    int32_t status = RWEDGE_OK, alone = RWEDGE_OK;
+#define BOTH(name, ...)                                                                            \
+    status = rwedge_##name##_field(LOADS, FIELD, x, y, t, __VA_ARGS__, v, a, o);                   \
+    alone = rwedge_##name(LOADS, c.sxx, c.syy, c.txy, __VA_ARGS__, &own, a, o)
+    if (criterion == 0) {
+        BOTH(smith_watson_topper_planes, 1, nu, 1);
+    } else if (criterion == 1) {
+        BOTH(fatemi_socie_planes, 1, nu, 1, 0);
+    } else if (criterion == 2) {
+        BOTH(findley, nu, 0.3);
+    } else if (criterion == 3) {
+        BOTH(modified_wohler, nu, 1);
+    } else {
+        BOTH(mcdiarmid, nu, 1, 2);
+    }
+#undef BOTH
+    give(call, status | alone, v[1] - own);
+    return true;
+}
+
+bool draw_sphere_field(probe *call, bool is_dang_van)
+{
+    cycle c;
+    double nu, own = NAN, v[FIELD];
+    draw_cycle(call, &c, &nu);
+    double at[3][LOADS * FIELD];
+    for (int i = 0; i < LOADS * FIELD; i++)
+        at[0][i] = c.sxx[i / FIELD], at[1][i] = c.syy[i / FIELD], at[2][i] = c.txy[i / FIELD];
+    const int32_t status = (is_dang_van ? rwedge_dang_van_field : rwedge_crossland_field)(
+        LOADS, FIELD, at[0], at[1], at[2], nu, 0.3, v);
+    const int32_t alone = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy,
+                                                                             c.txy, nu, 0.3, &own);
+    give(call, status | alone, v[1] - own);
+    return true;
+}
+
+#define FIELD_OF(name, criterion)                                                                  \
+    static bool draw_##name##_field(probe *call)                                                   \
+    {                                                                                              \
+        return draw_field(call, criterion);                                                        \
+    }
+FIELD_OF(smith_watson_topper, 0)
+FIELD_OF(fatemi_socie, 1)
+FIELD_OF(findley, 2)
+FIELD_OF(modified_wohler, 3)
+FIELD_OF(mcdiarmid, 4)
+
+bool draw_crossland_field(probe *call)
+{
+    return draw_sphere_field(call, false);
+}
+
+bool draw_dang_van_field(probe *call)
+{
+    return draw_sphere_field(call, true);
+}
+
+ball judge_difference(const probe &call)
+{
+    return fabs(call.result[0]);
+}
+
+#define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
+#define SAME "from one point alone"
+
+} // namespace
+
+const row PLANE_ROWS[] = {
+    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
+     draw_smith_watson_topper, judged<judge_smith_watson_topper>},
+    {"smith_watson_topper_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
+     draw_smith_watson_topper_field, judged<judge_difference>},
+    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
+     draw_fatemi_socie, judged<judge_fatemi_socie>},
+    {"fatemi_socie_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
+     draw_fatemi_socie_field, judged<judge_difference>},
+    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judged<judge_findley>},
+    {"findley_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_findley_field,
+     judged<judge_difference>},
+    {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
+     judged<judge_modified_wohler>},
+    {"modified_wohler_field", "the same, at two points", SAME, 0, "the same", 0.1,
+     draw_modified_wohler_field, judged<judge_difference>},
+    {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
+     judged<judge_mcdiarmid>},
+    {"mcdiarmid_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_mcdiarmid_field,
+     judged<judge_difference>},
+    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_crossland,
+     judged<judge_crossland>},
+    {"crossland_field", "the same, at two points", SAME, 0, "the same", 1, draw_crossland_field,
+     judged<judge_difference>},
+    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_dang_van,
+     judged<judge_dang_van>},
+    {"dang_van_field", "the same, at two points", SAME, 0, "the same", 1, draw_dang_van_field,
+     judged<judge_difference>},
+    {},
+};

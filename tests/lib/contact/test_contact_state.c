@@ -280,9 +280,8 @@ static void damage_that_is_signed_does_no_harm(void **state)
     rwedge_contact_destroy(none);
 }
 
-/* A state of the first version, which did not hold the strain, is that of equal compliances. What
- * has
- * no closed form is at the end since the third, what is no wedge after the energy. */
+/* A state of the first version, which did not hold the strain, is that of equal compliances. Since
+ * the third, what is no wedge is after the energy, and what has no closed form at the end. */
 static void older_states_are_read(void **state)
 {
     (void)state;

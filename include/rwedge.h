@@ -634,7 +634,9 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
  *   M, Q, sigma    finite: loads numbers each, as P
  *   E              Young's modulus, stress, 1e-60 to 1e60
  *   nu             Poisson's ratio of the half-plane, 0 <= nu <= 0.5
- *   k_over_sy      as in rwedge_fatemi_socie(), 1/stress, 0 or 1e-60 to 1e60 */
+ *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress
+ *   constant       of the criterion, 0 or 1e-60 to 1e60: see rwedge_criterion_field()
+ *   su             McDiarmid's, stress, 1e-60 to 1e60 */
 
 /* The measures of a cycle. Values never change; new ones are added at the end. */
 enum {
@@ -644,24 +646,13 @@ enum {
     RWEDGE_MEASURE_SLIP_RANGE = 3,
     RWEDGE_MEASURE_RUIZ_F1 = 4,
     RWEDGE_MEASURE_RUIZ_F2 = 5,
-    RWEDGE_MEASURE_ENERGY_PER_AREA = 6
+    RWEDGE_MEASURE_ENERGY_PER_AREA = 6,
+    RWEDGE_MEASURE_FINDLEY = 7,
+    RWEDGE_MEASURE_MODIFIED_WOHLER = 8,
+    RWEDGE_MEASURE_MCDIARMID = 9,
+    RWEDGE_MEASURE_CROSSLAND = 10,
+    RWEDGE_MEASURE_DANG_VAN = 11
 };
-
-/* Fatigue parameters at n points of the half-plane, from the stresses after each load.          new
- *   x, y            length, finite, y >= 0: n numbers each; not the apex (0, 0) of a loaded sharp
- *                   wedge
- *   stress_range    receives n numbers: largest less smallest sxx
- *   swt, swt_angle  each receives n numbers: rwedge_smith_watson_topper()
- *   fatemi_socie, fs_angle  each receives n numbers: rwedge_fatemi_socie()
- * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Errors
- * as those of the functions that are named. */
-RWEDGE_API int32_t rwedge_contact_cycle_fatigue(const rwedge_contact *contact, size_t loads,
-                                                const double P[], const double M[],
-                                                const double Q[], const double sigma[], size_t n,
-                                                const double x[], const double y[], double E,
-                                                double nu, double k_over_sy, double stress_range[],
-                                                double swt[], double swt_angle[],
-                                                double fatemi_socie[], double fs_angle[]);
 
 /* What friction does at n places of the surface in the cycle. All is 0 where there is no contact.
  * Slip counts from when a place came into contact. Where the contact leaves it and comes back, slip
@@ -686,7 +677,8 @@ RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, 
 
 /* Where a measure of the cycle is largest on a line along x: at the places at which it is known, or
  * between them, around its tops.                                                                new
- *   measure                 0 <= measure <= 6: RWEDGE_MEASURE_STRESS_RANGE and so on
+ *   measure                 0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on; SWT and
+ *                           Fatemi-Socie over all planes
  *   x                       length, finite; one after the other: n numbers
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
@@ -698,8 +690,9 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
                                               size_t loads, const double P[], const double M[],
                                               const double Q[], const double sigma[], size_t n,
                                               const double x[], const double value[], double y,
-                                              double E, double nu, double k_over_sy,
-                                              double *worst_x, double *worst_value);
+                                              double E, double nu, int32_t plane_stress,
+                                              double constant, double su, double *worst_x,
+                                              double *worst_value);
 
 /* How far remote points of the half-plane have moved along the surface against the wedge's, further
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
@@ -963,6 +956,50 @@ RWEDGE_API int32_t rwedge_dang_van(size_t n, const double sxx[], const double sy
 RWEDGE_API int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[],
                                          const double syy[], const double txy[], double nu,
                                          double alpha, double value[]);
+
+/* The criterion of a measure of a cycle at n points, by its number: the largest less the smallest
+ * sxx, rwedge_smith_watson_topper_planes(), rwedge_fatemi_socie_planes(), and so on.            new
+ *   measure        0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on
+ *   loads          number of loads of the cycle, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   constant       k_over_sy, k, kappa, t_A or alpha of that function, 0 or 1e-60 to 1e60
+ *   su             McDiarmid's, stress, 1e-60 to 1e60
+ *   value, angle, out_of_plane  each receives n numbers; the angles are 0 where there is no plane
+ * RWEDGE_EDOMAIN where the measure is one of friction, 3 to 6, and where that function has it;
+ * RWEDGE_ERANGE for loads = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Errors as those of that function. */
+RWEDGE_API int32_t rwedge_criterion_field(int32_t measure, size_t loads, size_t n,
+                                          const double sxx[], const double syy[],
+                                          const double txy[], double E, double nu,
+                                          int32_t plane_stress, double constant, double su,
+                                          double value[], double angle[], double out_of_plane[]);
+
+/* ---- Lives ----------------------------------------------------------------------------------- */
+
+/* Cycles to failure by Smith, Watson and Topper: N where sf^2/E (2N)^(2b) + sf ef (2N)^(b+c) is the
+ * parameter. HUGE_VAL for 0, below the limit, and beyond 1e60.     Smith, Watson, Topper (1970)
+ *   swt    the parameter, stress, 0 or 1e-60 to 1e60
+ *   E      Young's modulus, stress, 1e-60 to 1e60
+ *   sf     fatigue strength coefficient, stress, 1e-60 to 1e60
+ *   b      fatigue strength exponent, -2 <= b <= -0.01
+ *   ef     fatigue ductility coefficient, 1e-60 to 1e60
+ *   c      fatigue ductility exponent, -2 <= c <= -0.01
+ *   limit  0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
+ * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
+RWEDGE_API double rwedge_smith_watson_topper_life(double swt, double E, double sf, double b,
+                                                  double ef, double c, double limit);
+
+/* Cycles to failure by Fatemi and Socie: N where tf/G (2N)^b + gf (2N)^c is the parameter. HUGE_VAL
+ * for 0, below the limit, and beyond 1e60.                              Fatemi and Socie (1988)
+ *   fatemi_socie  the parameter, a strain, 0 or 1e-60 to 1e60
+ *   G             shear modulus, stress, 1e-60 to 1e60
+ *   tf            shear fatigue strength coefficient, stress, 1e-60 to 1e60
+ *   b             shear fatigue strength exponent, -2 <= b <= -0.01
+ *   gf            shear fatigue ductility coefficient, 1e-60 to 1e60
+ *   c             shear fatigue ductility exponent, -2 <= c <= -0.01
+ *   limit         0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
+ * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
+RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double tf, double b,
+                                           double gf, double c, double limit);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

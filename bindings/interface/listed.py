@@ -20,7 +20,7 @@ WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_fla
                     "series_create", "series_fit", "series_destroy", "series_terms", "contact_apply", "contact_obstacle",
                     "contact_loads", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count", "contact_zones",
                     "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text",
-                    "contact_cycle_fatigue", "contact_cycle_friction", "contact_cycle_worst", "contact_displacement"}
+                    "criterion_field", "contact_cycle_friction", "contact_cycle_worst", "contact_displacement"}
 
 
 def texts(patterns):

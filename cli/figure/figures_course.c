@@ -211,7 +211,8 @@ static int32_t compute_fretting(const figure_case *of, dataset *rows)
 {
     last_cycle last;
     measured all;
-    last_cycle_begin(of->whole, NAN, &last);
+    const criteria usual = criteria_usual(&of->whole->what);
+    last_cycle_begin(of->whole, &usual, &last);
     if (!surface_usual(&last, &all))
         return RWEDGE_EABSENT;
     const int32_t status = surface_measure(&last, &all);

@@ -1,33 +1,36 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
-#include "surface.h"
+#include "worst.h"
 
 #include "contact/notices.h"
 #include "options/threads.h"
 #include "rows/output_options.h"
 #include "system/ahead.h"
 #include "system/progress.h"
-#include "text/list.h"
 #include "text/message.h"
 
-#include <math.h>
-#include <stdlib.h>
-
-enum { OPTION_FS_K = OPTION_AFTER_PLACES };
+enum { OPTION_WORST = OPTION_AFTER_CRITERIA };
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_FS_K,
-     "Fatemi and Socie's k, beside a yield stress (default 1)", "NUMBER"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, criteria_option_table, 0, "Criteria:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, "Its loads:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
      "Places, by default along the surface from side to side:", NULL},
+    {"worst", '\0', POPT_ARG_STRING, NULL, OPTION_WORST,
+     "Write the worst place of each measure to FILE too", "FILE"},
     {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
+
+static void describe_column(int column, FILE *stream)
+{
+    const measure_kind *kind = column_kind_of(column);
+    fprintf(stream, "  %-15s %s\n", kind->column, kind->meaning);
+}
 
 static void describe(FILE *stream)
 {
@@ -40,13 +43,21 @@ static void describe(FILE *stream)
           "  x, y            the place, y the depth\n",
           stream);
     for (int i = 0; i < MEASURE_COUNT; i++)
-        fprintf(stream, "  %-15s %s\n", measure_kinds[i].column, measure_kinds[i].meaning);
+        describe_column(i, stream);
+    fputs("and at the end, for --criteria, or where their constants are given:\n", stream);
+    for (int i = MEASURE_COUNT; i < COLUMN_COUNT; i++)
+        if (!column_kind_of(i)->is_angle)
+            describe_column(i, stream);
+    fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
+          "of x and y, 0 to 90 deg.\n",
+          stream);
     fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
           "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
           "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n"
-          "\nSWT and Fatemi-Socie are searched over the planes that contain z alone: where\n"
-          "szz is an extreme principal stress, Fatemi-Socie may be too low. For plane stress\n"
-          "give E (1+2nu)/(1+nu)^2 as --E1 and nu/(1+nu) as --nu1; --nu1 0 is wrong here.\n",
+          "\nCriteria are the largest of all planes, also of those that do not contain z. A\n"
+          "shear amplitude is the radius of the smallest circle around the path of the shear\n"
+          "stress, that of sqrt(J2) of the smallest sphere. Nothing is a range but\n"
+          "stress_range and slip_range.\n",
           stream);
 }
 
@@ -54,8 +65,7 @@ typedef struct {
     course whole;
     last_cycle last;
     measured all;
-    worst_place worst[MEASURE_COUNT];
-    size_t worst_line[MEASURE_COUNT]; /* the first place of its line */
+    worst_table worst;
     int threads;
 } plan;
 
@@ -98,114 +108,15 @@ static void compute(plan *job)
         failure("%s", rwedge_strerror(status));
 }
 
-/* ---- The worst ---- */
-
-static size_t best_place(const measured *all, int measure)
-{
-    size_t best = 0;
-    for (size_t i = 0; i < all->count; i++) {
-        const double value = all->place[i].at.value[measure];
-        if (isnan(all->place[best].at.value[measure]) || value > all->place[best].at.value[measure])
-            best = i;
-    }
-    return best;
-}
-
-/* On the line of the best place, between the places too. */
-static worst_place search_line(const plan *job, int measure, size_t first)
-{
-    const measured *all = &job->all;
-    double *x = malloc(2 * all->line * sizeof *x), *value = x + all->line;
-    if (x == NULL)
-        failure("out of memory");
-    for (size_t i = 0; i < all->line; i++) {
-        x[i] = all->place[first + i].x;
-        value[i] = fmax(all->place[first + i].at.value[measure], 0);
-    }
-    const worst_place worst =
-        last_cycle_worst(&job->last, measure, all->line, x, value, all->place[first].y);
-    free(x);
-    return worst;
-}
-
-static void find_worst(plan *job)
-{
-    const measured *all = &job->all;
-    for (int i = 0; i < MEASURE_COUNT; i++) {
-        const size_t best = best_place(all, i);
-        const double value = all->place[best].at.value[i];
-        job->worst_line[i] = all->line > 0 ? best - best % all->line : best;
-        job->worst[i] = (worst_place){all->place[best].x,
-                                      value > 0 && !measure_kinds[i].is_angle ? value : NAN};
-        if (all->line > 0 && !isnan(job->worst[i].value))
-            job->worst[i] = search_line(job, i, job->worst_line[i]);
-    }
-}
-
-static double worst_depth(const plan *job, int measure)
-{
-    return job->all.place[job->worst_line[measure]].y;
-}
-
-static int in_order(const void *one, const void *other)
-{
-    const measured_place *a = one, *b = other;
-    if (a->y != b->y)
-        return a->y < b->y ? -1 : 1;
-    return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;
-}
-
-static bool is_there(const measured *all, double x, double y)
-{
-    for (size_t i = 0; i < all->count; i++)
-        if (all->place[i].x == x && all->place[i].y == y && all->place[i].is_shown)
-            return true;
-    return false;
-}
-
-/* Worst places that were found between the others become rows too. */
-static void add_rows(plan *job)
-{
-    const size_t count = job->all.count;
-    for (int i = 0; i < MEASURE_COUNT; i++) {
-        measured_place row = {.x = job->worst[i].x, .y = worst_depth(job, i), .is_shown = true};
-        if (isnan(job->worst[i].value) || is_there(&job->all, row.x, row.y))
-            continue;
-        const int32_t status = last_cycle_measure(&job->last, 1, &row.x, &row.y, &row.at);
-        if (status != RWEDGE_OK)
-            failure("%s", rwedge_strerror(status));
-        job->all.place[job->all.count++] = row; /* there is room */
-    }
-    if (job->all.count > count)
-        qsort(job->all.place, job->all.count, sizeof *job->all.place, in_order);
-}
-
-static void write_worst(const plan *job, char *text, size_t size)
-{
-    bool deep = false;
-    text[0] = '\0';
-    for (size_t i = 0; i < job->all.count; i++)
-        deep = deep || job->all.place[i].y > 0;
-    for (int i = 0; i < MEASURE_COUNT; i++) {
-        char value[NUMBER_SIZE], x[NUMBER_SIZE], y[NUMBER_SIZE];
-        if (isnan(job->worst[i].value))
-            continue;
-        number_write(job->worst[i].value, 6, '.', value);
-        number_write(job->worst[i].x, 6, '.', x);
-        number_write(worst_depth(job, i), 6, '.', y);
-        list_add(text, size, "; ", "%s %s at x = %s%s%s", measure_kinds[i].column, value, x,
-                 deep ? ", y = " : "", deep ? y : "");
-    }
-}
-
 /* ---- Rows ---- */
 
-static void write_row(const measured_place *place, records *rows)
+static void write_row(const criteria *asked, const measured_place *place, records *rows)
 {
     rows->format->value(rows, "x", cell_number(place->x));
     rows->format->value(rows, "y", cell_number(place->y));
-    for (int i = 0; i < MEASURE_COUNT; i++)
-        rows->format->value(rows, measure_kinds[i].column, cell_number(place->at.value[i]));
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (column_is_wanted(asked, i))
+            rows->format->value(rows, column_kind_of(i)->column, cell_number(place->at.value[i]));
     rows->format->end_row(rows);
     progress_step();
 }
@@ -217,12 +128,13 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
     rows->format->begin(rows);
     rows->format->name(rows, "x");
     rows->format->name(rows, "y");
-    for (int i = 0; i < MEASURE_COUNT; i++)
-        rows->format->name(rows, measure_kinds[i].column);
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (column_is_wanted(&job->last.asked, i))
+            rows->format->name(rows, column_kind_of(i)->column);
     rows->format->end_header(rows);
     for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
         if (job->all.place[i].is_shown)
-            write_row(&job->all.place[i], rows);
+            write_row(&job->last.asked, &job->all.place[i], rows);
     rows->format->end(rows);
     progress_erase();
     return records_are_sound(rows);
@@ -230,27 +142,30 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
 
 /* ---- The command ---- */
 
-static const double SQRT_3 = 1.7320508075688772;
-
-static double read_k_over_sy(const arguments *given, const contact_case *setup)
+static void read_plan(arguments *given, plan *job, output_options *how)
 {
-    const char *text = given->value[OPTION_FS_K];
-    double k = 1;
-    if (text != NULL && !(number_read(text, &k) && k >= 0 && k <= 1e6))
-        usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
-    if (text != NULL && isnan(setup->k))
-        usage_error("--fs-k %s: needs --k or --yield-stress", text);
-    return k / (SQRT_3 * setup->k);
-}
-
-static void read_plan(const arguments *given, plan *job, output_options *how)
-{
+    criteria asked;
     output_options_read(given, how);
     places_spare_files(given, how);
     job->threads = threads_read(given);
+    criteria_read(given, &asked);
     course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
-    last_cycle_begin(&job->whole, read_k_over_sy(given, &job->whole.what), &job->last);
+    criteria_read_strength(given, &job->whole.what, &asked);
+    last_cycle_begin(&job->whole, &asked, &job->last);
     surface_places(given, how->decimal_sign, &job->last, &job->all);
+}
+
+/* The same as for the rows, but for the file and the format of its ending. */
+static void read_worst(const arguments *given, const output_options *how, output_options *worst)
+{
+    arguments its = *given;
+    if (given->value[OPTION_WORST] == NULL)
+        return;
+    its.value[OPTION_OUTPUT] = given->value[OPTION_WORST];
+    its.value[OPTION_FORMAT] = NULL;
+    output_options_read(&its, worst);
+    places_spare_files(given, worst);
+    output_options_spare(worst, how->path);
 }
 
 static void say_what_is_doubtful(const plan *job)
@@ -262,21 +177,33 @@ static void say_what_is_doubtful(const plan *job)
     load_table_say_unused(&job->whole.loads);
 }
 
-static int fretting(const arguments *given)
+static bool is_deep(const measured *all)
+{
+    for (size_t i = 0; i < all->count; i++)
+        if (all->place[i].y > 0)
+            return true;
+    return false;
+}
+
+static int fretting(const arguments *line)
 {
     plan job = {.threads = 1};
-    output_options how;
-    char line[1200];
-    read_plan(given, &job, &how);
+    arguments given = *line; /* plane stress changes them */
+    output_options how, how_worst = {.path = NULL};
+    char worst[2400];
+    read_plan(&given, &job, &how);
+    read_worst(&given, &how, &how_worst);
     compute(&job);
-    find_worst(&job);
-    write_worst(&job, line, sizeof line);
-    if (job.all.line > 0 && given->value[OPTION_X] == NULL)
-        add_rows(&job);
+    worst_find(&job.last, &job.all, &job.worst);
+    worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
+    if (job.all.line > 0 && given.value[OPTION_X] == NULL)
+        worst_add_places(&job.worst, &job.all);
     output_options_write(&how, write_rows, &job);
+    if (how_worst.path != NULL)
+        output_options_write(&how_worst, worst_write_rows, &job.worst);
     say_what_is_doubtful(&job);
     notice("worst: %s",
-           line[0] != '\0' ? line : "none; every measure is 0 or empty at these places");
+           worst[0] != '\0' ? worst : "none; every measure is 0 or empty at these places");
     return STATUS_DONE;
 }
 

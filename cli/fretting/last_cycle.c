@@ -67,11 +67,11 @@ static void look_before(const course *whole, last_cycle *cycle)
     rwedge_contact_destroy(contact);
 }
 
-void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle)
+void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cycle)
 {
     const size_t loads = whole->steps < whole->loads.count ? whole->steps : whole->loads.count;
     *cycle = (last_cycle){.setup = &whole->what,
-                          .k_over_sy = k_over_sy,
+                          .asked = *asked,
                           .loads = loads,
                           .P = room_for(4 * loads),
                           .edges = room_for(4 * (loads + 1)),
@@ -99,25 +99,74 @@ void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle)
 
 static void forget(measures *at)
 {
-    for (int m = 0; m < MEASURE_COUNT; m++)
-        at->value[m] = NAN;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        at->value[i] = NAN;
+}
+
+/* McDiarmid's strength counts for no other. */
+static double strength_of(const criteria *asked)
+{
+    return isnan(asked->su) ? 1 : asked->su;
+}
+
+/* Stresses of all loads at n places; room for 3 * loads * n. */
+static int32_t stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                        double *stress)
+{
+    const size_t all = cycle->loads * n;
+    rwedge_contact *going = NULL;
+    int32_t status = rwedge_contact_copy(cycle->before, &going);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stress_history(going, cycle->loads, cycle->P, cycle->M, cycle->Q,
+                                               cycle->sigma, n, x, y, stress, stress + all,
+                                               stress + 2 * all);
+    rwedge_contact_destroy(going);
+    return status;
+}
+
+static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
+                             double *room, measures at[])
+{
+    const size_t all = cycle->loads * n;
+    const criteria *asked = &cycle->asked;
+    const criterion_kind *kind = &criterion_kinds[i];
+    const int32_t status = rwedge_criterion_field(
+        kind->measure, cycle->loads, n, stress, stress + all, stress + 2 * all, cycle->setup->E1,
+        asked->nu, asked->is_plane_stress, asked->constant[i], strength_of(asked), room, room + n,
+        room + 2 * n);
+    for (size_t j = 0; j < n && status == RWEDGE_OK; j++) {
+        at[j].value[kind->value] = room[j];
+        if (kind->angle == 0)
+            continue;
+        at[j].value[kind->angle] = degrees(room[n + j]);
+        at[j].value[kind->out_of_plane] = degrees(room[2 * n + j]);
+    }
+    return status;
+}
+
+static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress, double *room,
+                         measures at[])
+{
+    const size_t all = cycle->loads * n;
+    const int32_t status = rwedge_criterion_field(
+        RWEDGE_MEASURE_STRESS_RANGE, cycle->loads, n, stress, stress + all, stress + 2 * all,
+        cycle->setup->E1, cycle->asked.nu, 0, 0, 1, room, room + n, room + 2 * n);
+    for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
+        at[j].value[MEASURE_STRESS_RANGE] = room[j];
+    return status;
 }
 
 static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
                        double *room, measures at[])
 {
-    const bool strength = !isnan(cycle->k_over_sy);
-    const int32_t status = rwedge_contact_cycle_fatigue(
-        cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q, cycle->sigma, n, x, y,
-        cycle->setup->E1, cycle->setup->nu1, strength ? cycle->k_over_sy : 0, room, room + n,
-        room + 2 * n, room + 3 * n, room + 4 * n);
-    for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
-        at[i].value[MEASURE_STRESS_RANGE] = room[i];
-        at[i].value[MEASURE_SWT] = room[n + i];
-        at[i].value[MEASURE_SWT_ANGLE] = degrees(room[2 * n + i]);
-        at[i].value[MEASURE_FATEMI_SOCIE] = strength ? room[3 * n + i] : NAN;
-        at[i].value[MEASURE_FS_ANGLE] = strength ? degrees(room[4 * n + i]) : NAN;
-    }
+    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses(cycle, n, x, y, stress);
+    if (status == RWEDGE_OK)
+        status = add_range(cycle, n, stress, room, at);
+    for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
+        if (!isnan(cycle->asked.constant[i]))
+            status = add_criterion(cycle, i, n, stress, room, at);
+    free(stress);
     return status;
 }
 
@@ -174,27 +223,31 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
 
 /* ---- The worst ---- */
 
-/* As the library calls them. */
-static const int32_t library_measures[MEASURE_COUNT] = {
-    [MEASURE_STRESS_RANGE] = RWEDGE_MEASURE_STRESS_RANGE,
-    [MEASURE_SWT] = RWEDGE_MEASURE_SWT,
-    [MEASURE_SWT_ANGLE] = -1,
-    [MEASURE_FATEMI_SOCIE] = RWEDGE_MEASURE_FATEMI_SOCIE,
-    [MEASURE_FS_ANGLE] = -1,
-    [MEASURE_SLIP_RANGE] = RWEDGE_MEASURE_SLIP_RANGE,
-    [MEASURE_RUIZ_F1] = RWEDGE_MEASURE_RUIZ_F1,
-    [MEASURE_RUIZ_F2] = RWEDGE_MEASURE_RUIZ_F2,
-    [MEASURE_ENERGY_PER_AREA] = RWEDGE_MEASURE_ENERGY_PER_AREA,
-};
+/* As the library calls it. */
+static int32_t library_measure(int column)
+{
+    static const int32_t others[MEASURE_COUNT] = {
+        [MEASURE_STRESS_RANGE] = RWEDGE_MEASURE_STRESS_RANGE,
+        [MEASURE_SLIP_RANGE] = RWEDGE_MEASURE_SLIP_RANGE,
+        [MEASURE_RUIZ_F1] = RWEDGE_MEASURE_RUIZ_F1,
+        [MEASURE_RUIZ_F2] = RWEDGE_MEASURE_RUIZ_F2,
+        [MEASURE_ENERGY_PER_AREA] = RWEDGE_MEASURE_ENERGY_PER_AREA,
+    };
+    const int criterion = column_criterion(column);
+    return criterion >= 0 ? criterion_kinds[criterion].measure : others[column];
+}
 
-worst_place last_cycle_worst(const last_cycle *cycle, int measure, size_t n, const double x[],
+worst_place last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
                              const double value[], double y)
 {
+    const criteria *asked = &cycle->asked;
+    const int criterion = column_criterion(column);
     worst_place worst = {x[0], NAN};
     const int32_t status = rwedge_contact_cycle_worst(
-        cycle->before, library_measures[measure], cycle->loads, cycle->P, cycle->M, cycle->Q,
-        cycle->sigma, n, x, value, y, cycle->setup->E1, cycle->setup->nu1,
-        isnan(cycle->k_over_sy) ? 0 : cycle->k_over_sy, &worst.x, &worst.value);
+        cycle->before, library_measure(column), cycle->loads, cycle->P, cycle->M, cycle->Q,
+        cycle->sigma, n, x, value, y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
+        criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), &worst.x,
+        &worst.value);
     if (status != RWEDGE_OK)
         failure("%s", rwedge_strerror(status));
     return worst;

@@ -3,17 +3,17 @@
 #ifndef CLI_LAST_CYCLE_H
 #define CLI_LAST_CYCLE_H
 
+#include "criteria.h"
 #include "history/course.h"
-#include "model/measures.h"
 
 /* Of one place; NAN where there is none. */
 typedef struct {
-    double value[MEASURE_COUNT];
+    double value[COLUMN_COUNT];
 } measures;
 
 typedef struct {
     const contact_case *setup;
-    double k_over_sy;          /* Fatemi and Socie's k over the yield stress; NAN: not known */
+    criteria asked;
     rwedge_contact *before;    /* the contact before the cycle */
     size_t loads;              /* of the cycle */
     double *P, *M, *Q, *sigma; /* so many each */
@@ -25,7 +25,7 @@ typedef struct {
 } last_cycle;
 
 /* Goes through the course. */
-void last_cycle_begin(const course *whole, double k_over_sy, last_cycle *cycle);
+void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cycle);
 
 /* At n places. Returns the library's status, or RWEDGE_ENOMEM. Threads may call it at a time. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
@@ -36,7 +36,7 @@ typedef struct {
 } worst_place;
 
 /* Where a measure is largest on a line along x of n places, ascending, at which it is known. */
-worst_place last_cycle_worst(const last_cycle *cycle, int measure, size_t n, const double x[],
+worst_place last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
                              const double value[], double y);
 
 #endif

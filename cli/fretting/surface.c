@@ -119,7 +119,7 @@ static void add_range(const char *text, const last_cycle *cycle, stops *all)
 static measured *begin(size_t count, size_t line, measured *all)
 {
     *all = (measured){.count = count, .line = line};
-    all->place = room_for(count + MEASURE_COUNT, sizeof *all->place);
+    all->place = room_for(count + COLUMN_COUNT, sizeof *all->place);
     return all;
 }
 

@@ -3,11 +3,12 @@
 
 const measure_kind measure_kinds[MEASURE_COUNT] = {
     [MEASURE_STRESS_RANGE] = {"stress_range", "largest less smallest sxx", "stress", false},
-    [MEASURE_SWT] = {"swt", "Smith, Watson and Topper's parameter, on the critical plane", "stress",
+    [MEASURE_SWT] = {"swt", "Smith, Watson and Topper's parameter, strain amplitude", "stress",
                      false},
     [MEASURE_SWT_ANGLE] = {"swt_angle", "from the surface's normal to that of the plane, deg",
                            "deg", true},
-    [MEASURE_FATEMI_SOCIE] = {"fatemi_socie", "Fatemi and Socie's; needs a yield stress", "none",
+    [MEASURE_FATEMI_SOCIE] = {"fatemi_socie",
+                              "Fatemi and Socie's, amplitude too; needs a yield stress", "none",
                               false},
     [MEASURE_FS_ANGLE] = {"fs_angle", "that of its plane", "deg", true},
     [MEASURE_SLIP_RANGE] = {"slip_range", "largest less smallest slip", "length", false},

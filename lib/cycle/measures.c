@@ -36,56 +36,12 @@ int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], con
     return status;
 }
 
-double rw_least_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i)
-{
-    double least = stress[i];
-    for (size_t load = 1; load < cycle->loads; load++)
-        least = fmin(least, stress[load * n + i]);
-    return least;
-}
-
 double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i)
 {
     double most = stress[i];
     for (size_t load = 1; load < cycle->loads; load++)
         most = fmax(most, stress[load * n + i]);
     return most;
-}
-
-/* ---- Fatigue ---- */
-
-int32_t rwedge_contact_cycle_fatigue(const rwedge_contact *contact, size_t loads, const double P[],
-                                     const double M[], const double Q[], const double sigma[],
-                                     size_t n, const double x[], const double y[], double E,
-                                     double nu, double k_over_sy, double stress_range[],
-                                     double swt[], double swt_angle[], double fatemi_socie[],
-                                     double fs_angle[])
-{
-    const rw_load_list list = {loads, P, M, Q, sigma};
-    const rw_material material = {E, nu, k_over_sy};
-    if (!contact || !rw_is_load_list(&list) ||
-        (n > 0 && (!x || !y || !stress_range || !swt || !swt_angle || !fatemi_socie || !fs_angle)))
-        return RWEDGE_ENULL;
-    if (!rw_is_material(&material))
-        return RWEDGE_EDOMAIN;
-    rw_cycle cycle;
-    double *sxx = NULL;
-    int32_t status = rw_cycle_create(contact, &list, RW_STRESS_ALONE, &cycle);
-    if (status == RWEDGE_OK)
-        status = rw_cycle_stresses(&cycle, n, x, y, &sxx);
-    if (status == RWEDGE_OK && n > 0) {
-        const double *syy = sxx + loads * n, *txy = syy + loads * n;
-        status = rwedge_smith_watson_topper_field(loads, n, sxx, syy, txy, E, nu, swt, swt_angle);
-        if (status == RWEDGE_OK)
-            status = rwedge_fatemi_socie_field(loads, n, sxx, syy, txy, E, nu, k_over_sy,
-                                               fatemi_socie, fs_angle);
-        for (size_t i = 0; i < n && status == RWEDGE_OK; i++)
-            stress_range[i] =
-                rw_largest_stress(&cycle, n, sxx, i) - rw_least_stress(&cycle, n, sxx, i);
-    }
-    free(sxx);
-    rw_cycle_destroy(&cycle);
-    return status;
 }
 
 /* ---- Friction ---- */

@@ -5,18 +5,9 @@
 
 #include "cycle/states.h"
 
-typedef struct {
-    double E, nu, k_over_sy;
-} rw_material;
-
 static inline bool rw_is_load_list(const rw_load_list *loads)
 {
     return loads->count == 0 || (loads->P && loads->M && loads->Q && loads->sigma);
-}
-
-static inline bool rw_is_material(const rw_material *m)
-{
-    return rw_is_positive(m->E) && rw_is_poisson(m->nu) && rw_is_magnitude(m->k_over_sy);
 }
 
 /* The stresses after each load at n places: those of a load one after the other, sxx of all loads
@@ -25,7 +16,6 @@ int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], con
                           double **stress);
 
 /* Of n stresses after each load, at the place i. */
-double rw_least_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i);
 double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i);
 
 #endif

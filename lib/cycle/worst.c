@@ -6,9 +6,14 @@
 #include <stdlib.h>
 
 typedef struct {
+    double E, nu, constant, su;
+    int32_t plane_stress;
+} material;
+
+typedef struct {
     rw_cycle cycle;
     int32_t measure;
-    rw_material material;
+    material material;
     double y;
 } line;
 
@@ -33,20 +38,20 @@ static double friction_of(const line *l, double x, const double *sxx)
     }
 }
 
+static bool is_of_friction(int32_t measure)
+{
+    return measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA;
+}
+
 static double measure_of(const line *l, double x, const double *sxx)
 {
     const size_t loads = l->cycle.loads;
-    const double *syy = sxx + loads, *txy = syy + loads;
-    const rw_material *m = &l->material;
-    double value = NAN, angle;
-    if (l->measure == RWEDGE_MEASURE_STRESS_RANGE)
-        return rw_largest_stress(&l->cycle, 1, sxx, 0) - rw_least_stress(&l->cycle, 1, sxx, 0);
-    if (l->measure == RWEDGE_MEASURE_SWT)
-        rwedge_smith_watson_topper(loads, sxx, syy, txy, m->E, m->nu, &value, &angle);
-    else if (l->measure == RWEDGE_MEASURE_FATEMI_SOCIE)
-        rwedge_fatemi_socie(loads, sxx, syy, txy, m->E, m->nu, m->k_over_sy, &value, &angle);
-    else
+    const material *m = &l->material;
+    double value = NAN, angle, out_of_plane;
+    if (is_of_friction(l->measure))
         return friction_of(l, x, sxx);
+    rwedge_criterion_field(l->measure, loads, 1, sxx, sxx + loads, sxx + 2 * loads, m->E, m->nu,
+                           m->plane_stress, m->constant, m->su, &value, &angle, &out_of_plane);
     return value;
 }
 
@@ -110,6 +115,12 @@ static peak search(const line *l, size_t n, const double x[], const double value
     return best;
 }
 
+static bool is_material(const material *m)
+{
+    return rw_is_positive(m->E) && rw_is_poisson(m->nu) && m->plane_stress >= 0 &&
+           m->plane_stress <= 1 && rw_is_magnitude(m->constant) && rw_is_positive(m->su);
+}
+
 static bool are_measured(size_t n, const double x[], const double value[])
 {
     for (size_t i = 0; i < n; i++)
@@ -122,19 +133,20 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
                                    const double P[], const double M[], const double Q[],
                                    const double sigma[], size_t n, const double x[],
                                    const double value[], double y, double E, double nu,
-                                   double k_over_sy, double *worst_x, double *worst_value)
+                                   int32_t plane_stress, double constant, double su,
+                                   double *worst_x, double *worst_value)
 {
     const rw_load_list list = {loads, P, M, Q, sigma};
-    line l = {.measure = measure, .material = {E, nu, k_over_sy}, .y = y};
+    line l = {.measure = measure, .material = {E, nu, constant, su, plane_stress}, .y = y};
     if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
         !worst_value)
         return RWEDGE_ENULL;
-    if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_ENERGY_PER_AREA ||
-        !rw_is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
+    if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_DANG_VAN ||
+        !is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
         return RWEDGE_EDOMAIN;
     if (n == 0)
         return RWEDGE_ERANGE;
-    const bool is_slip = measure >= RWEDGE_MEASURE_SLIP_RANGE;
+    const bool is_slip = is_of_friction(measure);
     if (is_slip && y != 0)
         return RWEDGE_EDOMAIN;
     int32_t status =

@@ -69,7 +69,7 @@ OWN = {
     ("contact_create", "f"): [0.6],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
-    ("contact_cycle_worst", "y"): [0],
+    ("contact_cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
 }

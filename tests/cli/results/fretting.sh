@@ -269,8 +269,49 @@ printf 'P,Q\n135.75,0\n135.75,38\n135.75,-38\n' >cycle.csv
 shape="--theta 0.05 --radius 10 --f 0.3 --yield-stress 500 --at -0.21,0"
 run fretting cycle.csv --E1 72100 --nu1 0 $shape
 wrong=$(column fatemi_socie out)
-run fretting cycle.csv --E1 "$(awk 'BEGIN { printf "%.17g", 72100 * 1.66 / 1.33 ^ 2 }')" --nu1 "$(awk 'BEGIN { printf "%.17g", 0.33 / 1.33 }')" $shape
+run fretting cycle.csv --E1 72100 --nu1 0.33 --plane-stress $shape
 close_to "Fatemi-Socie in plane stress" "$(awk -v w="$wrong" 'BEGIN { printf "%.17g", 1.33 * w }')" "$(column fatemi_socie out)" 1e-9
+run fretting cycle.csv --E1 72100 --nu1 0 --theta 0.05 --radius 10 --f 0.3 --criteria swt --x=-0.3:0.3:0.1
+cp out stressed
+run fretting cycle.csv --E1 72100 --nu1 0.33 --plane-stress --theta 0.05 --radius 10 --f 0.3 --criteria swt --x=-0.3:0.3:0.1
+for name in stress_range slip_range; do
+    same "the contact is that of nu 0: $name" "$(column $name stressed)" "$(column $name out)"
+done
+
+# Criteria: only columns that are asked for. At the trailing edge sxx alone acts, from -345.747 to 345.747, in plane strain:
+# s1, szz = nu s1 and 0. So the largest shear amplitude is half of 345.747, on planes with the normal stress of its half;
+# Findley's is (k + sqrt(1 + k^2))/2 of it; the deviator swings by sqrt((1 - nu + nu^2)/3) of it.
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+usual=$(head -n 1 whole)
+run fretting cycle.csv $specimen --at 0,0 --criteria crossland,swt --crossland-alpha 0.3
+same "columns that are asked for" "$usual,swt_out_of_plane,crossland" "$(head -n 1 out)"
+run fretting cycle.csv $specimen --findley-k 0.3 --kappa 30 --t-a 160 --su 500 --crossland-alpha 0.3 --dang-van-alpha 0.2 --worst worst.csv
+same "columns whose constants are given" "findley,findley_angle,findley_out_of_plane,modified_wohler,modified_wohler_angle,modified_wohler_out_of_plane,mcdiarmid,mcdiarmid_angle,mcdiarmid_out_of_plane,crossland,dang_van" \
+    "$(head -n 1 out | cut -d , -f 12-)"
+expect="findley modified_wohler mcdiarmid crossland dang_van"
+awk 'BEGIN { s = 345.747; nu = 0.33; print s / 2 * (0.3 + sqrt(1.09)); print s / 2 + 30; print s / 2 / 160 + s / 4 / 500 * 1
+    H = s * (1 + nu) / 3; print s * sqrt((1 - nu + nu * nu) / 3) + 0.3 * H; print s / 2 + 0.2 * H }' >expected
+for name in $expect; do
+    column "$name" out | awk '$1 > m { m = $1 } END { printf "%.17g\n", m }'
+done | paste -d ' ' expected - >both
+close_rows "criteria in tension" 5e-6 0
+awk -F, 'NR > 1 { print $1, $2, $3 }' worst.csv | while read -r name value x; do
+    echo "$(worst "$name") $x $value"
+done | awk '{ print $1, $3; print $2, $4 }' >both
+same "measures in the table of the worst" 11 "$(sed 1d worst.csv | wc -l | tr -d ' ')"
+close_rows "the table of the worst is the line" 1e-5 0
+same "the angles of Findley's plane" yes "$(awk -F, '$1 == "findley" && ($5 < 0 ? -$5 : $5) > 45 && $6 == 0 { print "yes" }' worst.csv)"
+# P and Q in phase: the worst plane does not contain z, and planes that do have 6 % less.
+printf 'P,Q\n2000,600\n400,120\n' >phase.csv
+run fretting phase.csv --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.6 --yield-stress 500 --criteria fatemi-socie
+same "off z" yes "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "fs_out_of_plane") c = i; next } $6 > m { m = $6; o = $c }
+    END { if (o > 20 && o < 70) print "yes"; else print o }' out)"
+refuses "rwedge fretting: findley: needs --findley-k" fretting cycle.csv $specimen --criteria findley
+refuses "rwedge fretting: mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
+refuses "rwedge fretting: fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie
+refuses "rwedge fretting: --kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting cycle.csv $specimen --kappa=-1
+refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van" \
+    fretting cycle.csv $specimen --criteria swt,fs
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv

@@ -4,6 +4,7 @@
 #include "rwedge.h"
 
 #include <float.h>
+#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -490,6 +491,45 @@ static void uniaxial_smith_watson_topper_is_the_textbook_value(void **state)
     assert_within(fabs(angle), PI / 2, 1e-7);
 }
 
+/* As the functions that are named, to the bit. */
+static void a_criterion_by_its_number_is_that_by_its_name(void **state)
+{
+    (void)state;
+    const double sxx[4] = {300, 20, -80, 45}, syy[4] = {-40, 5, 60, -10}, txy[4] = {10, 30, -90, 2};
+    double v[8][2], by[8][2], a[8][2], angle[2], o[8][2], out[2];
+    const int32_t measures[8] = {RWEDGE_MEASURE_STRESS_RANGE,    RWEDGE_MEASURE_SWT,
+                                 RWEDGE_MEASURE_FATEMI_SOCIE,    RWEDGE_MEASURE_FINDLEY,
+                                 RWEDGE_MEASURE_MODIFIED_WOHLER, RWEDGE_MEASURE_MCDIARMID,
+                                 RWEDGE_MEASURE_CROSSLAND,       RWEDGE_MEASURE_DANG_VAN};
+    memset(a, 0, sizeof a);
+    memset(o, 0, sizeof o);
+    rwedge_smith_watson_topper_planes_field(2, 2, sxx, syy, txy, 7e4, 0.3, 1, v[1], a[1], o[1]);
+    rwedge_fatemi_socie_planes_field(2, 2, sxx, syy, txy, 7e4, 0.3, 1, 0.4, v[2], a[2], o[2]);
+    rwedge_findley_field(2, 2, sxx, syy, txy, 0, 0.4, v[3], a[3], o[3]);
+    rwedge_modified_wohler_field(2, 2, sxx, syy, txy, 0, 0.4, v[4], a[4], o[4]);
+    rwedge_mcdiarmid_field(2, 2, sxx, syy, txy, 0, 0.4, 500, v[5], a[5], o[5]);
+    rwedge_crossland_field(2, 2, sxx, syy, txy, 0, 0.4, v[6]);
+    rwedge_dang_van_field(2, 2, sxx, syy, txy, 0, 0.4, v[7]);
+    v[0][0] = 300 - -80;
+    v[0][1] = 45 - 20;
+    for (int i = 0; i < 8; i++) {
+        assert_int_equal(rwedge_criterion_field(measures[i], 2, 2, sxx, syy, txy, 7e4, 0.3, 1, 0.4,
+                                                500, by[i], angle, out),
+                         RWEDGE_OK);
+        assert_memory_equal(by[i], v[i], sizeof v[i]);
+        assert_memory_equal(angle, a[i], sizeof angle);
+        assert_memory_equal(out, o[i], sizeof out);
+    }
+    for (int32_t m = -1; m <= 12; m++)
+        if (m < 0 || m > 11 || (m >= RWEDGE_MEASURE_SLIP_RANGE && m < RWEDGE_MEASURE_FINDLEY))
+            assert_int_equal(rwedge_criterion_field(m, 2, 2, sxx, syy, txy, 7e4, 0.3, 1, 0.4, 500,
+                                                    by[0], angle, out),
+                             RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_criterion_field(0, 2, 2, sxx, syy, txy, 7e4, 0.3, 1, 0.4, 500, by[0], NULL, out),
+        RWEDGE_ENULL);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -505,6 +545,7 @@ int main(void)
         cmocka_unit_test(every_field_has_the_bits_of_its_points),
         cmocka_unit_test(refusals_leave_the_results_alone),
         cmocka_unit_test(uniaxial_smith_watson_topper_is_the_textbook_value),
+        cmocka_unit_test(a_criterion_by_its_number_is_that_by_its_name),
     };
     return RUN_CLAIMS("planes", tests);
 }

@@ -20,7 +20,7 @@ enum { BLOCK = 64, THREADS_MAX = 64 };
 
 static const row *const SECTIONS[] = {
     LAW_ROWS,       STICK_ROWS,           STRESS_ROWS,  STRENGTH_ROWS, DESIGN_ROWS, HISTORY_ROWS,
-    ECCENTRIC_ROWS, ECCENTRIC_FIELD_ROWS, MEASURE_ROWS, PLANE_ROWS,    SERIES_ROWS};
+    ECCENTRIC_ROWS, ECCENTRIC_FIELD_ROWS, MEASURE_ROWS, PLANE_ROWS,    LIFE_ROWS,   SERIES_ROWS};
 
 /* ---- Measuring: the threads take blocks of calls ---- */
 

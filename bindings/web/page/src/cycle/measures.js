@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the last cycle does to places of the surface, and where that is worst: the library's answers by the tool's names.
-import { status } from "../library.js";
+import { rwedge, status } from "../library.js";
 import { isAngle, measureKinds } from "../words.js";
 
 const kinds = measureKinds.filter((kind) => !isAngle(kind)).map(({ name }) => name); // in the library's order
 
 const degrees = (angles) => angles.map((v) => (v * 180) / Math.PI);
 const nowhere = (n) => new Float64Array(n).fill(NaN);
-const material = ({ E1, nu1, k }) => [E1, nu1, Number.isNaN(k) ? 0 : 1 / (Math.sqrt(3) * k)];
+const kOverSy = ({ k }) => (Number.isNaN(k) ? 0 : 1 / (Math.sqrt(3) * k));
 
-function fatigue({ setup, before, lists }, x) {
-    const s = before.cycle_fatigue(...lists, x, new Float64Array(x.length), ...material(setup));
-    const strength = !Number.isNaN(setup.k);
+function stresses({ before, lists }, x) {
+    const going = before.copy();
+    try {
+        return going.stress_history(...lists, x, new Float64Array(x.length));
+    } finally {
+        going.free();
+    }
+}
+
+function fatigue(of, x) {
+    const { E1, nu1, k } = of.setup,
+        { sxx, syy, txy } = stresses(of, x),
+        criterion = (kind, constant) =>
+            rwedge.criterion_field(kind, of.loads.length, sxx, syy, txy, E1, nu1, 0, constant, 1),
+        swt = criterion(1, 0),
+        fs = Number.isNaN(k) ? null : criterion(2, kOverSy(of.setup));
     return {
-        stress_range: s.stress_range,
-        swt: s.swt,
-        swt_angle: degrees(s.swt_angle),
-        fatemi_socie: strength ? s.fatemi_socie : nowhere(x.length),
-        fs_angle: strength ? degrees(s.fs_angle) : nowhere(x.length),
+        stress_range: criterion(0, 0).value,
+        swt: swt.value,
+        swt_angle: degrees(swt.angle),
+        fatemi_socie: fs?.value ?? nowhere(x.length),
+        fs_angle: fs ? degrees(fs.angle) : nowhere(x.length),
     };
 }
 
@@ -43,7 +56,8 @@ export const measure = (of, x) => ({ ...fatigue(of, x), ...friction(of, x) });
 function worstOf({ setup, before, lists }, x, values, kind) {
     const known = values.map((v) => v || 0); // NaN too
     if (!known.some((v) => v > 0)) return null;
-    const worst = status.orNull(() => before.cycle_worst(kind, ...lists, x, known, 0, ...material(setup)));
+    const constants = [setup.E1, setup.nu1, 0, kOverSy(setup), 1];
+    const worst = status.orNull(() => before.cycle_worst(kind, ...lists, x, known, 0, ...constants));
     return worst && { x: worst.worst_x, value: worst.worst_value };
 }
 

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "criteria.h"
+
+#include "text/list.h"
+#include "text/message.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+struct poptOption criteria_option_table[] = {
+    {"criteria", '\0', POPT_ARG_STRING, NULL, OPTION_CRITERIA,
+     "Columns of these: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
+     "dang-van",
+     "LIST"},
+    {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_FS_K,
+     "Fatemi and Socie's k, beside a yield stress (default 1)", "NUMBER"},
+    {"findley-k", '\0', POPT_ARG_STRING, NULL, OPTION_FINDLEY_K, "Findley's k", "NUMBER"},
+    {"kappa", '\0', POPT_ARG_STRING, NULL, OPTION_KAPPA,
+     "kappa of the modified Woehler curve, a stress", "NUMBER"},
+    {"t-a", '\0', POPT_ARG_STRING, NULL, OPTION_T_A, "McDiarmid's fully reversed limit in torsion",
+     "NUMBER"},
+    {"su", '\0', POPT_ARG_STRING, NULL, OPTION_SU, "McDiarmid's tensile strength", "NUMBER"},
+    {"crossland-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_CROSSLAND_ALPHA,
+     "Crossland's share of the hydrostatic stress", "NUMBER"},
+    {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_DANG_VAN_ALPHA, "Dang Van's", "NUMBER"},
+    {"plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,
+     "Plane stress, of contact and criteria (default: plane strain)", NULL},
+    POPT_TABLEEND,
+};
+
+const criterion_kind criterion_kinds[CRITERION_COUNT] = {
+    {"swt", RWEDGE_MEASURE_SWT, MEASURE_SWT, MEASURE_SWT_ANGLE, COLUMN_SWT_OUT},
+    {"fatemi-socie", RWEDGE_MEASURE_FATEMI_SOCIE, MEASURE_FATEMI_SOCIE, MEASURE_FS_ANGLE,
+     COLUMN_FS_OUT},
+    {"findley", RWEDGE_MEASURE_FINDLEY, COLUMN_FINDLEY, COLUMN_FINDLEY_ANGLE, COLUMN_FINDLEY_OUT},
+    {"modified-wohler", RWEDGE_MEASURE_MODIFIED_WOHLER, COLUMN_MODIFIED_WOHLER,
+     COLUMN_MODIFIED_WOHLER_ANGLE, COLUMN_MODIFIED_WOHLER_OUT},
+    {"mcdiarmid", RWEDGE_MEASURE_MCDIARMID, COLUMN_MCDIARMID, COLUMN_MCDIARMID_ANGLE,
+     COLUMN_MCDIARMID_OUT},
+    {"crossland", RWEDGE_MEASURE_CROSSLAND, COLUMN_CROSSLAND, 0, 0},
+    {"dang-van", RWEDGE_MEASURE_DANG_VAN, COLUMN_DANG_VAN, 0, 0},
+};
+
+/* ---- Columns ---- */
+
+#define OF_Z "from its normal to the plane of x and y, 0 to 90 deg"
+
+static const measure_kind more_kinds[COLUMN_COUNT - MEASURE_COUNT] = {
+    {"swt_out_of_plane", OF_Z, "deg", true},
+    {"fs_out_of_plane", OF_Z, "deg", true},
+    {"findley", "Findley's largest shear amplitude + k largest normal stress", "stress", false},
+    {"findley_angle", "that of its plane", "deg", true},
+    {"findley_out_of_plane", OF_Z, "deg", true},
+    {"modified_wohler", "shear amplitude + kappa largest normal stress/shear amplitude", "stress",
+     false},
+    {"modified_wohler_angle", "that of its plane", "deg", true},
+    {"modified_wohler_out_of_plane", OF_Z, "deg", true},
+    {"mcdiarmid", "shear amplitude/t-a + largest normal stress/(2 su)", "none", false},
+    {"mcdiarmid_angle", "that of its plane", "deg", true},
+    {"mcdiarmid_out_of_plane", OF_Z, "deg", true},
+    {"crossland", "amplitude of sqrt(J2) + alpha largest hydrostatic stress", "stress", false},
+    {"dang_van", "largest shear amplitude + alpha hydrostatic stress", "stress", false},
+};
+
+const measure_kind *column_kind_of(int column)
+{
+    return column < MEASURE_COUNT ? &measure_kinds[column] : &more_kinds[column - MEASURE_COUNT];
+}
+
+int column_criterion(int column)
+{
+    int i = CRITERION_COUNT - 1;
+    while (i >= 0 && criterion_kinds[i].value != column)
+        i--;
+    return i;
+}
+
+bool column_is_wanted(const criteria *all, int column)
+{
+    bool wanted = column < MEASURE_COUNT;
+    for (int i = 0; i < CRITERION_COUNT; i++) {
+        const criterion_kind *kind = &criterion_kinds[i];
+        const bool is_its =
+            kind->value == column || kind->angle == column || kind->out_of_plane == column;
+        wanted = wanted || (is_its && all->is_wanted[i]);
+    }
+    return wanted;
+}
+
+/* ---- Constants ---- */
+
+static const double SQRT_3 = 1.7320508075688772;
+
+/* The option of the constant of each; 0 for none. */
+static const struct {
+    int number;
+    double least;
+    const char *name;
+} constant_options[CRITERION_COUNT] = {
+    [CRITERION_FINDLEY] = {OPTION_FINDLEY_K, 0, "findley-k"},
+    [CRITERION_MODIFIED_WOHLER] = {OPTION_KAPPA, 0, "kappa"},
+    [CRITERION_MCDIARMID] = {OPTION_T_A, 1e-60, "t-a"},
+    [CRITERION_CROSSLAND] = {OPTION_CROSSLAND_ALPHA, 0, "crossland-alpha"},
+    [CRITERION_DANG_VAN] = {OPTION_DANG_VAN_ALPHA, 0, "dang-van-alpha"},
+};
+
+/* NAN where it is not given. */
+static double read_constant(const arguments *given, int number, const char *name, double least)
+{
+    const char *text = given->value[number];
+    double value = NAN;
+    if (text != NULL && !(number_read(text, &value) && value >= least && value <= 1e60 &&
+                          (value == 0 || value >= 1e-60)))
+        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name, text,
+                    least > 0 ? "" : ", 0 or");
+    return value;
+}
+
+static void need(const criteria *all, int criterion, double constant, const char *option)
+{
+    if (all->is_wanted[criterion] && isnan(constant))
+        usage_error("%s: needs --%s", criterion_kinds[criterion].name, option);
+}
+
+static void read_constants(const arguments *given, criteria *all)
+{
+    all->su = read_constant(given, OPTION_SU, "su", 1e-60);
+    for (int i = CRITERION_FINDLEY; i < CRITERION_COUNT; i++) {
+        const char *name = constant_options[i].name;
+        all->constant[i] =
+            read_constant(given, constant_options[i].number, name, constant_options[i].least);
+        all->is_wanted[i] = all->is_wanted[i] || !isnan(all->constant[i]);
+        need(all, i, all->constant[i], name);
+    }
+    all->is_wanted[CRITERION_MCDIARMID] = all->is_wanted[CRITERION_MCDIARMID] || !isnan(all->su);
+    need(all, CRITERION_MCDIARMID, all->constant[CRITERION_MCDIARMID], "t-a");
+    need(all, CRITERION_MCDIARMID, all->su, "su");
+}
+
+/* ---- --criteria ---- */
+
+static int criterion_named(const char *word, size_t length)
+{
+    for (int i = 0; i < CRITERION_COUNT; i++)
+        if (strlen(criterion_kinds[i].name) == length &&
+            strncmp(criterion_kinds[i].name, word, length) == 0)
+            return i;
+    return -1;
+}
+
+static void refuse_name(const char *text)
+{
+    char allowed[160] = "";
+    for (int i = 0; i < CRITERION_COUNT; i++)
+        list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
+    usage_error("--criteria %s: must be a list of: %s", text, allowed);
+}
+
+static void read_names(const char *text, criteria *all)
+{
+    for (const char *word = text; word != NULL;) {
+        const size_t length = strcspn(word, ",");
+        const int i = criterion_named(word, length);
+        if (i < 0)
+            refuse_name(text);
+        all->is_wanted[i] = true;
+        word = word[length] == ',' ? word + length + 1 : NULL;
+    }
+}
+
+/* ---- All ---- */
+
+criteria criteria_usual(const contact_case *setup)
+{
+    criteria all = {.nu = setup->nu1, .su = NAN};
+    for (int i = 0; i < CRITERION_COUNT; i++)
+        all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
+    return all;
+}
+
+static void read_plane_stress(arguments *given, criteria *all)
+{
+    static char zero[] = "0";
+    input_texts texts;
+    char complaint[COMPLAINT_SIZE];
+    input_texts_from_options(given, &texts);
+    if (!input_is_given(&texts, INPUT_NU1))
+        return; /* it will be missed */
+    if (!input_read(&texts, INPUT_NU1, &all->nu, complaint))
+        usage_error("%s", complaint);
+    given->value[OPTION_INPUT + INPUT_NU1] = zero;
+    if (input_is_given(&texts, INPUT_NU2))
+        given->value[OPTION_INPUT + INPUT_NU2] = zero;
+}
+
+void criteria_read(arguments *given, criteria *all)
+{
+    *all = criteria_usual(&(contact_case){.nu1 = NAN});
+    all->is_plane_stress = given->value[OPTION_PLANE_STRESS] != NULL;
+    if (all->is_plane_stress)
+        read_plane_stress(given, all);
+    read_names(given->value[OPTION_CRITERIA], all);
+    read_constants(given, all);
+}
+
+void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all)
+{
+    const char *text = given->value[OPTION_FS_K];
+    double k = 1;
+    if (text != NULL && !(number_read(text, &k) && k >= 0 && k <= 1e6))
+        usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
+    if (text != NULL && isnan(setup->k))
+        usage_error("--fs-k %s: needs --k or --yield-stress", text);
+    all->constant[CRITERION_FATEMI_SOCIE] = k / (SQRT_3 * setup->k);
+    need(all, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
+    if (!all->is_plane_stress)
+        all->nu = setup->nu1;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Criteria of fatigue over all planes: which are asked for, and their constants. */
+#ifndef CLI_CRITERIA_H
+#define CLI_CRITERIA_H
+
+#include "history/places.h"
+#include "model/measures.h"
+
+enum {
+    OPTION_FS_K = OPTION_AFTER_PLACES,
+    OPTION_FINDLEY_K,
+    OPTION_KAPPA,
+    OPTION_T_A,
+    OPTION_SU,
+    OPTION_CROSSLAND_ALPHA,
+    OPTION_DANG_VAN_ALPHA,
+    OPTION_CRITERIA,
+    OPTION_PLANE_STRESS,
+    OPTION_AFTER_CRITERIA
+};
+
+enum {
+    CRITERION_SWT,
+    CRITERION_FATEMI_SOCIE,
+    CRITERION_FINDLEY,
+    CRITERION_MODIFIED_WOHLER,
+    CRITERION_MCDIARMID,
+    CRITERION_CROSSLAND,
+    CRITERION_DANG_VAN,
+    CRITERION_COUNT
+};
+
+/* Columns that follow those of the measures where they are asked for. */
+enum {
+    COLUMN_SWT_OUT = MEASURE_COUNT,
+    COLUMN_FS_OUT,
+    COLUMN_FINDLEY,
+    COLUMN_FINDLEY_ANGLE,
+    COLUMN_FINDLEY_OUT,
+    COLUMN_MODIFIED_WOHLER,
+    COLUMN_MODIFIED_WOHLER_ANGLE,
+    COLUMN_MODIFIED_WOHLER_OUT,
+    COLUMN_MCDIARMID,
+    COLUMN_MCDIARMID_ANGLE,
+    COLUMN_MCDIARMID_OUT,
+    COLUMN_CROSSLAND,
+    COLUMN_DANG_VAN,
+    COLUMN_COUNT
+};
+
+typedef struct {
+    const char *name;
+    int32_t measure;                /* as the library calls it */
+    int value, angle, out_of_plane; /* its columns; 0: it has no plane */
+} criterion_kind;
+extern const criterion_kind criterion_kinds[CRITERION_COUNT];
+
+typedef struct {
+    bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
+    bool is_plane_stress;
+    double nu; /* of body 1 */
+    /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. */
+    double constant[CRITERION_COUNT], su;
+} criteria;
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption criteria_option_table[];
+
+const measure_kind *column_kind_of(int column);
+
+/* The criterion that a column has the value of; -1 for other columns. */
+int column_criterion(int column);
+
+/* Whether a column is written. */
+bool column_is_wanted(const criteria *all, int column);
+
+/* Smith, Watson and Topper's alone, in plane strain. */
+criteria criteria_usual(const contact_case *setup);
+
+/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
+ * from then on. */
+void criteria_read(arguments *given, criteria *all);
+
+/* When the contact is read: Fatemi and Socie's constant. */
+void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all);
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where each column of "rwedge fretting" is worst, also between the places: a line, or a table. */
+#ifndef CLI_WORST_H
+#define CLI_WORST_H
+
+#include "rows/records.h"
+#include "surface.h"
+
+/* The value is NAN where the column is nowhere above 0. */
+typedef struct {
+    double x, y, value;
+} worst_row;
+
+typedef struct {
+    const last_cycle *last;
+    worst_row row[COLUMN_COUNT];
+} worst_table;
+
+void worst_find(const last_cycle *last, const measured *all, worst_table *worst);
+
+/* Those between the places become places too. */
+void worst_add_places(const worst_table *worst, measured *all);
+
+/* "swt 1.2 at x = -0.3; ..."; "" where there is none. Depths where they matter. */
+void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size);
+
+/* A row for each: a rows_writer of a worst_table. */
+bool worst_write_rows(void *of_worst, records *rows, bool show_progress);
+
+#endif

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lives against a worked example and the curves themselves. */
+#include "claims.h"
+#include "rwedge.h"
+
+/* SWT of 810 MPa as a stress, of ea 0.0135, sa 290, sm 10, E 162000: 277 with rounded steps. */
+static void the_worked_example_lives_277_cycles(void **state)
+{
+    (void)state;
+    const double N =
+        rwedge_smith_watson_topper_life(0.0135 * 300, 162000, 475.4, -0.078, 0.612, -0.62, 0);
+    assert_close(N, 277, 5e-3);
+}
+
+static double strain_energy(double N)
+{
+    return 475.4 * 475.4 / 162000 * pow(2 * N, -0.156) + 475.4 * 0.612 * pow(2 * N, -0.698);
+}
+
+static double shear_strain(double N)
+{
+    return 450.0 / 62000 * pow(2 * N, -0.08) + 0.7 * pow(2 * N, -0.6);
+}
+
+static void lives_are_where_the_curves_have_the_value(void **state)
+{
+    (void)state;
+    for (double N = 0.5; N < 1e12; N *= 3.7) {
+        assert_close(rwedge_smith_watson_topper_life(strain_energy(N), 162000, 475.4, -0.078, 0.612,
+                                                     -0.62, 0),
+                     N, 1e-12);
+        assert_close(rwedge_fatemi_socie_life(shear_strain(N), 62000, 450, -0.08, 0.7, -0.6, 0), N,
+                     1e-12);
+    }
+}
+
+static void run_outs_are_infinite(void **state)
+{
+    (void)state;
+    assert_true(isinf(rwedge_smith_watson_topper_life(0, 162000, 475, -0.08, 0.6, -0.6, 0)));
+    assert_true(isinf(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.31)));
+    assert_true(isfinite(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.3)));
+    assert_true(isinf(rwedge_fatemi_socie_life(1e-9, 62000, 450, -0.01, 0.7, -0.6, 0)));
+    assert_true(isinf(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, 2e-3)));
+}
+
+static void what_is_outside_the_domain_has_no_life(void **state)
+{
+    (void)state;
+    assert_nan(rwedge_smith_watson_topper_life(-1, 162000, 475, -0.08, 0.6, -0.6, 0));
+    assert_nan(rwedge_smith_watson_topper_life(NAN, 162000, 475, -0.08, 0.6, -0.6, 0));
+    assert_nan(rwedge_smith_watson_topper_life(1, 0, 475, -0.08, 0.6, -0.6, 0));
+    assert_nan(rwedge_smith_watson_topper_life(1, 162000, 475, 0.08, 0.6, -0.6, 0));
+    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -3, 0));
+    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0, -0.6, 0));
+    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, -1));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_worked_example_lives_277_cycles),
+        cmocka_unit_test(lives_are_where_the_curves_have_the_value),
+        cmocka_unit_test(run_outs_are_infinite),
+        cmocka_unit_test(what_is_outside_the_domain_has_no_life),
+    };
+    return RUN_CLAIMS("life", tests);
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lives: how far the curve at the life is from the value, over its slope. */
+#include "rows/rows.hpp"
+#include "rwedge.h"
+
+namespace
+{
+
+enum { VALUE, MODULUS, STRENGTH, B, DUCTILITY, C };
+
+void draw_curve(probe *call, const char *const names[6], double strength, double modulus)
+{
+    argument(call, names[VALUE], log_between(call, 1e-4, 10));
+    argument(call, names[MODULUS], modulus * between(call, 0.5, 2));
+    argument(call, names[STRENGTH], strength * between(call, 0.5, 2));
+    argument(call, names[B], -between(call, 0.05, 0.2));
+    argument(call, names[DUCTILITY], between(call, 0.05, 2));
+    argument(call, names[C], -between(call, 0.4, 0.9));
+}
+
+bool draw_smith_watson_topper(probe *call)
+{
+    static const char *const NAMES[] = {"swt", "E", "sf", "b", "ef", "c"};
+    const double *v = call->value;
+    draw_curve(call, NAMES, 1000, 150e3);
+    call->result[0] = rwedge_smith_watson_topper_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B],
+                                                      v[DUCTILITY], v[C], 0);
+    return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
+}
+
+bool draw_fatemi_socie(probe *call)
+{
+    static const char *const NAMES[] = {"fatemi_socie", "G", "tf", "b", "gf", "c"};
+    const double *v = call->value;
+    draw_curve(call, NAMES, 600, 60e3);
+    call->result[0] =
+        rwedge_fatemi_socie_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B], v[DUCTILITY], v[C], 0);
+    return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
+}
+
+/* How far the curve first (2N)^slope + second (2N)^other is from the value, over its slope at N: the
+ * relative error of N to first order. */
+ball error_of_life(const probe &call, const ball &first, const ball &slope, const ball &second,
+                   const ball &other)
+{
+    const ball u = log(2 * ball(call.result[0]));
+    const ball one = first * exp(slope * u), two = second * exp(other * u);
+    return abs((one + two - ball(call.value[VALUE])) / (slope * one + other * two));
+}
+
+ball judge_smith_watson_topper(const probe &call)
+{
+    const ball E = call.value[MODULUS], sf = call.value[STRENGTH], b = call.value[B],
+               ef = call.value[DUCTILITY], c = call.value[C];
+    return error_of_life(call, sqr(sf) / E, 2 * b, sf * ef, b + c);
+}
+
+ball judge_fatemi_socie(const probe &call)
+{
+    const ball G = call.value[MODULUS], tf = call.value[STRENGTH];
+    return error_of_life(call, tf / G, call.value[B], call.value[DUCTILITY], call.value[C]);
+}
+
+} // namespace
+
+#define METALS "constants of metals, no limit"
+
+const row LIFE_ROWS[] = {
+    {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1, draw_smith_watson_topper,
+     judged<judge_smith_watson_topper>},
+    {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1, draw_fatemi_socie,
+     judged<judge_fatemi_socie>},
+    {},
+};

@@ -28,8 +28,9 @@ trap 'rm -f "$tested"' EXIT
 ended=0
 set -- "$tested"
 [ $only_made = no ] || shift
-for step in source windows matlab npm debian docs wheels; do
+for step in source windows matlab npm debian docs wheels recipes; do
     echo "== $step"
+    ! command -v python3 >/dev/null || python3 -B "$here/who.py"
     sh "$here/$step/make.sh" "$build" "$build/packages" "$@" && status=0 || status=$?
     case $status in
     0) ;;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a package is linked with, as SPDX 2.3.
-    sbom.py VERSION SECONDS                         the source archive: what it is built with, of any version
+    sbom.py VERSION SECONDS                         the source archive: what it is built with
     sbom.py VERSION SECONDS SOURCES KIND NAME...    what is compiled, for the system KIND: what is inside
 """
 import json
@@ -22,6 +22,10 @@ LICENCES = {
     "libxlsxwriter": "BSD-2-Clause",
     "zlib": "Zlib",
 }
+# the oldest that the tests ran with: those of Debian 12
+OLDEST = {"gsl": "2.7.1", "lapack": "3.11.0", "popt": "1.19", "jansson": "2.14", "libcsv": "3.0.3", "libxlsxwriter": "1.1.4"}
+who = subprocess.run(  # who publishes this
+    [sys.executable, "-B", pathlib.Path(__file__).with_name("who.py"), "name"], check=True, capture_output=True, text=True).stdout.strip()
 OF_OTHER_SYSTEMS = {"musl", "zlib"}  # elsewhere they are the system's
 RUN_TIMES = {  # Debian's packages of the compilers, whose run-time libraries are linked in
     "mingw-w64-x86-64-dev": "ZPL-2.1 AND MIT AND LicenseRef-Public-Domain",
@@ -39,11 +43,12 @@ def installed_version(name):
     return subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name], check=True, capture_output=True, text=True).stdout
 
 
-def package(name, number, licence):
+def package(name, number, licence, supplier="Debian"):
     return {
         "SPDXID": f"SPDXRef-{name}",
         "name": name,
-        **({"versionInfo": number} if number else {}),
+        "versionInfo": number,
+        "supplier": f"Organization: {supplier}",
         "downloadLocation": "NOASSERTION",
         "filesAnalyzed": False,
         "licenseConcluded": licence,
@@ -52,12 +57,12 @@ def package(name, number, licence):
     }
 
 
-own = package("rwedge", version, "GPL-3.0-or-later")
+own = package("rwedge", version, "GPL-3.0-or-later", who)
 if sources:
     parts = [package(name, installed_version(name), RUN_TIMES[name]) if name in RUN_TIMES else
              package(name, first_version(name), LICENCES[name]) for name in inside]
 else:
-    parts = [package(name, None, licence) for name, licence in LICENCES.items() if name not in OF_OTHER_SYSTEMS]
+    parts = [package(name, f"{OLDEST[name]} or newer", licence) for name, licence in LICENCES.items() if name not in OF_OTHER_SYSTEMS]
 print(json.dumps({
     "spdxVersion": "SPDX-2.3",
     "dataLicense": "CC0-1.0",
@@ -66,7 +71,7 @@ print(json.dumps({
     "documentNamespace": f"urn:rwedge:sbom:{kind}:{version}",
     "creationInfo": {
         "created": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds)),
-        "creators": ["Organization: The rwedge maintainers"],
+        "creators": [f"Organization: {who}"],
     },
     "packages": [own] + parts,
     **({"hasExtractedLicensingInfos": [

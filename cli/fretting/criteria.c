@@ -12,7 +12,7 @@
 
 struct poptOption criteria_option_table[] = {
     {"criteria", '\0', POPT_ARG_STRING, NULL, OPTION_CRITERIA,
-     "Columns of these: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
+     "Columns of these alone: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
      "dang-van",
      "LIST"},
     {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_FS_K,
@@ -132,10 +132,11 @@ static void read_constants(const arguments *given, criteria *all)
         const char *name = constant_options[i].name;
         all->constant[i] =
             read_constant(given, constant_options[i].number, name, constant_options[i].least);
-        all->is_wanted[i] = all->is_wanted[i] || !isnan(all->constant[i]);
+        all->is_wanted[i] = all->is_listed ? all->is_wanted[i] : !isnan(all->constant[i]);
         need(all, i, all->constant[i], name);
     }
-    all->is_wanted[CRITERION_MCDIARMID] = all->is_wanted[CRITERION_MCDIARMID] || !isnan(all->su);
+    if (!all->is_listed && !isnan(all->su))
+        all->is_wanted[CRITERION_MCDIARMID] = true;
     need(all, CRITERION_MCDIARMID, all->constant[CRITERION_MCDIARMID], "t-a");
     need(all, CRITERION_MCDIARMID, all->su, "su");
 }
@@ -202,6 +203,7 @@ void criteria_read(arguments *given, criteria *all)
     all->is_plane_stress = given->value[OPTION_PLANE_STRESS] != NULL;
     if (all->is_plane_stress)
         read_plane_stress(given, all);
+    all->is_listed = given->value[OPTION_CRITERIA] != NULL;
     read_names(given->value[OPTION_CRITERIA], all);
     read_constants(given, all);
 }

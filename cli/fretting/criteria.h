@@ -56,6 +56,7 @@ typedef struct {
 extern const criterion_kind criterion_kinds[CRITERION_COUNT];
 
 typedef struct {
+    bool is_listed;                  /* by --criteria; otherwise what has its constants is wanted */
     bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
     bool is_plane_stress;
     double nu; /* of body 1 */

@@ -10,7 +10,16 @@
 #include "system/progress.h"
 #include "text/message.h"
 
-enum { OPTION_WORST = OPTION_AFTER_CRITERIA };
+#include <math.h>
+#include <string.h>
+
+enum {
+    OPTION_WORST = OPTION_AFTER_CRITERIA,
+    OPTION_AT_WORST,
+    OPTION_MATERIAL,
+    OPTION_LENGTH,
+    OPTION_METHOD
+};
 
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
@@ -21,6 +30,16 @@ static const struct poptOption options[] = {
      "Places, by default along the surface from side to side:", NULL},
     {"worst", '\0', POPT_ARG_STRING, NULL, OPTION_WORST,
      "Write the worst place of each measure to FILE too", "FILE"},
+    {"at-worst", '\0', POPT_ARG_NONE, NULL, OPTION_AT_WORST,
+     "Write a verdict for each criterion at its worst place, in place of the rows", NULL},
+    {"material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,
+     "Constants of body 1 by name, JSON or CSV", "FILE"},
+    {"length", '\0', POPT_ARG_STRING, NULL, OPTION_LENGTH,
+     "Verdicts by the theory of critical distances (default: that of the material, with --method)",
+     "NUMBER"},
+    {"method", '\0', POPT_ARG_STRING, NULL, OPTION_METHOD,
+     "At half the length below the surface, or the mean over twice of it (default point)",
+     "point|line"},
     {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
@@ -65,6 +84,7 @@ typedef struct {
     course whole;
     last_cycle last;
     measured all;
+    material constants;
     worst_table worst;
     int threads;
 } plan;
@@ -142,13 +162,37 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
 
 /* ---- The command ---- */
 
+static distance read_distance(const arguments *given, const material *constants)
+{
+    const char *text = given->value[OPTION_LENGTH], *method = given->value[OPTION_METHOD];
+    distance below = {NAN, method != NULL && strcmp(method, "line") == 0};
+    if (method != NULL && !below.is_line && strcmp(method, "point") != 0)
+        usage_error("--method %s: must be point or line", method);
+    if (text != NULL &&
+        !(number_read(text, &below.length) && below.length >= 1e-60 && below.length <= 1e60))
+        usage_error("--length %s: must be a number from 1e-60 to 1e60", text);
+    if (text == NULL && method != NULL)
+        below.length = material_length(constants);
+    if (method != NULL && isnan(below.length))
+        usage_error("--method %s: needs --length, or dK_th and ds0 of --material", method);
+    if (!isnan(below.length) && given->value[OPTION_AT_WORST] == NULL &&
+        given->value[OPTION_WORST] == NULL)
+        usage_error("--%s %s: needs --at-worst or --worst", text != NULL ? "length" : "method",
+                    text != NULL ? text : method);
+    return below;
+}
+
 static void read_plan(arguments *given, plan *job, output_options *how)
 {
     criteria asked;
     output_options_read(given, how);
     places_spare_files(given, how);
     job->threads = threads_read(given);
+    material_read(given->value[OPTION_MATERIAL], given, &job->constants);
     criteria_read(given, &asked);
+    job->worst = (worst_table){.last = &job->last,
+                               .material = &job->constants,
+                               .below = read_distance(given, &job->constants)};
     course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
     criteria_read_strength(given, &job->whole.what, &asked);
     last_cycle_begin(&job->whole, &asked, &job->last);
@@ -185,6 +229,16 @@ static bool is_deep(const measured *all)
     return false;
 }
 
+static void write_output(const arguments *given, const output_options *how, plan *job)
+{
+    worst_table verdict = job->worst;
+    verdict.is_verdict = true;
+    if (given->value[OPTION_AT_WORST] != NULL)
+        output_options_write(how, worst_write_rows, &verdict);
+    else
+        output_options_write(how, write_rows, job);
+}
+
 static int fretting(const arguments *line)
 {
     plan job = {.threads = 1};
@@ -194,11 +248,11 @@ static int fretting(const arguments *line)
     read_plan(&given, &job, &how);
     read_worst(&given, &how, &how_worst);
     compute(&job);
-    worst_find(&job.last, &job.all, &job.worst);
+    worst_find(&job.all, &job.worst);
     worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
     if (job.all.line > 0 && given.value[OPTION_X] == NULL)
         worst_add_places(&job.worst, &job.all);
-    output_options_write(&how, write_rows, &job);
+    write_output(&given, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
     say_what_is_doubtful(&job);

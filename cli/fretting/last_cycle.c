@@ -109,9 +109,8 @@ static double strength_of(const criteria *asked)
     return isnan(asked->su) ? 1 : asked->su;
 }
 
-/* Stresses of all loads at n places; room for 3 * loads * n. */
-static int32_t stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                        double *stress)
+int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                            double *stress)
 {
     const size_t all = cycle->loads * n;
     rwedge_contact *going = NULL;
@@ -156,16 +155,24 @@ static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress
     return status;
 }
 
-static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                       double *room, measures at[])
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[])
 {
-    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses(cycle, n, x, y, stress);
-    if (status == RWEDGE_OK)
-        status = add_range(cycle, n, stress, room, at);
+    double *room = malloc((3 * n + 1) * sizeof *room);
+    int32_t status = room == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, room, at);
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
         if (!isnan(cycle->asked.constant[i]))
             status = add_criterion(cycle, i, n, stress, room, at);
+    free(room);
+    return status;
+}
+
+static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                       measures at[])
+{
+    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : last_cycle_stresses(cycle, n, x, y, stress);
+    if (status == RWEDGE_OK)
+        status = last_cycle_criteria(cycle, n, stress, at);
     free(stress);
     return status;
 }
@@ -211,7 +218,7 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
         depth[i] = cycle->setup->a == 0 && x[i] == 0 && y[i] == 0 ? 1 : y[i];
         forget(&at[i]);
     }
-    int32_t status = fatigue(cycle, n, x, depth, room, at);
+    int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
         status = friction(cycle, n, x, depth, room, at);
     for (size_t i = 0; i < n; i++)

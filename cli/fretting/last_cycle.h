@@ -31,6 +31,12 @@ void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cy
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[]);
 
+/* The stresses after all loads at n places: of each load one place after the other, sxx of all
+ * first, then syy and txy; and the criteria of such stresses, with the range. */
+int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                            double *stress);
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
+
 typedef struct {
     double x, value; /* the value is NAN where the measure is nowhere above 0 */
 } worst_place;

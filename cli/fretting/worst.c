@@ -37,9 +37,9 @@ static void search_line(const last_cycle *last, const measured *all, int column,
     free(x);
 }
 
-void worst_find(const last_cycle *last, const measured *all, worst_table *worst)
+void worst_find(const measured *all, worst_table *worst)
 {
-    worst->last = last;
+    const last_cycle *last = worst->last;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const size_t best = best_place(all, i);
         const double value = all->place[best].at.value[i];
@@ -112,28 +112,70 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 
 /* ---- As rows ---- */
 
-static const char *const columns[] = {"measure", "value", "x", "y", "angle", "out_of_plane"};
+static const char *const columns[] = {"measure",   "value",     "x",     "y",
+                                      "length",    "at_length", "angle", "out_of_plane",
+                                      "allowable", "safety",    "life"};
 enum { COLUMNS = sizeof columns / sizeof columns[0] };
+
+/* Below the worst place of the surface. */
+static measures measures_below(const worst_table *worst, double x)
+{
+    measures at;
+    const int32_t status = length_measure(worst->last, &worst->below, x, &at);
+    if (status != RWEDGE_OK)
+        failure("--length: %s", rwedge_strerror(status));
+    return at;
+}
+
+static cell cell_life(double life)
+{
+    return isinf(life) ? cell_text("inf") : cell_number(life);
+}
+
+/* What a criterion comes to: its plane, what is allowed, the life. */
+static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
+                        cell cells[COLUMNS])
+{
+    const criterion_kind *kind = &criterion_kinds[criterion];
+    const bool is_below = !isnan(worst->below.length) && row->y == 0;
+    const measures at =
+        is_below ? measures_below(worst, row->x) : measures_at(worst->last, row->x, row->y);
+    const double value = at.value[kind->value],
+                 allowable = material_allowable(worst->material, criterion);
+    cells[4] = cell_number(is_below ? worst->below.length : NAN);
+    cells[5] = cell_number(is_below ? value : NAN);
+    if (kind->angle > 0) {
+        cells[6] = cell_number(at.value[kind->angle]);
+        cells[7] = cell_number(at.value[kind->out_of_plane]);
+    }
+    cells[8] = cell_number(allowable);
+    cells[9] = cell_number(value > 0 ? allowable / value : NAN);
+    cells[10] = cell_life(
+        material_life(worst->material, criterion, fmax(value, 0), worst->last->setup->E1));
+}
 
 static void write_row(const worst_table *worst, int column, records *rows)
 {
     const worst_row *row = &worst->row[column];
     const int criterion = column_criterion(column);
-    double angle = NAN, out_of_plane = NAN;
-    if (criterion >= 0 && criterion_kinds[criterion].angle > 0) {
-        const measures at = measures_at(worst->last, row->x, row->y);
-        angle = at.value[criterion_kinds[criterion].angle];
-        out_of_plane = at.value[criterion_kinds[criterion].out_of_plane];
-    }
-    const cell cells[COLUMNS] = {cell_text(column_kind_of(column)->column),
-                                 cell_number(row->value),
-                                 cell_number(row->x),
-                                 cell_number(row->y),
-                                 cell_number(angle),
-                                 cell_number(out_of_plane)};
+    cell cells[COLUMNS] = {cell_text(column_kind_of(column)->column), cell_number(row->value),
+                           cell_number(row->x), cell_number(row->y)};
+    for (int i = 4; i < COLUMNS; i++)
+        cells[i] = cell_number(NAN);
+    if (criterion >= 0)
+        add_verdict(worst, criterion, row, cells);
     for (int i = 0; i < COLUMNS; i++)
         rows->format->value(rows, columns[i], cells[i]);
     rows->format->end_row(rows);
+}
+
+static bool is_written(const worst_table *worst, int column)
+{
+    const criteria *asked = &worst->last->asked;
+    const int criterion = column_criterion(column);
+    return !isnan(worst->row[column].value) &&
+           (!worst->is_verdict ||
+            (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));
 }
 
 bool worst_write_rows(void *of_worst, records *rows, bool show_progress)
@@ -145,7 +187,7 @@ bool worst_write_rows(void *of_worst, records *rows, bool show_progress)
         rows->format->name(rows, columns[i]);
     rows->format->end_header(rows);
     for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++)
-        if (!isnan(worst->row[i].value))
+        if (is_written(worst, i))
             write_row(worst, i, rows);
     rows->format->end(rows);
     return records_are_sound(rows);

@@ -3,6 +3,8 @@
 #ifndef CLI_WORST_H
 #define CLI_WORST_H
 
+#include "length.h"
+#include "material.h"
 #include "rows/records.h"
 #include "surface.h"
 
@@ -13,10 +15,13 @@ typedef struct {
 
 typedef struct {
     const last_cycle *last;
+    const material *material;
+    distance below;  /* where criteria count, beside the surface */
+    bool is_verdict; /* criteria alone are written; those of --criteria where it is given */
     worst_row row[COLUMN_COUNT];
 } worst_table;
 
-void worst_find(const last_cycle *last, const measured *all, worst_table *worst);
+void worst_find(const measured *all, worst_table *worst);
 
 /* Those between the places become places too. */
 void worst_add_places(const worst_table *worst, measured *all);
@@ -24,7 +29,7 @@ void worst_add_places(const worst_table *worst, measured *all);
 /* "swt 1.2 at x = -0.3; ..."; "" where there is none. Depths where they matter. */
 void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size);
 
-/* A row for each: a rows_writer of a worst_table. */
+/* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */
 bool worst_write_rows(void *of_worst, records *rows, bool show_progress);
 
 #endif

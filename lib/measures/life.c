@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lives from criteria, by the curves of Basquin, Coffin and Manson. A curve is a sum of two powers of
- * the number of reversals; over the logarithm of that number its logarithm falls, steeper than the
- * flatter power and less steep than the other. */
+/* Lives from criteria, by the curves of Basquin, Coffin and Manson. A curve is a sum of two powers
+ * of the number of reversals; over the logarithm of that number its logarithm falls, steeper than
+ * the flatter power and less steep than the other. */
 #include "base/domain.h"
 #include "base/root.h"
 #include "rwedge.h"

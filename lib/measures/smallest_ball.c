@@ -151,12 +151,18 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
     return true;
 }
 
+/* A branch in place of a call: fmax() has to look for NaN. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 static double largest_coordinate(size_t n, const rw_point points[])
 {
     double largest = 0;
     for (size_t i = 0; i < n; i++)
         for (int k = 0; k < DIMENSIONS; k++)
-            largest = fmax(largest, fabs(points[i].x[k]));
+            largest = larger(largest, fabs(points[i].x[k]));
     return largest;
 }
 

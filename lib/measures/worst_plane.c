@@ -103,11 +103,28 @@ static rw_vector rate_of_centre(const rw_ball *ball, const rw_point points[],
                        (xx * right.y - xy * right.x) / determinant};
 }
 
+/* The smallest circle around points on a line. */
+static rw_ball interval_of(size_t n, const rw_point points[])
+{
+    size_t low = 0, high = 0;
+    for (size_t i = 1; i < n; i++) {
+        low = points[i].x[0] < points[low].x[0] ? i : low;
+        high = points[i].x[0] > points[high].x[0] ? i : high;
+    }
+    const double bottom = points[low].x[0], top = points[high].x[0];
+    return (rw_ball){.centre = {{(bottom + top) / 2, 0, 0}},
+                     .radius = (top - bottom) / 2,
+                     .count = low == high ? 1 : 2,
+                     .support = {low, high},
+                     .weight = {low == high ? 1 : 0.5, 0.5}};
+}
+
 static circle circle_of(search *w, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         w->cycle->point[i] = (rw_point){{w->cycle->local[i].at.x, w->cycle->local[i].at.y, 0}};
-    circle c = {.ball = rw_smallest_ball(n, w->cycle->point)};
+    circle c = {.ball = w->severity->is_strain ? interval_of(n, w->cycle->point)
+                                               : rw_smallest_ball(n, w->cycle->point)};
     rw_vector by_psi[RW_SUPPORT], by_beta[RW_SUPPORT];
     for (int i = 0; i < c.ball.count; i++) {
         by_psi[i] = w->cycle->local[c.ball.support[i]].by_psi;
@@ -351,7 +368,7 @@ typedef struct {
     double psi, beta;
 } step;
 
-enum { ROUNDS = 16, SECTIONS = 40 };
+enum { ROUNDS = 16, SECTIONS = 24 };
 static const double FIRST_REACH = 0.3, SHRINK = 0.4, GOLDEN = 0.6180339887498949;
 
 static double value_at(search *w, const cell *from, const step *s, double t)

@@ -44,12 +44,13 @@ mkdir "$work/making$place"
 tar -xzf "$archive" -C "$work/making$place"
 cp "$archive" "$work/making$place/rwedge_$version.orig.tar.gz"
 cp -r "$here/debian" "$work/making$source"
+sed -i "s/^Maintainer: .*/Maintainer: $(python3 -B "$here/../who.py" name) <$(python3 -B "$here/../who.py" address)>/" "$work/making$source/debian/control"
 cat >"$work/making$source/debian/changelog" <<END
 rwedge ($version-1) unstable; urgency=medium
 
   * As CHANGELOG.md says.
 
- -- $(sed -n 's/^Maintainer: //p' "$here/debian/control")  $(git -C "$top" log -1 --format=%cD)
+ -- $(sed -n 's/^Maintainer: //p' "$work/making$source/debian/control")  $(git -C "$top" log -1 --format=%cD)
 END
 chmod -R u=rwX,go=rX "$work/making$source/debian" # whatever the umask is: the same bytes
 # shellcheck disable=SC2016

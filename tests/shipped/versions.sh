@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The version in CMakeLists.txt stands everywhere: header, tool, Python's package, CITATION.cff, CHANGELOG.md with
-# its date.
+# The version in CMakeLists.txt stands everywhere: header, tool, Python's package, README.md, CITATION.cff and what is made of it
+# and of packages/who.json, CHANGELOG.md with its date.
 #     versions.sh SOURCE TOOL
 set -eu
 cd "$1"
@@ -19,6 +19,9 @@ is()
 is include/rwedge.h "$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"/\1/p' include/rwedge.h)"
 is "$tool --version" "$("$tool" --version | sed -n 's/^rwedge \([0-9.]*\).*/\1/p')"
 is CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
+is README.md "$(sed -n 's/^  version = {\(.*\)},/\1/p' README.md)"
+is codemeta.json "$(sed -n 's/^ "version": "\(.*\)",/\1/p' codemeta.json)"
+is .zenodo.json "$(sed -n 's/^ "version": "\(.*\)",/\1/p' .zenodo.json)"
 is CHANGELOG.md "$(sed -n "s/^## \($version\), .*/\1/p" CHANGELOG.md)"
 
 # Python's package reads the header, by the expression in pyproject.toml
@@ -33,5 +36,7 @@ if grep '^## ' CHANGELOG.md | grep -vE "$dated"; then
 fi
 date=$(sed -n "s/^## $version, //p" CHANGELOG.md)
 grep -qx "date-released: ${date:-no date}" CITATION.cff || { echo "FAILED: CITATION.cff does not say $date"; status=1; }
+# authors, addresses and dates too; without Python the versions alone were compared
+! command -v python3 >/dev/null || python3 -B packages/who.py --check || status=1
 [ $status -ne 0 ] || echo "ok: $version of $date"
 exit $status

@@ -300,12 +300,61 @@ awk -F, 'NR > 1 { print $1, $2, $3 }' worst.csv | while read -r name value x; do
 done | awk '{ print $1, $3; print $2, $4 }' >both
 same "measures in the table of the worst" 11 "$(sed 1d worst.csv | wc -l | tr -d ' ')"
 close_rows "the table of the worst is the line" 1e-5 0
-same "the angles of Findley's plane" yes "$(awk -F, '$1 == "findley" && ($5 < 0 ? -$5 : $5) > 45 && $6 == 0 { print "yes" }' worst.csv)"
+same "the angles of Findley's plane" yes "$(awk -F, '$1 == "findley" && ($7 < 0 ? -$7 : $7) > 45 && $8 == 0 { print "yes" }' worst.csv)"
 # P and Q in phase: the worst plane does not contain z, and planes that do have 6 % less.
 printf 'P,Q\n2000,600\n400,120\n' >phase.csv
 run fretting phase.csv --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.6 --yield-stress 500 --criteria fatemi-socie
 same "off z" yes "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "fs_out_of_plane") c = i; next } $6 > m { m = $6; o = $c }
     END { if (o > 20 && o < 70) print "yes"; else print o }' out)"
+# Verdicts: at the worst place of the surface, at half of a length below it, as the mean over twice of it. Crossland's of two
+# loads is half of the distance of their deviators, and alpha times the larger pressure; means of the stresses of history by
+# Simpson's rule over the fourth root of the depth.
+printf 'P,Q,sigma\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+printf 'name,value\nE,72100\nnu,0.33\ncrossland_alpha,0.3\ncrossland_limit,100\nsf,475.4\nb,-0.078\nef,0.612\nc,-0.62\nswt_limit,0.6\ndK_th,60\nds0,250\n' >metal.csv
+printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "crossland_limit": 100, "dK_th": 60, "ds0": 250}' >metal.json
+shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0"
+verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
+run fretting cycle.csv $shape --material metal.csv --at-worst
+status_is 0
+same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life" "$(head -n 1 out)"
+same "criteria alone" "swt crossland" "$(sed 1d out | cut -d , -f 1 | paste -s -d ' ' -)"
+close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
+close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {
+    printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12
+x=$(verdict crossland x)
+crossland() { # of the means of sxx, syy, txy over all points, of two loads
+    awk -F, 'function m(k) { return a[2, k] - a[1, k] } { for (k = 4; k <= 7; k++) a[$1, k] += $NF * $k; loads[$1] }
+        END { n = 0; for (l in loads) { n++; for (k = 4; k <= 7; k++) b[n, k] = a[l, k] }
+            s = (b[2, 4] + b[2, 5] - b[1, 4] - b[1, 5]) / 2; d = (b[2, 5] - b[2, 4] - b[1, 5] + b[1, 4]) / 2; t = b[2, 7] - b[1, 7]
+            H = 0; for (l = 1; l <= 2; l++) { h = 1.33 * (b[l, 4] + b[l, 5]) / 3; H = l == 1 || h > H ? h : H }
+            printf "%.17g", sqrt(d * d + t * t + (0.34 * s) ^ 2 / 3) / 2 + 0.3 * H }'
+}
+awk -v x="$x" 'BEGIN { print "x,y"; for (i = 1; i <= 400; i++) printf "%.17g,%.17g\n", x, 0.04 * (i / 400) ^ 4 }' >points.csv
+awk 'BEGIN { for (i = 1; i <= 400; i++) printf "%.17g\n", (i == 400 ? 1 : i % 2 ? 4 : 2) / 1200 * 4 * (i / 400) ^ 3 }' >weights
+run history cycle.csv --E1 72100 --nu1 0.33 $shape --cycles 3 --points points.csv
+tail -n 800 out >stresses
+cat weights weights | paste -d , stresses - | crossland >line
+run history cycle.csv --E1 72100 --nu1 0.33 $shape --cycles 3 --at "$x,0.01"
+tail -n 2 out | sed 's/$/,1/' | crossland >point
+for method in point line; do
+    run fretting cycle.csv $shape --material metal.csv --at-worst --length 0.02 --method $method --criteria crossland
+    same "one row" 2 "$(wc -l <out | tr -d ' ')"
+    close_to "Crossland by the method of the $method" "$(cat $method)" "$(verdict crossland at_length)" 1e-8
+done
+run fretting cycle.csv $shape --material metal.json --at-worst --method line --criteria crossland
+close_to "the length of the material" "$(awk 'BEGIN { printf "%.17g", (60 / 250) ^ 2 / 3.14159265358979324 }')" "$(verdict crossland length)" 1e-15
+run fretting cycle.csv $shape --material metal.csv --at-worst --criteria swt --length 1
+same "a run-out" "inf" "$(verdict swt life)"
+refuses "rwedge fretting: --method line: needs --length, or dK_th and ds0 of --material" \
+    fretting cycle.csv $specimen --at-worst --method line
+refuses "rwedge fretting: --length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1
+refuses "rwedge fretting: --method area: must be point or line" fretting cycle.csv $specimen --at-worst --method area
+printf 'name,value\nsf,475\nb,-0.08\nef,0.6\n' >short.csv
+cannot "rwedge fretting: short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --material short.csv
+printf '{"sy": 475}' >short.json
+cannot "rwedge fretting: short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
+
 refuses "rwedge fretting: findley: needs --findley-k" fretting cycle.csv $specimen --criteria findley
 refuses "rwedge fretting: mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
 refuses "rwedge fretting: fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie

@@ -38,8 +38,8 @@ bool draw_fatemi_socie(probe *call)
     return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
 }
 
-/* How far the curve first (2N)^slope + second (2N)^other is from the value, over its slope at N: the
- * relative error of N to first order. */
+/* How far the curve first (2N)^slope + second (2N)^other is from the value, over its slope at N:
+ * the relative error of N to first order. */
 ball error_of_life(const probe &call, const ball &first, const ball &slope, const ball &second,
                    const ball &other)
 {

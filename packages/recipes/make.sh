@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The recipes for others' package managers, filled in with the version, the place and the checksum of the source archive.
+#     make.sh BUILD PACKAGES [TESTED]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+top=$(cd "$here/../.." && pwd)
+build=$1 packages=$2 tested=${3-/dev/null}
+version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+archive=rwedge-$version.tar.gz
+who() { python3 -B "$top/packages/who.py" "$1"; }
+for need in "$packages/$archive" "$(command -v python3)"; do
+    [ -e "$need" ] || { echo "not made: the recipes, for lack of $archive or python3" | tee -a "$tested"; exit 77; }
+done
+
+# fill FOLDER PLACE - the recipes into FOLDER, with the archive at PLACE
+fill()
+{
+    mkdir -p "$1"
+    (cd "$here" && find conan conda vcpkg homebrew -type f) | while read -r file; do
+        mkdir -p "$1/$(dirname "$file")"
+        sed -e "s|@VERSION@|$version|; s|@ARCHIVE@|$2|; s|@URL@|$(who url)|; s|@NAME@|$(who name)|" \
+            -e "s|@SHA256@|$(sha256sum <"$packages/$archive" | cut -d ' ' -f 1)|" \
+            -e "s|@SHA512@|$(sha512sum <"$packages/$archive" | cut -d ' ' -f 1)|" "$here/$file" >"$1/${file%.in}"
+    done
+}
+url=$(who url)
+fill "$packages/recipes" "${url:-https://example.invalid}/releases/$archive"
+python3 -m json.tool "$packages/recipes/vcpkg/vcpkg.json" >/dev/null
+! command -v ruby >/dev/null || ruby -c "$packages/recipes/homebrew/rwedge.rb" >/dev/null
+[ $# = 3 ] || exit 0
+
+echo "not tested: recipes/: conda, vcpkg and Homebrew, which are not here" >>"$tested"
+. "$top/tests/support/venv.sh"
+if ! reason=$(venv "$here/requirements.txt" "$build/conan"); then
+    echo "not tested: recipes/conan: $reason" | tee -a "$tested"
+    exit 77
+fi
+export CONAN_HOME="$build/conan/home"
+rm -rf "$CONAN_HOME" "$build/recipes"
+fill "$build/recipes" "file://$packages/$archive"
+conan=$build/conan/bin/conan log=$build/conan/log
+"$conan" profile detect >"$log" 2>&1
+for shared in True False; do
+    "$conan" create "$build/recipes/conan" -o "rwedge/*:shared=$shared" --no-remote >"$log" 2>&1 ||
+        { tail -n 30 "$log"; echo "FAILED: recipes/conan, shared=$shared"; exit 1; }
+done
+echo "tested: recipes/conan: made with the shared and the static library, its test package runs" >>"$tested"

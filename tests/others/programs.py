@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What programs of others say to the same cases.    programs.py LIBRARY contact_mechanics | tamaas | pylife
+
+Lengths in b, stresses in theta/A. Each figure is printed with what it may be: about 1.5 times what was measured."""
+import ctypes
+import sys
+
+import numpy as np
+
+library = ctypes.CDLL(sys.argv[1])
+number = ctypes.c_double
+ALPHA, F = 0.25, 0.3
+worst = 0
+
+
+def call(name, *arguments):
+    function = getattr(library, "rwedge_" + name)
+    function.restype = number
+    return function(*map(number, arguments))
+
+
+def say(quantity, figure, limit):
+    global worst
+    print(f"{quantity:62} {figure:8.1e}  (at most {limit:.1e})")
+    worst = max(worst, figure / limit)
+
+
+def profile(x):
+    return np.where(np.abs(x) < ALPHA, x * x / (2 * ALPHA), np.abs(x) - ALPHA / 2)
+
+
+def pressures(x):
+    return np.array([-call("pressure", ALPHA, place) if abs(place) < 1 else 0.0 for place in x])
+
+
+def cells(n, length):
+    return (np.arange(n) + 0.5) / n * length - length / 2
+
+
+def under_moment(P, M, x):
+    """Edges and pressures of the library for a wedge with theta = 0.01, in units of a = ALPHA and theta/A = 1."""
+    contact, edges = ctypes.c_void_p(), (number(), number())
+    library.rwedge_contact_create(number(0.01), number(ALPHA), number(0.01), number(F), ctypes.byref(contact))
+    assert library.rwedge_contact_apply(contact, number(P), number(M), number(0), number(0)) == 0
+    array = number * len(x)
+    p, q = array(), array()
+    assert library.rwedge_contact_tractions(contact, ctypes.c_size_t(len(x)), array(*x), p, q) == 0
+    library.rwedge_contact_edges(contact, *map(ctypes.byref, edges))
+    library.rwedge_contact_destroy(contact)
+    return [edge.value for edge in edges], -np.array(p)
+
+
+def contact_mechanics():
+    """A strip of 3 b, free in x, periodic in 20 b along the line; E* = 2/A. A tilted profile makes the moment."""
+    from ContactMechanics import SemiPeriodicFFTElasticHalfSpace
+    from ContactMechanics.Systems import NonSmoothContactSystem
+    from SurfaceTopography import Topography
+
+    n, length, along = 4096, 3.0, 20.0
+    x, P = cells(n, length), call("load", ALPHA)
+    for tilt in 0.0, 0.2:
+        substrate = SemiPeriodicFFTElasticHalfSpace((n, 1), 2.0, (length, along), n_images=100)
+        heights = Topography((tilt * x - profile(x))[:, None], (length, along))
+        solved = NonSmoothContactSystem(substrate, heights).minimize_proxy(external_force=P * along, pentol=1e-10, maxiter=2000)
+        assert solved.success
+        p = substrate.force[:n, 0] / (length / n * along)
+        edges, ours = under_moment(P, np.sum(p * x) * length / n, x)
+        inside = (x > edges[0] + 0.05) & (x < edges[1] - 0.05)
+        say(f"ContactMechanics: pressure, tilt {tilt} theta, over the peak", np.max(np.abs(p - ours)[inside]) / np.max(ours), 1e-4)
+        touching = x[p > 1e-3 * np.max(p)]
+        say(f"ContactMechanics: edges, tilt {tilt} theta, in cells of {length / n:.1e} b",
+            np.max(np.abs([touching[0] - edges[0], touching[-1] - edges[1]])) / (length / n), 1.5)
+
+
+def tamaas():
+    """Periodic in 128 b, E* = 2/A; next to each contact stands another."""
+    import tamaas as tm
+
+    tm.set_log_level(tm.LogLevel.error)
+    n, length = 16384, 128.0
+    x, P = cells(n, length), call("load", ALPHA)
+    model = tm.Model(tm.model_type.basic_1d, [length], [n])
+    model.E, model.nu = 2.0, 0.0
+    solver = tm.PolonskyKeerRey(model, -profile(x), 1e-12)
+    solver.max_iter = 5000
+    solver.solve(P / length)
+    p, ours = np.array(model.traction).ravel(), pressures(x)
+    inside = np.abs(x) < 0.95
+    say("Tamaas: pressure, period 128 b, over the peak", np.max(np.abs(p - ours)[inside]) / np.max(ours), 2e-4)
+    say("Tamaas: load", abs(np.sum(p) * length / n / P - 1), 1e-10)
+
+
+def pylife():
+    """Von Mises and Tresca of 100,000 states in plane strain."""
+    from pylife.stress import equistress
+
+    states, nu = np.random.default_rng(1).normal(size=(100_000, 3)), 0.3
+    sxx, syy, txy = states.T
+    szz, zero = nu * (sxx + syy), np.zeros_like(sxx)
+    theirs = equistress.mises(sxx, syy, szz, txy, zero, zero)
+    ours = np.array([call("von_mises", *state, nu) for state in states])
+    say("pyLife: von Mises", np.max(np.abs(ours / theirs - 1)), 1e-14)
+    theirs = equistress.tresca(sxx, syy, szz, txy, zero, zero)
+    ours = 2 * np.array([call("largest_shear", *state, nu) for state in states])
+    say("pyLife: Tresca", np.max(np.abs(ours / theirs - 1)), 1e-14)
+
+
+{"contact_mechanics": contact_mechanics, "tamaas": tamaas, "pylife": pylife}[sys.argv[2]]()
+print("ok" if worst <= 1 else "FAILED: a figure is larger than it may be")
+sys.exit(int(worst > 1))

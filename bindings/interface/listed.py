@@ -13,7 +13,8 @@ PLACES = {  # what a function needs there, and which files may have it
     "a claim": "tests/lib/*/*.c tests/proof/*.c tests/host/test_*.c",
     "a row of accuracy": "tests/proof/accuracy/rows/*.c*",
 }
-# Without a number whose error could be measured.
+# Without a number whose error could be measured; those of a cycle are sums over a path, which tests/lib/cycle/ compares with
+# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states.
 WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_flat", "contact_create_profile",
                     # by the route of permanent_stick; by a series in tests/lib/contact/test_pads.c
                     "contact_permanent_stick", "contact_beyond_flat", "contact_copy", "contact_destroy", "contact_load", "contact_memory",

@@ -89,6 +89,18 @@ def tamaas():
     say("Tamaas: pressure, period 128 b, over the peak", np.max(np.abs(p - ours)[inside]) / np.max(ours), 2e-4)
     say("Tamaas: load", abs(np.sum(p) * length / n / P - 1), 1e-10)
 
+    # Partial slip with a stick zone of b/2. Poisson's ratio is next to 1/2, which parts pressure and shear.
+    n, length, stick, nu = 4096, 64.0, 0.5, 0.4999999
+    x = cells(n, length)
+    model = tm.Model(tm.model_type.surface_1d, [length], [n])
+    model.E, model.nu = 2 * (1 - nu**2), nu
+    solver = tm.PolonskyKeerTan(model, -profile(x), 1e-9, F)
+    solver.max_iter = 3000
+    solver.solve(np.array([F * P * call("shear_ratio", ALPHA, stick), P]) / length)
+    q, ours = np.array(model.traction)[:, 0], np.array([call("shear", ALPHA, stick, place) if abs(place) < 1 else 0 for place in x])
+    inside = np.abs(x) < 0.95
+    say("Tamaas: shear in partial slip, over f times the peak", np.max(np.abs(q + F * ours)[inside]) / (F * np.max(pressures(x))), 7e-3)
+
 
 def pylife():
     """Von Mises and Tresca of 100,000 states in plane strain."""

@@ -187,6 +187,7 @@ RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const d
 
 /* The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
  *   alpha  0, or at least 1e-14
+ *   limit  the elastic limit, P/(bk)
  * The sharp wedge yields at its apex. For nu = 0.5 and alpha >= 1 the whole surface of the
  * contact is equally stressed.
  * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error of the place about 1e-12 where the maximum is not flat. */
@@ -200,6 +201,7 @@ RWEDGE_API int32_t rwedge_yield_point(double alpha, double f, double nu, double 
  * Below the surface: the local maximum of J2 that is on the axis for f = 0. Large f and small
  * alpha have none: RWEDGE_EABSENT.
  *   alpha  0, or at least 1e-14
+ *   limit  P/(bk) at which this place yields
  * RWEDGE_EDOMAIN, RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, double *limit,
                                            double *x, double *y);
@@ -207,6 +209,7 @@ RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, do
 /* At the surface: the maximum of J2 over y = 0. It is at 0 <= x <= min(alpha, 1). RWEDGE_EABSENT
  * for nu = 0.5 and f = 0, where J2 is 0 on the surface.
  *   alpha  0, or at least 1e-14
+ *   limit  P/(bk) at which this place yields
  * RWEDGE_EDOMAIN, RWEDGE_ENULL.                                                      Fig. 4; new */
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit,
                                         double *x);

@@ -11,9 +11,10 @@ from header import read
 TOP = Path(__file__).resolve().parents[2]
 PLACES = {  # what a function needs there, and which files may have it
     "a claim": "tests/lib/*/*.c tests/proof/*.c tests/host/test_*.c",
-    "a row of accuracy": "tests/proof/accuracy/rows/*.c*",
+    "a row of accuracy": "tests/proof/accuracy/rows/*.cpp",
 }
-# Without a number whose error could be measured.
+# Without a number whose error could be measured; those of a cycle are sums over a path, which tests/lib/cycle/ compares with
+# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states.
 WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
                     "series_create", "series_fit", "series_destroy", "series_terms", "contact_apply", "contact_obstacle",
                     "contact_loads", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count", "contact_zones",

@@ -70,7 +70,7 @@ def help_lines(f: Function) -> list[str]:
     lines = [EQUATION.sub(r"   \1", line) for line in f.comment if not re.fullmatch(r"  \w+  +receives the handle", line)]
     text = without_pointers("\n".join(lines), method).replace(" Free with rwedge_series_destroy().", "")
     text = re.sub(r"Unless\s+RWEDGE_OK, the contact is as before\.", "After an error the contact is as before;\n"
-                  "of vectors, the loads before the one that is refused stay.", text)
+                  "of vectors, all loads are taken or none.", text)
     text = "\n".join([*without_sizes(f, text.split("\n")), *shared(f)])
     for c, matlab in IN_MATLAB:
         text = re.sub(c, matlab, text)

@@ -144,7 +144,8 @@ def docstring(f: Function, equation: str) -> str:
     lines += [] if is_formula(f) else raised(f)
     end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]
     notes = one_line(" ".join([*rest, *(s for paragraph in general for s in sentences(paragraph)), *end]))
-    return "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
+    text = "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
+    return re.sub(r"\|([^|\n]+)\|", r"abs(\1)", text)  # |Q| is a substitution to what reads reStructuredText
 
 
 def allowed(domain: Domain | None) -> str:

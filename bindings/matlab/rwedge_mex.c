@@ -7,7 +7,7 @@
  * A function of numbers is taken over the elements of its arguments: arrays of one size, or of
  * size 1 in a dimension, which go with all along it. So is one of points. Other functions of
  * arrays take them whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held
- * where it is called. */
+ * where it is called, but for the copy that fail() frees. */
 #include "entries.h"
 #include "rwedge.h"
 
@@ -22,6 +22,15 @@
 
 /* ---- Errors ---------------------------------------------------------------------------------- */
 
+/* A copy of a contact that goes through several loads, all or none. */
+static rwedge_contact *trial;
+
+static void end_trial(void)
+{
+    rwedge_contact_destroy(trial);
+    trial = NULL;
+}
+
 static void fail(const char *reason, const char *format, ...)
 {
     char id[32], text[1200];
@@ -30,6 +39,7 @@ static void fail(const char *reason, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     snprintf(id, sizeof id, "rwedge:%s", reason);
+    end_trial();
     mexErrMsgIdAndTxt(id, "%s", text);
 }
 
@@ -399,6 +409,25 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
     }
 }
 
+/* Several loads go to a copy, which takes the contact's place once none is refused. */
+static void map_loads(const entry *call, handle *contact, const mxArray *const arguments[])
+{
+    bool several = false;
+    for (int j = 0; j < call->arguments; j++)
+        several |= !is_scalar(arguments[j]);
+    if (!several) {
+        map(call, contact->object, arguments, NULL);
+        return;
+    }
+    const int32_t status = rwedge_contact_copy(contact->object, &trial);
+    if (status != RWEDGE_OK)
+        fail(reason_of(status), "rwedge_%s: %s", call->name, rwedge_strerror(status));
+    map(call, trial, arguments, NULL);
+    rwedge_contact_destroy(contact->object);
+    contact->object = trial;
+    trial = NULL;
+}
+
 /* ---- Functions of whole arrays, and what makes objects --------------------------------------- */
 
 /* Takes a size of an argument, which must agree with those before. */
@@ -569,11 +598,12 @@ static void call_entry(const entry *of, int nlhs, mxArray *plhs[], int nrhs,
 {
     mxArray *results[ENTRY_RESULTS];
     void *object = NULL, *made = NULL;
-    handle *slot = of->makes_object ? free_slot() : NULL; /* before find(): it may move them */
+    handle *h = NULL,
+           *slot = of->makes_object ? free_slot() : NULL; /* before find(): it may move them */
     if (of->makes_object && !slot)
         fail_with(RWEDGE_ENOMEM, of, NULL, NULL, NULL, NULL, -1);
     if (of->takes_object) {
-        const handle *h = nrhs > 0 ? find(kind_of(of), prhs[0]) : NULL;
+        h = nrhs > 0 ? find(kind_of(of), prhs[0]) : NULL;
         if (!h)
             fail_without(of->name, kind_of(of));
         object = h->object;
@@ -589,6 +619,8 @@ static void call_entry(const entry *of, int nlhs, mxArray *plhs[], int nrhs,
         results[0] = call_text(of, object, prhs);
     else if (is_of_whole_arrays(of))
         whole(of, object, prhs, results, &made);
+    else if (of->changes_object)
+        map_loads(of, h, prhs);
     else
         map(of, object, prhs, results);
     if (of->makes_object)

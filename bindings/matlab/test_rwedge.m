@@ -173,6 +173,15 @@ function contacts()
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));
     refused('domain', {'x = 50', '|x| <= b'}, @() c.slip(50));
     refused('arguments', {'contact.load(P, Q)'}, @() c.load(1000));
+    before = c.state();
+    refused('sliding', {'Q = 1000000', 'element 3'}, @() c.load(1500, [100 200 1e6]));
+    refused('path', {'element 2'}, @() c.apply(1500, [0 800], 100, 0));
+    claim('of loads of which one is refused, none is taken', isequal(c.state(), before));
+    other = c.copy();
+    other.load(1500, [100 -200]);
+    c.load(1500, 100);
+    c.load(1500, -200);
+    claim('loads at once are the loads one by one', isequal(c.state(), other.state()));
     sharp = rwedge_contact(0.01, 0, 1.8e-5, 0.6);
     sharp.load(1000, 0);
     refused('domain', {'x = 0', 'sharp wedge'}, @() sharp.tractions(0));
@@ -307,7 +316,7 @@ function texts()
             any(strcmp(files(i).name, {'rwedge_contact.m', 'rwedge_series.m'})));
     end
     text = fileread(which('rwedge_contact'));
-    claim('load says what becomes of a vector', ~isempty(strfind(text, 'the loads before the one that is refused stay.')));
+    claim('load says what becomes of a vector', ~isempty(strfind(text, 'all loads are taken or none.')));
 end
 
 % The fastest of five.

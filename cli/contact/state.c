@@ -7,8 +7,6 @@
 #include "text/message.h"
 #include "options/variable.h"
 
-#include <math.h>
-
 static struct poptOption loads_option_table[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
@@ -152,13 +150,6 @@ static void refuse_natural(const arguments *line)
                         i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
 }
 
-/* P_yield/P, where there is a strength and a load. */
-static double safety_of(const contact_case *setup, double b)
-{
-    return rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k) /
-           rwedge_normal_load(setup->theta, setup->a, setup->A, b);
-}
-
 static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
                              contact_state *state)
 {
@@ -183,7 +174,7 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
     state->left = contact.left;
     state->right = contact.right;
     state->length_unit = state->slip_unit = 1;
-    doubts_say(doubts_of(&setup, state->b, safety_of(&setup, state->b)), "");
+    doubts_say(doubts_of_state(&setup, state->contact), "");
 }
 
 void state_read(const arguments *line, char decimal_sign, contact_state *state)

@@ -31,20 +31,11 @@ static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
         cycle->edge_count += 2;
 }
 
-static void note_doubts(const rwedge_contact *contact, last_cycle *cycle)
-{
-    const contact_case *setup = cycle->setup;
-    double factor = NAN;
-    if (!isnan(setup->k))
-        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
-    cycle->doubts |= doubts_of_state(setup, contact, factor);
-}
-
 static void note_load(const rwedge_contact *contact, size_t i, last_cycle *cycle)
 {
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
     note_edges(contact, cycle);
-    note_doubts(contact, cycle);
+    cycle->doubts |= doubts_of_state(cycle->setup, contact);
 }
 
 static void keep(const rwedge_contact *contact, last_cycle *cycle)
@@ -63,7 +54,7 @@ static void look_before(const course *whole, last_cycle *cycle)
         return;
     for (size_t i = 0; i < whole->before.count; i++)
         if (load_table_apply(&whole->before, i, whole->what.f, contact, complaint))
-            note_doubts(contact, cycle);
+            cycle->doubts |= doubts_of_state(cycle->setup, contact);
     rwedge_contact_destroy(contact);
 }
 

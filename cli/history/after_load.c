@@ -150,7 +150,7 @@ void after_load_compute(const contact_case *setup, const rwedge_contact *contact
     }
     if (status != RWEDGE_OK)
         failure("load %zu: %s", number, rwedge_strerror(status));
-    row->doubts = doubts_of_state(setup, contact, factor);
+    row->doubts = doubts_of_factor(setup, contact, factor);
     row->warnings[0] = '\0';
     doubts_write(row->doubts, row->warnings, sizeof row->warnings);
     row->value[AFTER_WARNINGS] = cell_text(row->warnings);

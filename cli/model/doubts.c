@@ -16,7 +16,7 @@ int32_t doubts_of(const contact_case *setup, double b, double safety)
 /* Beside the library's bits. */
 enum { DOUBT_STATE = 1 << 20 };
 
-int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact, double factor)
+int32_t doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
 {
     double P = 0, M, Q, sigma;
     const double b = rwedge_contact_half_width(contact);
@@ -26,6 +26,14 @@ int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact
     const double P_yield =
         rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k);
     return doubts_of(setup, b, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
+}
+
+int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
+{
+    double factor = NAN;
+    if (!isnan(setup->k))
+        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
+    return doubts_of_factor(setup, contact, factor);
 }
 
 const char *doubt_text(int32_t bit)

@@ -14,9 +14,11 @@
  * not known. */
 int32_t doubts_of(const contact_case *setup, double b, double safety);
 
-/* Of the state of a contact, where the factor is rwedge_contact_yield_factor(), NAN where it is not
- * known. It may yield by P, or by a tension or moment at a P that would not. */
-int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact, double factor);
+/* Of the state of a contact. It may yield by P, or by a tension or moment at a P that would not. */
+int32_t doubts_of_state(const contact_case *setup, const rwedge_contact *contact);
+
+/* The same where rwedge_contact_yield_factor() is known; NAN is not known. */
+int32_t doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor);
 
 /* The text of one bit; "" for any other number. */
 const char *doubt_text(int32_t bit);

@@ -363,7 +363,7 @@ size_t rwedge_contact_zone_count(const rwedge_contact *contact)
 int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
                              double slip[])
 {
-    if (!contact || (n > 0 && (!left || !right || !slip)))
+    if (!contact || !left || !right || !slip)
         return RWEDGE_ENULL;
     rw_zones zones;
     zones_of(contact, &zones);

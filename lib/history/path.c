@@ -143,7 +143,7 @@ static double tilt_by(double moment, double half_width)
     static const double UNBOUNDED = 1e200;
     if (half_width == 0)
         return copysign(UNBOUNDED, moment);
-    return 2 / RW_PI * moment / pow(half_width, 2);
+    return 2 / RW_PI * moment / (half_width * half_width);
 }
 
 /* d delta/dt = 2 (dM - m dP)/(pi s^2) while the patch is between two others; the step lasts from

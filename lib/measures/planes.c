@@ -19,7 +19,7 @@ struct criterion {
     rw_severity severity; /* gain is per stress */
     bool is_plane_stress;
     double (*value)(const criterion *c, const rw_worst_plane *plane, double unit);
-    double factor, share, limit;
+    double E, nu, share, limit;
 };
 
 /* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
@@ -77,12 +77,12 @@ static bool is_switch(int32_t value)
 
 static double strain_energy(const criterion *c, const rw_worst_plane *plane, double unit)
 {
-    return c->factor * unit * plane->value * unit;
+    return (1 + c->nu) / c->E * unit * plane->value * unit;
 }
 
 static double strain(const criterion *c, const rw_worst_plane *plane, double unit)
 {
-    return c->factor * unit * plane->value;
+    return 2 * (1 + c->nu) / c->E * unit * plane->value;
 }
 
 int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const double sxx[],
@@ -94,7 +94,8 @@ int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const do
     const criterion c = {.severity = {.is_strain = true, .gain = 1},
                          .is_plane_stress = plane_stress != 0,
                          .value = strain_energy,
-                         .factor = (1 + nu) / E};
+                         .E = E,
+                         .nu = nu};
     return measured(&f, is_switch(plane_stress) && rw_is_positive(E), &c,
                     &(results){value, angle, out_of_plane});
 }
@@ -108,7 +109,8 @@ int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sx
     const criterion c = {.severity = {.offset = 1, .gain = k_over_sy},
                          .is_plane_stress = plane_stress != 0,
                          .value = strain,
-                         .factor = 2 * (1 + nu) / E};
+                         .E = E,
+                         .nu = nu};
     const bool in_domain =
         is_switch(plane_stress) && rw_is_positive(E) && rw_is_magnitude(k_over_sy);
     return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});

@@ -22,15 +22,32 @@ enum { CORNERS = 4 };
 static const double SMALLEST = 1e-9;
 
 /* Where a curve of planes has the same value no cell of it can be left out. After every PATIENCE
- * cells what counts as noise grows by a factor, until it is LARGEST_NOISE of the value. */
-enum { PATIENCE = 512 };
-static const double IMPATIENCE = 8, LARGEST_NOISE = 1e-5;
+ * cells what counts as noise grows by a factor; beyond LARGE_NOISE of the value, after more. So the
+ * search ends. */
+enum { PATIENCE = 512, MORE_PATIENCE = 8192 };
+static const double IMPATIENCE = 8, LARGE_NOISE = 1e-5;
 
 typedef struct {
     rw_direction psi, beta;
     double half_psi, half_beta;       /* half of its sides, rad */
     double tangent_psi, tangent_beta; /* of half of these */
 } cell;
+
+typedef struct {
+    rw_ball ball;
+    rw_vector by_psi, by_beta; /* rates of its centre */
+} circle;
+
+typedef struct {
+    double at[CORNERS];
+} corners;
+
+/* What the loads are at most in the cell, and what at least the largest of them is. */
+typedef struct {
+    circle around;
+    corners amplitude, peak;
+    double least_amplitude, least_peak;
+} view;
 
 typedef struct {
     const rw_severity *severity;
@@ -71,28 +88,31 @@ static inline void local_of(bool is_strain, const rw_item *load, const cell *a, 
 
 /* ---- The circle and how its centre moves ---- */
 
-typedef struct {
-    rw_ball ball;
-    rw_vector by_psi, by_beta; /* rates of its centre */
-} circle;
+static rw_vector mean_rate(const rw_ball *ball, const rw_vector rate[])
+{
+    rw_vector mean = {0, 0};
+    for (int i = 0; i < ball->count; i++) {
+        mean.x += ball->weight[i] * rate[i].x;
+        mean.y += ball->weight[i] * rate[i].y;
+    }
+    return mean;
+}
 
-/* The rate of the centre for which the points of the support keep one distance from it, given
- * their rates; of two points the mean. */
+/* The rate of the centre for which the points of the support leave it at one rate; of one point or
+ * two, which stand opposite, the mean has it. */
 static rw_vector rate_of_centre(const rw_ball *ball, const rw_point points[],
                                 const rw_vector rate[])
 {
+    if (ball->count < 3)
+        return mean_rate(ball, rate);
     double xx = 0, xy = 0, yy = 0, common = 0;
-    rw_vector right = {0, 0}, mean = {0, 0}, out[RW_SUPPORT];
+    rw_vector right = {0, 0}, out[RW_SUPPORT];
     for (int i = 0; i < ball->count; i++) {
         const rw_point *p = &points[ball->support[i]];
         out[i] = (rw_vector){(p->x[0] - ball->centre.x[0]) / ball->radius,
                              (p->x[1] - ball->centre.x[1]) / ball->radius};
         common += ball->weight[i] * (out[i].x * rate[i].x + out[i].y * rate[i].y);
-        mean.x += ball->weight[i] * rate[i].x;
-        mean.y += ball->weight[i] * rate[i].y;
     }
-    if (ball->count < 3)
-        return mean;
     for (int i = 0; i < ball->count; i++) {
         const double along = out[i].x * rate[i].x + out[i].y * rate[i].y - common;
         xx += out[i].x * out[i].x, xy += out[i].x * out[i].y, yy += out[i].y * out[i].y;
@@ -136,10 +156,6 @@ static circle circle_of(search *w, size_t n)
 }
 
 /* ---- Bounds at the corners of a cell ---- */
-
-typedef struct {
-    double at[CORNERS];
-} corners;
 
 static inline double top_of(const corners *c)
 {
@@ -208,13 +224,6 @@ static double bound_of(const rw_severity *v, const corners *amplitude, const cor
 }
 
 /* ---- A cell ---- */
-
-/* What the loads are at most in the cell, and what at least the largest of them is. */
-typedef struct {
-    circle around;
-    corners amplitude, peak;
-    double least_amplitude, least_peak;
-} view;
 
 static void look(search *w, const cell *a, size_t n, view *v)
 {
@@ -289,7 +298,8 @@ static void divide(const cell *a, const corners *severity, cell half[2])
 
 static void lose_patience(search *w)
 {
-    if (++w->cells < PATIENCE || w->noise > LARGEST_NOISE * fabs(w->best.value))
+    const bool is_large = w->noise > LARGE_NOISE * fabs(w->best.value);
+    if (++w->cells < (is_large ? MORE_PATIENCE : PATIENCE))
         return;
     w->cells = 0;
     w->noise *= IMPATIENCE;
@@ -301,7 +311,8 @@ static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
     return rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
 }
 
-static void explore(search *w, const cell *a, size_t n)
+/* How many of the first n loads are left in the cell, and its halves; 0 where it is done with. */
+static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
 {
     view v;
     corners severity;
@@ -310,14 +321,34 @@ static void explore(search *w, const cell *a, size_t n)
     lose_patience(w);
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
     if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
-        return;
+        return 0;
     const size_t kept = keep(w, a, n, &v);
     if (is_worst_at_equator(w, a, kept))
-        return;
-    cell half[2];
+        return 0;
     divide(a, &severity, half);
-    for (int i = 0; i < 2; i++)
-        explore(w, &half[i], kept);
+    return kept;
+}
+
+/* A cell to be looked at, with the loads that are left in it. */
+typedef struct {
+    cell area;
+    size_t loads;
+} task;
+
+/* Halvings from the first cells to the smallest ones are fewer. */
+enum { TASKS = 64 };
+
+/* Cells wait in a list of their own: recursion would take much of a small stack. */
+static void explore(search *w, const cell *a, size_t n)
+{
+    task waiting[TASKS] = {{*a, n}};
+    for (int count = 1; count > 0;) {
+        const task now = waiting[--count];
+        cell half[2];
+        const size_t kept = narrow(w, &now.area, now.loads, half);
+        for (int i = 1; kept > 0 && i >= 0; i--)
+            waiting[count++] = (task){half[i], kept};
+    }
 }
 
 /* ---- The quarter of the sphere ---- */

@@ -9,7 +9,12 @@ project = "rwedge"
 author = ""
 version = release = re.search(r"project\(rwedge VERSION ([\d.]+)", (here.parents[1] / "CMakeLists.txt").read_text())[1]
 
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+nitpick_ignore_regex = [("py:.*", r"(?!rwedge\.).*")]  # kinds of arguments, such as array_like, and names of other packages
 source_suffix = {".md": "markdown"}
 myst_heading_anchors = 4
 myst_enable_extensions = ["deflist"]

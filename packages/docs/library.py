@@ -35,6 +35,7 @@ class Library:
 
     def call(self, f: Function, given: dict) -> dict[str, object]:
         counts, passed, results = sizes(f, given), [], {}
+        counts.update({p.name: self.call(self.interface[p.given_by], {})["value"] for p in f.parameters if p.given_by})
         for p in f.parameters:
             if p.role in ("handle", "changed"):
                 passed.append(self.handles[p.kind])

@@ -108,7 +108,7 @@ def inside(domain, value):
 def values(function, parameter):
     given = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name)) or of_domain(parameter)
     if given != "@":
-        given = [v for v in given if inside(parameter.domain, v)]
+        given = [v for v in given if inside(parameter.domain, v)] or [v for v in of_domain(parameter) if inside(parameter.domain, v)]
         if not given:
             sys.exit(f"FAILED: calls.py has no value of {parameter.name} in its domain in rwedge_{function.name}(): add some to OWN")
     return given

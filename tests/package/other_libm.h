@@ -17,6 +17,7 @@ static inline double other(double value)
     return value;
 }
 
+#define acos(x) other(acos(x))
 #define asin(x) other(asin(x))
 #define asinh(x) other(asinh(x))
 #define atan(x) other(atan(x))
@@ -27,6 +28,7 @@ static inline double other(double value)
 #define hypot(x, y) other(hypot(x, y))
 #define log(x) other(log(x))
 #define log1p(x) other(log1p(x))
+#define pow(x, y) other(pow(x, y))
 #define sin(x) other(sin(x))
 #define sinh(x) other(sinh(x))
 #define tan(x) other(tan(x))

@@ -21,6 +21,7 @@ typedef struct {
     receiver *receive;
     void *context;
     bool also_long; /* whether functions that take long have their turn */
+    bool is_slow;   /* whether a load of the contact may take a second, as an error is allowed */
 
     /* What a function gave last in a size that another one tells: for the one that takes it. */
     const char *kept_name;
@@ -154,8 +155,15 @@ static bool try(sample *s, const entry *call, void *object, void **made)
     return status == RWEDGE_OK;
 }
 
+static bool goes_through_loads(const entry *call)
+{
+    return call->sizes > 0 && strcmp(call->size[0].name, "loads") == 0;
+}
+
 static bool has_its_turn(const sample *s, const entry *call)
 {
+    if (s->is_slow && goes_through_loads(call))
+        return false;
     for (size_t i = 0; i < sizeof take_long / sizeof take_long[0]; i++)
         if (strcmp(take_long[i], call->name) == 0)
             return s->also_long;
@@ -196,7 +204,9 @@ static void change_all(sample *s, const char *family, const void *object)
             continue;
         for (int step = 0; step < STEPS; step++)
             try(s, &entries[i], copy, NULL);
+        s->is_slow = strcmp(entries[i].name, "contact_allow_error") == 0;
         read_all(s, family, copy);
+        s->is_slow = false;
         rwedge_contact_destroy(copy);
     }
 }

@@ -38,11 +38,12 @@ static void leave_exceptions(const fexcept_t *before, bool invalid)
 
 /* ---- Formulas: one result, by value ---------------------------------------------------------- */
 
-/* The loop for functions of these types, given as data, of which the first arguments are
- * doubles. The result comes last, as it may overwrite an argument. */
+/* The loops for functions of these types, given as data, of which the first arguments are
+ * doubles. The result comes last, as it may overwrite an argument. The quiet loop raises nothing:
+ * its caller looks at the one number. */
 #define FORMULA_LOOP(name, inputs, doubles, types, values)                                         \
-    RWEDGE_API void rwedge_loop_##name(char **args, const intptr_t *dimensions,                    \
-                                       const intptr_t *steps, void *data)                          \
+    static void name##_loop(char **args, const intptr_t *dimensions, const intptr_t *steps,        \
+                            void *data, bool raises)                                               \
     {                                                                                              \
         double(*formula) types;                                                                    \
         memcpy(&formula, &data, sizeof formula);                                                   \
@@ -54,7 +55,17 @@ static void leave_exceptions(const fexcept_t *before, bool invalid)
             invalid |= isnan(value) && !some_nan(args, steps, i, 0, doubles);                      \
             AT(double, inputs) = value;                                                            \
         }                                                                                          \
-        leave_exceptions(&before, invalid);                                                        \
+        leave_exceptions(&before, invalid ? raises : false);                                       \
+    }                                                                                              \
+    RWEDGE_API void rwedge_loop_##name(char **args, const intptr_t *dimensions,                    \
+                                       const intptr_t *steps, void *data)                          \
+    {                                                                                              \
+        name##_loop(args, dimensions, steps, data, true);                                          \
+    }                                                                                              \
+    RWEDGE_API void rwedge_loop_quiet_##name(char **args, const intptr_t *dimensions,              \
+                                             const intptr_t *steps, void *data)                    \
+    {                                                                                              \
+        name##_loop(args, dimensions, steps, data, false);                                         \
     }
 
 /* NumPy's integers have 64 bits, the library's 32. */

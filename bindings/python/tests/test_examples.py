@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The examples run, print what they must and draw; the README's session is as printed."""
 import doctest
+import importlib
+import inspect
 import re
 import runpy
 import shutil
@@ -12,6 +14,7 @@ import numpy as np
 import pytest
 
 import rwedge
+import rwedge.plot
 from conftest import PACKAGE
 
 EXAMPLES = PACKAGE / "examples"
@@ -121,3 +124,17 @@ def test_without_its_argument_an_example_says_how_it_is_called(example):
 def test_the_readme_is_as_it_runs():
     failed, tried = doctest.testfile(str(PACKAGE / "README.md"), module_relative=False, optionflags=doctest.ELLIPSIS)
     assert tried > 15 and failed == 0
+
+
+@pytest.mark.parametrize("module", ["rwedge", "rwedge.plot"])
+def test_the_examples_in_the_help_are_as_they_run(module):
+    pytest.importorskip("matplotlib").use("Agg")
+    failed, tried = doctest.testmod(importlib.import_module(module))
+    assert tried > 15 and failed == 0
+
+
+def test_the_help_has_no_bars_of_restructuredtext():
+    """|Q| would be a substitution there."""
+    documented = [rwedge, *(getattr(rwedge, name) for name in rwedge.__all__), *vars(rwedge.Contact).values(), *vars(rwedge.plot).values()]
+    found = [text for text in map(inspect.getdoc, documented) if text and re.search(r"\|\w+\|", text)]
+    assert not found, found[0]

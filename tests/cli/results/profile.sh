@@ -143,6 +143,12 @@ rwedge $command: P is above P_yield: the contact yields in full sliding" "$(cat 
     message_is ""
     run $command $hertz --load 300,0 --load 3000,0 --k 400 --x 0.5 $([ $command = field ] && echo --y 0.5)
     message_is "rwedge $command: P is above P_yield: the contact yields in full sliding"
+
+    # By what the loads reach: a tension yields at a P that would not, and a P that full sliding alone makes yield is elastic.
+    run $command $hertz --load 0,0,0,900 --load 300,0,0,900 --k 500 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    message_is "rwedge $command: a load yields the body: its stresses exceed the yield stress"
+    run $command $hertz --load 800,0 --k 300 --x 0.5 $([ $command = field ] && echo --y 0.5)
+    message_is ""
 done
 
 finish

@@ -19,7 +19,11 @@ library=$build/abi/lib/librwedge.so
 {
     echo "soname $(readelf -d "$library" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')"
     nm -D --defined-only --with-symbol-versions "$library" | awk '$2 == "T" { print $3 }' | LC_ALL=C sort
-    sed -n 's/^ *\(RWEDGE_[A-Z_]* = [0-9]*\).*/\1/p' "$source/include/rwedge.h"
+    python3 -B "$source/bindings/interface/header.py" "$source/include/rwedge.h" |
+        python3 -c 'import json, sys
+interface = json.load(sys.stdin)
+for name, value in {**interface["statuses"], **interface["bits"]}.items():
+    print(name, "=", value)'
 } >"$work/interface.txt"
 if [ "$store" = --store ]; then
     cp "$work/interface.txt" "$here/interface.txt"

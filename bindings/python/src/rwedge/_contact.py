@@ -190,12 +190,12 @@ class Contact(ContactMethods, Handle):
             force/length, finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy
             is forgotten
         Q : float or array_like
-            force/length, |Q| <= f P; equality is full sliding
+            force/length, abs(Q) <= f P; equality is full sliding
 
         Raises
         ------
         SlidingError
-            (a ValueError) where |Q| > f P: no equilibrium
+            (a ValueError) where abs(Q) > f P: no equilibrium
         ValueError
             outside the domain, or where P is too large or too small, also against the last P: go there in two loads
 
@@ -219,7 +219,7 @@ class Contact(ContactMethods, Handle):
         M : float or array_like
             moment about x = 0, a force, finite; positive presses the right side; 0 where P is 0
         Q : float or array_like
-            force/length, |Q| <= f P
+            force/length, abs(Q) <= f P
         sigma : float or array_like
             bulk tension of the half-plane, stress, finite: added to its sxx. Where P is 0 it only adds: apply it before P to
             have it without slip
@@ -227,7 +227,7 @@ class Contact(ContactMethods, Handle):
         Raises
         ------
         SlidingError
-            (a ValueError) where |Q| > f P: no equilibrium
+            (a ValueError) where abs(Q) > f P: no equilibrium
         ValueError
             outside the domain; where no closed form is shown, and the message says why (``obstacle``)
 
@@ -314,6 +314,11 @@ class Contact(ContactMethods, Handle):
             where ``apply`` or ``stresses`` does. The message names the load, and the contact is as before
 
         Error as that of ``stresses``. Source: Eq. (28), (32), (33); new.
+
+        See Also
+        --------
+        Cycle : what it gives
+        smith_watson_topper, fatemi_socie : what tires at these points
 
         Examples
         --------
@@ -445,7 +450,7 @@ class Contact(ContactMethods, Handle):
 
     @property
     def stick_half_width(self) -> float:
-        """Half-width c of the stick zone, length: where c < |x| < b friction is exhausted. It is b where there is no such
+        """Half-width c of the stick zone, length: where c < abs(x) < b friction is exhausted. It is b where there is no such
         zone, 0 in full sliding and when separated. Source: Eq. (25); new."""
         return self._value(_stick_half_width)
 
@@ -462,7 +467,7 @@ class Contact(ContactMethods, Handle):
 
     def tractions(self, x: Numbers) -> tuple[NDArray[Any], NDArray[Any]]:
         """Pressure p and shear traction q at points of the surface, stress, in the shape of x: compression negative; q = f p
-        where it slips under Q > 0. Both are 0 for |x| >= b.
+        where it slips under Q > 0. Both are 0 for abs(x) >= b.
 
         Parameters
         ----------
@@ -505,7 +510,7 @@ class Contact(ContactMethods, Handle):
         Parameters
         ----------
         x : array_like
-            length, |x| <= b: points outside have no partner; NaN gives NaN
+            length, abs(x) <= b: points outside have no partner; NaN gives NaN
 
         Raises
         ------

@@ -34,6 +34,24 @@ class Cycle:
         the points, length, in their broadcast shape
 
     Source: new.
+
+    See Also
+    --------
+    Contact.cycle : which makes it
+
+    Examples
+    --------
+    >>> import rwedge
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.load(2000)
+    >>> cycle = pad.cycle({"P": 2000, "Q": [300, -300, 300]}, x=[-2, -1], y=0)
+    >>> cycle
+    <rwedge.Cycle of 3 loads at 2 points>
+    >>> cycle.stress.shape, cycle.voigt(nu=0.3).shape
+    ((3, 2, 3), (3, 2, 6))
+    >>> value, angle = rwedge.smith_watson_topper(*cycle, 205e3, 0.3, axis=0)
+    >>> value.shape
+    (2,)
     """
 
     loads: Loads

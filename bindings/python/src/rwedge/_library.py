@@ -31,7 +31,22 @@ library = ctypes.CDLL(_path())
 
 
 class Error(ValueError):
-    """An argument is outside its domain, or what is asked for cannot be had; ``status`` is the C library's number for it."""
+    """An argument is outside its domain, or what is asked for cannot be had; ``status`` is the C library's number for it.
+
+    See Also
+    --------
+    SlidingError, AbsentError, PathError : which are such errors
+
+    Examples
+    --------
+    >>> import rwedge
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> try:
+    ...     pad.load(-1)
+    ... except rwedge.Error as error:
+    ...     error.status
+    1
+    """
 
     def __init__(self, message: str, status: int = EDOMAIN) -> None:
         super().__init__(message)
@@ -39,15 +54,58 @@ class Error(ValueError):
 
 
 class SlidingError(Error):
-    """The tangential force exceeds friction times the normal force: there is no equilibrium."""
+    """The tangential force exceeds friction times the normal force: there is no equilibrium.
+
+    See Also
+    --------
+    Contact.load, Contact.apply
+
+    Examples
+    --------
+    >>> import rwedge
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> try:
+    ...     pad.load(1000, 301)
+    ... except rwedge.SlidingError:
+    ...     print("it slides")
+    it slides
+    """
 
 
 class AbsentError(Error, AttributeError):
-    """What is asked for does not exist, such as the edges of a contact without load: ``hasattr`` then says so."""
+    """What is asked for does not exist, such as the edges of a contact without load: ``hasattr`` then says so.
+
+    See Also
+    --------
+    Contact.edges, Contact.stick_zone
+
+    Examples
+    --------
+    >>> import rwedge
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> hasattr(pad, "edges")
+    False
+    """
 
 
 class PathError(Error):
-    """There is no closed form on this path of loads; the message says why, and what to do instead."""
+    """There is no closed form on this path of loads; the message says why, and what to do instead.
+
+    See Also
+    --------
+    Contact.apply, Contact.obstacle : the same text before the loads are applied
+
+    Examples
+    --------
+    >>> import rwedge
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.apply(2000, 0, 300, 0)
+    >>> try:
+    ...     pad.apply(2500, 500, 100, 20)
+    ... except rwedge.PathError as error:
+    ...     print(pad.obstacle(2500, 500, 100, 20) in str(error))
+    True
+    """
 
 
 ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}

@@ -67,7 +67,7 @@ class Series(SeriesMethods, Handle):
         Parameters
         ----------
         x, p : array_like, of one dimension and the same length
-            where and what, |x| < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
+            where and what, abs(x) < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
             2^33 (half a minute); samples near Chebyshev's points (x = cos t, t equally spaced) fit best
         terms : int
             >= 1
@@ -117,11 +117,11 @@ class Series(SeriesMethods, Handle):
     @property
     def residual(self) -> float:
         """Error of the series as a pressure: of the analytic one an upper bound of what is cut off, the sum of all further
-        |a_k| (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
+        abs(a_k) (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
         return _residual(self._address)
 
     def pressure(self, x: Numbers) -> NDArray[Any]:
-        """The pressure at x, finite; 0 for |x| >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
+        """The pressure at x, finite; 0 for abs(x) >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
         return _pressure(self._address, x)
 
     def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:

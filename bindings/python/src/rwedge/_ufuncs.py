@@ -49,9 +49,10 @@ def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
     return (ctypes.c_void_p * 1)(ctypes.addressof(ctypes.c_char.in_dll(_library, "rwedge_" + symbol)))
 
 
-def ufunc(name: str) -> np.ufunc:
+def ufunc(name: str, manner: str = "") -> np.ufunc:
     """The ufunc of rwedge_name(): of a formula; of a function with several results; of the points of an object, whose
-    address is then the first argument; or the generalized one of a function of a cycle."""
+    address is then the first argument; or the generalized one of a function of a cycle. The manner "quiet_" is that of a formula
+    which tells nothing but by a NaN."""
     parameters = [kind for kind, _ in FUNCTIONS[name]["parameters"]]
     arguments = [kind for kind in parameters if kind in ARGUMENTS]
     outputs, signature = parameters.count("double *") or 1, None
@@ -64,7 +65,7 @@ def ufunc(name: str) -> np.ufunc:
         loop, data = "points", "points_" + name
         inputs = [ADDRESS if kind in OBJECTS else DOUBLE for kind in arguments]
     else:
-        loop, data = "".join(kind[0] for kind in arguments), name
+        loop, data = manner + "".join(kind[0] for kind in arguments), name
         inputs = [ARGUMENTS[kind] for kind in arguments]
     pointers = _address("loop_" + loop), _address(data)
     texts = bytes([*inputs, *[DOUBLE] * outputs]), name.encode(), FUNCTIONS[name]["doc"].encode()
@@ -110,6 +111,9 @@ def _tell(text: str) -> None:
         print(f"Warning: {text}")
 
 
+_are_numbers = {float, np.float64, int}.issuperset
+
+
 class Formula:
     """A ufunc that takes its arguments by name too. The ufunc itself is the attribute ``ufunc``, whose methods and attributes
     this one has as well, such as ``outer``."""
@@ -118,10 +122,20 @@ class Formula:
         self.ufunc, self.__name__, self.__doc__, self.__module__ = function, function.__name__, function.__doc__, "rwedge"
         arguments = [(kind, name) for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
         self._names, self._core = [name for _, name in arguments], tuple(int("*" in kind) for kind, _ in arguments)
+        # For plain numbers, as it costs less than to have the warnings told to us
+        self._quiet = ufunc(self.__name__, "quiet_") if FUNCTIONS[self.__name__]["result"] == "double" else None
         self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
                                                 for name in self._names])
 
     def __call__(self, *given: Any, **options: Any) -> Any:
+        if self._quiet and not options and _are_numbers(map(type, given)):
+            value = self._quiet(*given)
+            if value == value:
+                return value
+        return self._evaluated(given, options)
+
+    def _evaluated(self, given: tuple[Any, ...], options: dict[str, Any]) -> Any:
+        """By the ufunc that tells what was refused."""
         if options:
             given, options = self._in_order(given, options)
         before = _enter(_NOTED)

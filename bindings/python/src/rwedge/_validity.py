@@ -13,7 +13,22 @@ _validity, _text = function("validity"), function("validity_text")
 
 class ValidityWarning(UserWarning):
     """A result is doubtful: a large angle, dissimilar bodies with friction, yield, or units that look mixed. ``validity()`` has
-    the limits; ``warnings.simplefilter("ignore", rwedge.ValidityWarning)`` silences it, "error" makes an exception of it."""
+    the limits; ``warnings.simplefilter("ignore", rwedge.ValidityWarning)`` silences it, "error" makes an exception of it.
+
+    See Also
+    --------
+    validity, validity_text
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import rwedge
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
+    ...     steep = rwedge.Contact(theta=0.2, a=2.0, A=1.82e-5, f=0.3)
+    >>> print(told[0].message)
+    theta is above 0.1 rad: the wedge is hardly a half-plane
+    """
 
 
 def outside() -> int:

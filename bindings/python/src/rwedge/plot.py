@@ -77,6 +77,19 @@ def tractions(contact: Contact, ax: Any = None, units: Units | None = None, **li
         the pressure alone without friction
 
     Source: ``Contact.tractions``.
+
+    See Also
+    --------
+    rwedge.Contact.tractions
+
+    Examples
+    --------
+    >>> import rwedge.plot
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.load([2000, 2000], [0, 300])
+    >>> pressure, shear = rwedge.plot.tractions(pad, units=("mm", "MPa"))
+    >>> pressure.axes.get_xlabel()
+    '$x$ / mm'
     """
     _loaded(contact)
     ax, (length, stress) = _axes(ax), _scales(contact, units)
@@ -123,6 +136,18 @@ def field(contact: Contact, nu: SupportsFloat, ax: Any = None, units: Units | No
     lines : matplotlib.contour.QuadContourSet
 
     Source: ``Contact.stresses``, ``von_mises``, ``Contact.yield_factor``.
+
+    See Also
+    --------
+    rwedge.Contact.stresses, rwedge.Contact.yield_factor
+
+    Examples
+    --------
+    >>> import rwedge.plot
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.load([2000, 2000], [0, 300])
+    >>> rwedge.plot.field(pad, nu=0.3, reach=2).axes.get_xlabel()
+    '$x/b$'
     """
     b = _loaded(contact)
     ax, (length, stress) = _axes(ax), _scales(contact, units)
@@ -166,7 +191,7 @@ def _zones(contact: Contact, ax: Any, length: float) -> None:
 
 def displacement(contact: Contact) -> float:
     """How far remote points of the half-plane have moved along the surface, relative to the wedge's, more than if the contact
-    were bonded over |x| < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
+    were bonded over abs(x) < b, a length. It is what the slip adds: its loop over Q encloses the dissipated energy.
 
     Parameters
     ----------
@@ -174,6 +199,18 @@ def displacement(contact: Contact) -> float:
         loaded
 
     Source: ``Contact.displacement``.
+
+    See Also
+    --------
+    rwedge.plot.loop, rwedge.Contact.displacement
+
+    Examples
+    --------
+    >>> import rwedge.plot
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.load([2000, 2000], [0, 300])
+    >>> rwedge.plot.displacement(pad) == pad.displacement(pad.half_width)
+    True
     """
     return float(contact.displacement(_loaded(contact)))
 
@@ -186,7 +223,7 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     contact : Contact
         loaded; it stays as it is
     Q : array_like
-        force/length, the turning points, |Q| <= f P
+        force/length, the turning points, abs(Q) <= f P
     ax, units
         as in ``tractions``; without units, Q/(f P) and lengths over f theta b
     **line
@@ -197,6 +234,19 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     line : matplotlib.lines.Line2D
 
     Source: ``displacement``.
+
+    See Also
+    --------
+    rwedge.plot.displacement, rwedge.Contact.dissipated_energy
+
+    Examples
+    --------
+    >>> import rwedge.plot
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad.load([2000, 2000], [0, 300])
+    >>> line = rwedge.plot.loop(pad, [-300, 300])
+    >>> len(line.get_xdata())
+    65
     """
     b = _loaded(contact)
     ax, moving = _axes(ax), contact.copy()

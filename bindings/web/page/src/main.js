@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: its state, its parts, and when they are drawn.
 import { readAddress, writeAddress } from "./address.js";
+import { rwedge } from "./library.js";
 import { asCommand, asPython } from "./export.js";
 import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
@@ -11,12 +12,14 @@ import { narrow } from "./plot/axes.js";
 import { measures } from "./stresses.js";
 import { makeTabs } from "./tabs/tabs.js";
 import { makeVerdict } from "./verdict.js";
-import { unitsRemark, unitSystems } from "./units.js";
-import { inputNames } from "./words.js";
+import { conversion, unitsRemark, unitSystems } from "./units.js";
+import { readNumber, writeNumber } from "./number.js";
+import { inputNames, inputs } from "./words.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const settings = {
+    name: "",
     units: "mm",
     digits: "4",
     sign: ".",
@@ -83,6 +86,7 @@ const finder = makeFinder(form.take);
 const drawing = element("div", { class: "drawing" });
 const verdict = makeVerdict();
 const exports = element("div", {});
+const printed = element("p", { class: "printed" }); // seen on paper alone
 const tooLong = element(
     "p",
     { class: "note bad", id: "too-long", role: "status", hidden: true },
@@ -124,6 +128,9 @@ function render() {
     verdict.show(model, state.tab);
     if (exports.querySelector("details").open) showExports();
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
+    printed.textContent = [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`]
+        .filter(Boolean)
+        .join(", ");
     remember();
 }
 
@@ -135,6 +142,24 @@ function rewriteNumbers() {
     for (const name of ["probe_x", "probe_y"]) state[name] = rewritten(state[name]);
 }
 
+/** The numbers of the form and the place that is looked at; pasted tables stay. */
+function convertNumbers(from, to) {
+    const converted = (text, dimension) => {
+        const factor = conversion(from, to, dimension),
+            value = readNumber(text, state.sign);
+        return factor === 1 || Number.isNaN(value) ? text : writeNumber(value * factor, 12, state.sign);
+    };
+    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name].unit);
+    for (const name of ["probe_x", "probe_y"]) state[name] = converted(state[name], "length");
+}
+
+const converts = element("input", { type: "checkbox", id: "convert" });
+const caseName = element("input", { type: "text", id: "case-name", size: 14, autocomplete: "off" });
+caseName.addEventListener("input", () => {
+    state.name = caseName.value;
+    render();
+});
+
 function setting(name, label, options) {
     const select = element(
         "select",
@@ -142,6 +167,7 @@ function setting(name, label, options) {
         ...Object.entries(options).map(([value, text]) => element("option", { value }, text)),
     );
     select.addEventListener("change", () => {
+        if (name === "units" && converts.checked) convertNumbers(state.units, select.value);
         state[name] = name === "digits" ? Number(select.value) : select.value;
         if (name === "sign") rewriteNumbers();
         render();
@@ -161,7 +187,9 @@ const chosen = [
 
 function build() {
     document.getElementById("settings").append(
+        element("span", {}, element("label", { for: "case-name" }, "Name"), caseName),
         ...chosen.map((one) => element("span", {}, ...one.parts)),
+        element("span", {}, converts, element("label", { for: "convert" }, "convert numbers with the units")),
         copyButton(
             "Copy a link to this case",
             () => location.href.replace(/#.*/, "") + address(),
@@ -192,7 +220,7 @@ function build() {
     document
         .getElementById("case")
         .replaceChildren(drawing, form.box, finder.box, element("p", { class: "note" }, unitsRemark), exports);
-    document.getElementById("verdict").append(verdict.box);
+    document.getElementById("verdict").append(printed, verdict.box);
     document.getElementById("answers").append(tooLong, tabs.list, ...tabs.panels);
 }
 
@@ -200,6 +228,7 @@ function show(texts) {
     take(texts);
     if (state.sign === ",") rewriteNumbers();
     for (const one of chosen) one.show();
+    caseName.value = state.name;
     render();
 }
 

@@ -5,7 +5,7 @@ import { solveHolding } from "./solution.js";
 import { unitsOf } from "./units.js";
 
 export function makeModel(state) {
-    shown.sign = state.sign;
+    Object.assign(shown, { sign: state.sign, name: state.name });
     const unit = unitsOf(state.units);
     return {
         ...solveHolding(state.texts, state.sign, unit.length),

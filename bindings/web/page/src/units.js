@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units are labels: any consistent set does, and no number is ever converted.
+// Units are labels: any consistent set does. Where the user says so, numbers go from one set to another.
 
 const made = (length, force, stress) => ({
     length,
@@ -28,5 +28,19 @@ export const unitSystems = {
     },
 };
 
+/** In metres and newtons. */
+const sizes = {
+    mm: { length: 1e-3, force: 1 },
+    m: { length: 1, force: 1 },
+    in: { length: 0.0254, force: 4.4482216152605 },
+};
+
+/** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
+export function conversion(from, to, dimension) {
+    const [length, force] = ["length", "force"].map((of) => (sizes[from]?.[of] ?? NaN) / (sizes[to]?.[of] ?? NaN));
+    const factors = { length, force, "force/length": force / length, stress: force / length ** 2 };
+    return Number.isFinite(length) ? (factors[dimension] ?? 1) : 1;
+}
+
 export const unitsRemark =
-    "Any consistent units do; those shown are labels, nothing is converted. Forces are per unit length.";
+    "Any consistent units do; those shown are labels, unless \u201cconvert\u201d is set. Forces are per unit length.";

@@ -365,7 +365,10 @@ export async function plots_are_saved({ session, file }) {
         for (const [, size, text] of of("image/png"))
             assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
         for (const [, , text] of of("text/csv"))
-            assert.ok(/^\w+(,\w+)+\n/.test(text) && text.split("\n").length > 20, `${tab}: ${text.slice(0, 100)}`);
+            assert.ok(
+                /^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20,
+                `${tab}: ${text.slice(0, 100)}`,
+            );
     }
     await page.close();
 }
@@ -446,7 +449,7 @@ export async function contours_show_what_the_library_says({ session, file }) {
         }, name);
     for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
         const [names, row] = await saved(measure);
-        assert.equal(names.at(-1), measure);
+        assert.equal(names.at(-1), `${measure} [MPa]`);
         await enter(page, { "probe-x": row[0], "probe-y": row[1] });
         const told = Number((await shownNumbers(page))[measure]);
         assert.ok(
@@ -628,6 +631,58 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
             );
             assert.deepEqual(found, [], `${tab}, ${scheme}`);
         }
+    await page.close();
+}
+
+/** Values under the pointer, curves that stay beside the next case, units that convert, the name in files, one sheet of paper. */
+export async function a_plot_is_read_pinned_and_saved_by_name({ session, file, tool }) {
+    const page = await openPage(session, file, asAddress(usual));
+    const middle = await page.$eval("#panel-contact .frame", (frame) => {
+        frame.scrollIntoView();
+        const { left, top, width, height } = frame.getBoundingClientRect();
+        return [left + width / 2, top + height / 2];
+    });
+    await page.mouse.move(...middle);
+    const read = await page.$eval("#panel-contact .under-pointer", (part) => part.textContent);
+    const pressure = Number(read.match(/pressure \S+ (\S+);/)[1]);
+    const { p0 } = run(tool, ["solve", ...optionsOf(usual), "--format", "json"]).numbers();
+    assert.ok(Math.abs(pressure / p0 - 1) < 2e-3, `${read}; p0 = ${p0}`);
+    const pin = await page.$("#panel-contact [aria-pressed]");
+    await pin.click();
+    await enter(page, { "in-P": "120", "case-name": "pad 7" });
+    const curves = await page.$$eval(
+        "#panel-contact .pinned, #panel-contact .curve.one:not(.pinned)",
+        (all) => all.length,
+    );
+    assert.ok(curves >= 4, `${curves} curves`);
+    const name = await page.evaluate(() => {
+        let saved;
+        HTMLAnchorElement.prototype.click = function () {
+            saved = this.download; // nothing is downloaded
+        };
+        document.querySelector('#panel-contact .save button[aria-label$="CSV"]').click();
+        return saved;
+    });
+    assert.equal(name, "pad-7-tractions.csv");
+    const safety = (await shownNumbers(page)).safety;
+    await page.evaluate(() => document.getElementById("convert").click());
+    await enter(page, { "set-units": "in" });
+    assert.equal((await shownNumbers(page)).safety, safety);
+    assert.equal(
+        Number(await page.$eval("#in-a", (input) => input.value)).toPrecision(6),
+        (0.05 / 25.4).toPrecision(6),
+    );
+    await page.close();
+}
+
+/** What gives a safety is taken into the form. */
+export async function a_safety_is_asked_for({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual, { digits: "10" }));
+    for (const name of ["radius", "P", "f"]) {
+        await enter(page, { "find-input": name, "find-safety": "1.5" });
+        await page.click(".find button");
+        assert.ok(Math.abs(Number((await shownNumbers(page)).safety) - 1.5) < 1e-8, name);
+    }
     await page.close();
 }
 

@@ -8,6 +8,7 @@ import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/solution.js";
 import { goThrough, solveRows } from "../src/tables.js";
+import { conversion } from "../src/units.js";
 import { inputs } from "../src/words.js";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
@@ -179,6 +180,21 @@ test("what gives a safety is found: solved forwards it has it, and the tool find
         assert.ok(Math.abs(Number(line.split(",")[1]) / value - 1) < 1e-12, `${name} ${value}: ${line}`);
     }
     assert.match(findInput(usual, ".", "f", 9).complaint, /^no solution: even without friction the safety is \d/);
+});
+
+test("converted to other units a case is the same", () => {
+    const inches = Object.fromEntries(
+        Object.entries(usual).map(([name, text]) => [
+            name,
+            String(Number(text) * conversion("mm", "in", inputs[name].unit)),
+        ]),
+    );
+    const [here, there] = [usual, inches].map((texts) => solveHolding(texts, ".").results);
+    for (const name of ["safety", "yield_factor", "a_over_b", "c_over_b"])
+        assert.ok(Math.abs(there[name] / here[name] - 1) < 1e-12, name);
+    assert.ok(Math.abs((there.b * 25.4) / here.b - 1) < 1e-12);
+    assert.ok(Math.abs((there.p0 * 0.006894757293168361) / here.p0 - 1) < 1e-12);
+    assert.equal(conversion("mm", "any", "length"), 1);
 });
 
 test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {

@@ -6,7 +6,10 @@ import { placesAcross } from "../stresses.js";
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
 /** The wedge's heights over its apex, over theta. */
-const shapeOf = ({ a, tilt }) => (x) => (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
+const shapeOf =
+    ({ a, tilt }) =>
+    (x) =>
+        (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
 
 /** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
 function profilesOf(shape) {

@@ -32,6 +32,15 @@ export function makeFinder(take) {
     ])
         part.addEventListener(kind, () => show(model));
     use.addEventListener("click", () => take(input.value, writeNumber(found.value, 15, model.sign)));
-    const line = element("p", { class: "tools" }, input, " for a safety, in full sliding, of ", safety, ": ", answer, use);
-    return { box: element("details", { open: true }, element("summary", {}, "Find an input"), line), show };
+    const line = element(
+        "p",
+        { class: "tools" },
+        input,
+        " for a safety, in full sliding, of ",
+        safety,
+        ": ",
+        answer,
+        use,
+    );
+    return { box: element("fieldset", { class: "find" }, element("legend", {}, "Find an input"), line), show };
 }

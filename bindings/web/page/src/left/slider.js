@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides of a number that stays until the value leaves them.
+// A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides of a power of ten.
 import { element } from "../elements.js";
 import { writeNumber } from "../number.js";
 
@@ -33,7 +33,7 @@ class Slider {
         const isShear = this.field === "Q"; // which runs as far as the friction
         const value = inputs[this.name] ?? NaN;
         if (isShear) this.base = (inputs.f ?? 0) * inputs.P;
-        else if (!(value >= this.base / 10.01 && value <= this.base * 10.01)) this.base = value;
+        else this.base = 10 ** Math.round(Math.log10(value));
     }
 
     drag() {
@@ -49,7 +49,6 @@ class Slider {
     }
 
     show(name, model) {
-        if (name !== this.name) this.base = NaN;
         Object.assign(this, { name, model });
         if (document.activeElement === this.input && this.input.dataset.moving === "yes") return;
         this.begin();

@@ -46,22 +46,56 @@ function markText(point, scale, box) {
     );
 }
 
+/** The scales of a plot; pinned curves have room too. */
+function scalesOf({ curves, pinned = [], points = [], xDomain, yDomain }, box) {
+    const all = [...curves, ...pinned],
+        reach = pinned.length > 0 && yDomain ? [0, ...pinned.flatMap((c) => extent(c.y)), ...yDomain] : null;
+    const x =
+        !xDomain || pinned.length > 0 ? extent([...(xDomain ?? []), ...all.flatMap((c) => extent(c.x))]) : xDomain;
+    const room = roomy(extent([0, ...all.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
+    return scales(x, reach ? extent(reach) : (yDomain ?? room), box);
+}
+
+const isAlongX = ({ x }) => x.every((v, i) => i === 0 || v >= x[i - 1]);
+
+/** The place of a curve next to a point of the view box. */
+function nearest(curve, scale, u, v) {
+    const along = isAlongX(curve);
+    let best = Infinity,
+        at = 0;
+    for (let i = 0; i < curve.x.length; i++) {
+        const far = Math.hypot(scale.x(curve.x[i]) - u, along ? 0 : scale.y(curve.y[i]) - v);
+        if (far < best) [best, at] = [far, i];
+    }
+    return at;
+}
+
+/** What the curves are at a point of the view box: [{ name, x, y }]; nothing outside the frame. */
+export function valuesUnder(spec, u, v) {
+    const box = frame(),
+        scale = scalesOf(spec, box);
+    if (u < box.left || u > box.width - box.right || v < box.top || v > box.height - box.bottom) return [];
+    return spec.curves.map((curve) => {
+        const i = nearest(curve, scale, u, v);
+        return { name: curve.name, x: curve.x[i], y: curve.y[i] };
+    });
+}
+
 /**
  * title, xLabel, yLabel: texts; curves: [{ name, style, x: numbers, y: numbers }];
- * bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain where they are not those of the curves.
+ * pinned: curves of another case, thin; bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain where they are not those of the curves.
  */
-export function curvesText({ title, xLabel, yLabel, curves, bands = [], points = [], xDomain, yDomain }) {
-    const box = frame();
-    const x = xDomain ?? extent(curves.flatMap((c) => extent(c.x)));
-    const y = yDomain ?? roomy(extent([0, ...curves.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
-    const scale = scales(x, y, box);
+export function curvesText(spec) {
+    const { title, xLabel, yLabel, curves, pinned = [], bands = [], points = [] } = spec;
+    const box = frame(),
+        scale = scalesOf(spec, box);
     const path = line()
         .defined(([, v]) => Number.isFinite(v))
         .x(([u]) => scale.x(u))
         .y(([, v]) => scale.y(v))
         .digits(2);
     const areas = bands.map((band) => bandText(band, scale, box.top, box.height - box.bottom));
-    const paths = curves.map(
+    const paths = [...pinned.map((c) => ({ ...c, style: `${c.style} pinned` })), ...curves].map(
         (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
     );
     const marks = points.map((point) => markText(point, scale, box));
@@ -80,7 +114,8 @@ export function curvesText({ title, xLabel, yLabel, curves, bands = [], points =
 }
 
 /** The curves' numbers as a table: all of one x. */
-export const curvesTable = (xName, curves) => ({
+export const curvesTable = (xName, curves, units = []) => ({
     names: [xName, ...curves.map((c) => c.column ?? c.name)],
+    units,
     rows: Array.from(curves[0].x, (x, i) => [x, ...curves.map((c) => c.y[i])]),
 });

@@ -31,19 +31,23 @@ function savePng(name, svg) {
     image.onload = () => {
         const canvas = element("canvas", { width: scale * width, height: scale * height });
         canvas.getContext("2d").drawImage(image, 0, 0, scale * width, scale * height);
-        canvas.toBlob((blob) => download(`${name}.png`, blob), "image/png");
+        canvas.toBlob((blob) => download(`${fileOf(name)}.png`, blob), "image/png");
     };
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgText(svg))}`;
 }
 
-/** Rows of numbers, columns by name; as the tool writes them, with ; between cells where the decimal sign is a comma. */
-function csvText(names, rows) {
+/** The file of a plot is named for the case. */
+const fileOf = (name) => [shown.name.replace(/[^\p{L}\p{N}.-]+/gu, "-"), name].filter(Boolean).join("-");
+
+/** Rows of numbers, columns by name, with units; as the tool writes them, with ; between cells where the decimal sign is a comma. */
+function csvText({ names, units = [], rows }) {
     const between = shown.sign === "," ? ";" : ",";
+    const heads = names.map((name, i) => (units[i] ? `${name} [${units[i]}]` : name));
     const cell = (value) => (value === null || Number.isNaN(value) ? "" : shortNumber(value));
-    return [names, ...rows.map((row) => row.map(cell))].map((row) => row.join(between)).join("\n") + "\n";
+    return [heads, ...rows.map((row) => row.map(cell))].map((row) => row.join(between)).join("\n") + "\n";
 }
 
-/** Three buttons. svg() is the plot, table() is { names, rows }. */
+/** Three buttons. svg() is the plot, table() is { names, units, rows }. */
 function saveButtons(name, svg, table) {
     const button = (form, save) =>
         element("button", { type: "button", "aria-label": `Save ${name} as ${form}`, onclick: save }, form);
@@ -51,13 +55,11 @@ function saveButtons(name, svg, table) {
         "p",
         { class: "save" },
         "Save as ",
-        button("SVG", () => download(`${name}.svg`, new Blob([svgText(svg())], { type: "image/svg+xml" }))),
+        button("SVG", () => download(`${fileOf(name)}.svg`, new Blob([svgText(svg())], { type: "image/svg+xml" }))),
         " ",
         button("PNG", () => savePng(name, svg())),
         " ",
-        button("CSV", () =>
-            download(`${name}.csv`, new Blob([csvText(table().names, table().rows)], { type: "text/csv" })),
-        ),
+        button("CSV", () => download(`${fileOf(name)}.csv`, new Blob([csvText(table())], { type: "text/csv" }))),
     );
 }
 
@@ -70,5 +72,5 @@ export function savedPlot(name, table) {
         plot.innerHTML = text;
         buttons.hidden = !plot.querySelector("svg");
     };
-    return { plot, parts: [plot, buttons], draw };
+    return { plot, buttons, parts: [plot, buttons], draw };
 }

@@ -4,8 +4,8 @@ import { element } from "../elements.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../words.js";
-import { curvesTable, curvesText } from "../plot/curves.js";
-import { savedPlot } from "../plot/save.js";
+import { curvesTable } from "../plot/curves.js";
+import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../stresses.js";
 import { noResults, tableText } from "./table.js";
@@ -39,13 +39,13 @@ function plotOf(model, curves) {
                     { from: to, to: right, style: "slip", name: "slips" },
                 ]
               : [{ from: left, to: right, style: "slip", name: "slides" }];
-    return curvesText({
+    return {
         title: "Pressure and shear traction along the surface",
         curves,
         bands,
         xLabel: withUnit("x", model.unit.length),
         yLabel: withUnit("traction", model.unit.stress),
-    });
+    };
 }
 
 /** All that "rwedge solve" says, and the workbook's safety on strength. */
@@ -76,13 +76,16 @@ function groupText(model, { title, names }) {
 }
 
 export function makeContact() {
-    let curves;
-    const plot = savedPlot("tractions", () => curvesTable("x", curves));
+    let curves, unit;
+    const plot = curvePlot("tractions", () =>
+        curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]),
+    );
     const colours = "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.";
-    const few = element("div", { class: "wide" }),
+    const few = element("div", { class: "wide few" }),
         numbers = element("div", { class: "wide" }),
         all = element("details", {}, element("summary", {}, "All quantities, by the tool\u2019s names"), numbers);
     const show = (model) => {
+        unit = model.unit;
         curves = model.results && tractions(model);
         plot.draw(curves ? plotOf(model, curves) : noResults);
         few.innerHTML = curves ? groups.map((group) => groupText(model, group)).join("") : "";

@@ -4,8 +4,7 @@ import { copyButton, element } from "../elements.js";
 import { Aside } from "../aside.js";
 import { asFretting } from "../export.js";
 import { roomy } from "../plot/axes.js";
-import { curvesText } from "../plot/curves.js";
-import { savedPlot } from "../plot/save.js";
+import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { measureKinds } from "../words.js";
 import { tableText } from "./table.js";
@@ -13,29 +12,29 @@ import { tableText } from "./table.js";
 const unitOf = (name, unit) => unit[measureKinds.find((kind) => kind.name === name).unit];
 
 /** A measure along the surface, and where it is worst. */
-function alongText({ x, measured, worst }, { unit, write }, name, title) {
+function alongOf({ x, measured, worst }, { unit, write }, name, title) {
     const top = worst[name];
     if (!top) return "";
-    return curvesText({
+    return {
         title,
         curves: [{ name: title, style: "one", x, y: measured[name] }],
         points: [{ x: top.x, y: top.value, name: write(top.value) }],
         xLabel: withUnit("x", unit.length),
         yLabel: withUnit(name, unitOf(name, unit)),
-    });
+    };
 }
 
-function loopText({ loop }, { unit, write }) {
+function loopOf({ loop }, { unit, write }) {
     if (!loop) return "";
     const ofPlace = `shear traction over slip at x = ${write(loop.place)}`;
     const name = loop.whole ? "tangential load over displacement by slip" : ofPlace;
-    return curvesText({
+    return {
         title: `Loop of the cycle: ${name}`,
         curves: [{ name, style: "one", x: loop.x, y: loop.y }],
         xDomain: roomy([Math.min(...loop.x), Math.max(...loop.x)]),
         xLabel: withUnit(loop.xName, unit.length),
         yLabel: withUnit(loop.yName, loop.whole ? unit["force/length"] : unit.stress),
-    });
+    };
 }
 
 function worstText({ worst }, { unit, write }) {
@@ -49,9 +48,14 @@ function worstText({ worst }, { unit, write }) {
     return tableText("The worst places", rows);
 }
 
-function surfaceTable({ x, measured }) {
+function surfaceTable({ x, measured }, unit) {
     const names = measureKinds.map((kind) => kind.name);
-    return { names: ["x", ...names], rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]) };
+    const units = [unit.length, ...measureKinds.map((kind) => unit[kind.unit])];
+    return {
+        names: ["x", ...names],
+        units,
+        rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]),
+    };
 }
 
 function loopTable({ loop }) {
@@ -99,18 +103,19 @@ function showRemark({ loads, note }, state, found) {
 
 /** The worst places and the plots. show(found, model) draws none of them where there is a complaint. */
 function makeAnswers() {
-    let found;
+    let found, unit;
     const numbers = element("div", { class: "wide" });
-    const swt = savedPlot("swt", () => surfaceTable(found));
-    const slip = savedPlot("slip", () => surfaceTable(found));
-    const loop = savedPlot("loop", () => loopTable(found));
+    const swt = curvePlot("swt", () => surfaceTable(found, unit));
+    const slip = curvePlot("slip", () => surfaceTable(found, unit));
+    const loop = curvePlot("loop", () => loopTable(found));
     const show = (present, model) => {
         found = present;
+        unit = model.unit;
         const none = Boolean(found.complaint);
         numbers.innerHTML = none ? "" : worstText(found, model);
-        swt.draw(none ? "" : alongText(found, model, "swt", "Smith\u2013Watson\u2013Topper along the surface"));
-        slip.draw(none ? "" : alongText(found, model, "slip_range", "range of slip along the surface"));
-        loop.draw(none ? "" : loopText(found, model));
+        swt.draw(none ? "" : alongOf(found, model, "swt", "Smith\u2013Watson\u2013Topper along the surface"));
+        slip.draw(none ? "" : alongOf(found, model, "slip_range", "range of slip along the surface"));
+        loop.draw(none ? "" : loopOf(found, model));
     };
     return { parts: [numbers, ...swt.parts, ...slip.parts, ...loop.parts], show };
 }

@@ -2,6 +2,7 @@
 // The stresses at a place: typed in, or pointed at in the drawing.
 import { element } from "../elements.js";
 import { readNumber, writeNumber } from "../number.js";
+import { inViewBox } from "../plot/live.js";
 import { placeAt, probeText } from "../plot/field.js";
 import { valuesAt } from "../stresses.js";
 import { tableText } from "./table.js";
@@ -47,10 +48,7 @@ export class Probe {
     follow(event) {
         const svg = this.plot.querySelector("svg");
         if (!svg || !this.model.results) return;
-        const rect = svg.getBoundingClientRect();
-        const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-        const u = ((event.clientX - rect.left) / rect.width) * width;
-        const at = placeAt(u, ((event.clientY - rect.top) / rect.height) * height, this.grid);
+        const at = placeAt(...inViewBox(svg, event), this.grid);
         if (!at) return;
         [this.state.probe_x, this.state.probe_y] = [at.x, at.y].map((value) => writeNumber(value, 5, this.state.sign));
         this.showFields();

@@ -3,8 +3,8 @@
 import { element } from "../elements.js";
 import { rwedge, status } from "../library.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
-import { curvesTable, curvesText } from "../plot/curves.js";
-import { savedPlot } from "../plot/save.js";
+import { curvesTable } from "../plot/curves.js";
+import { curvePlot } from "../plot/live.js";
 import { noResults, tableText } from "./table.js";
 
 const COUNT = 101;
@@ -48,14 +48,14 @@ function plotOf(model, curves) {
         present = presentPoint(model);
     const highest = Math.max(...curves[0].y, ...present.map((p) => p.y));
     const shown = curves.map((c, i) => (i === 0 ? c : { ...c, y: c.y.map((v) => (v > 1.2 * highest ? NaN : v)) }));
-    return curvesText({
+    return {
         title: `Elastic limit over friction for a/b = ${write(results.a_over_b)}`,
         curves: shown,
         points: [...criticalPoint(model), ...present],
         xLabel: "coefficient of friction f",
         yLabel: "P/(bk)",
         yDomain: [0, 1.25 * highest],
-    });
+    };
 }
 
 const shownRows = {
@@ -96,7 +96,7 @@ const offCentreRemark =
 
 export function makeStrength() {
     let curves;
-    const plot = savedPlot("elastic-limit", () => curvesTable("f", curves));
+    const plot = curvePlot("elastic-limit", () => curvesTable("f", curves));
     const remark = element("p", { class: "note" });
     const numbers = element("div", { class: "wide" });
     const show = (model) => {

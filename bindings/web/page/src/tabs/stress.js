@@ -37,10 +37,11 @@ function plotOf(model, grid, field, measure) {
     });
 }
 
-function tableOf(grid, field, measure) {
+function tableOf(unit, grid, field, measure) {
     const columns = [grid.x, grid.y, field.sxx, field.syy, field.txy, field.values];
     return {
         names: ["x", "y", "sxx", "syy", "txy", measure],
+        units: columns.map((_, i) => (i < 2 ? unit.length : unit.stress)),
         rows: Array.from(grid.x, (_, i) => columns.map((column) => column[i])),
     };
 }
@@ -52,7 +53,7 @@ function chooser() {
 
 export function makeStress(state, changed) {
     let model, grid, field;
-    const plot = savedPlot("stress", () => tableOf(grid, field, state.measure));
+    const plot = savedPlot("stress", () => tableOf(model.unit, grid, field, state.measure));
     const yields = element("p");
     const choice = chooser();
     const probe = new Probe(state, changed, plot.plot);

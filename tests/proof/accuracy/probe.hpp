@@ -1,22 +1,81 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One call of one function at random arguments, and the error of its result. A row of the report
+ * draws a call and judges it. The judge computes the error in balls: the exact error is within the
+ * ball that it returns. It is asked again with more bits until the reference adds nothing to the
+ * figure. */
 #ifndef PROBE_HPP
 #define PROBE_HPP
-#include "references/complex_ball.hpp"
-extern "C" {
-#include "probe.h"
-}
-template <ball (*exact)(const probe &)> void judged(arb_t error, const probe *call, slong prec)
-{
-    const precision here(prec);
-    arb_set(error, exact(*call).arb());
-}
-inline ball error_over(double result, const ball &exact, const ball &scale)
-{
-    const ball difference = result - exact;
-    return is_zero(difference) ? 0 : abs(difference / scale);
-}
-inline ball relative_error(double result, const ball &exact)
-{
-    return error_over(result, exact, exact);
-}
+
+#include <stdint.h>
+
+#include "references/field.hpp"
+
+enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 8, LOADS_MAX = 12 };
+
+struct probe {
+    uint64_t random; /* state of the random numbers */
+    int arguments;   /* how many were drawn, with their names and values */
+    const char *name[ARGUMENTS_MAX];
+    double value[ARGUMENTS_MAX];
+    int loads; /* of a history */
+    double P[LOADS_MAX], Q[LOADS_MAX];
+    double result[RESULTS_MAX]; /* of the library; NaN where it refused what is in the domain */
+    void *object;               /* that the judge needs, and how it is freed */
+    void (*release)(void *object);
+};
+
+struct row {
+    const char *function, *domain;
+    const char *measure; /* what the error is relative to */
+    double promised;     /* bound of the error in that measure */
+    const char *promise; /* as the header says it; in parentheses where it says nothing */
+    double part;         /* of the calls asked for; below 1 where a call is costly */
+    /* false: outside the domain, or rightly without a result; draw again */
+    bool (*draw)(probe *call);
+    ball (*judge)(const probe &call); /* not negative */
+};
+
+/* The error of the call number `index` of a row; HUGE_VAL where no number of bits could tell it. */
+double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call);
+void probe_release(probe *call);
+
+/* Records an argument; returns it. */
+double argument(probe *call, const char *name, double value);
+
+/* ---- Random numbers ---- */
+
+double uniform(probe *call); /* [0, 1) */
+double between(probe *call, double lo, double hi);
+double log_between(probe *call, double lo, double hi); /* 0 < lo < hi */
+bool chance(probe *call, double probability);
+double either_sign(probe *call, double value);
+
+/* ---- Arguments, with their edges over-sampled ---- */
+
+/* 0 and 1e-60 to 1e60, dense next to 1 */
+double some_alpha(probe *call);
+double some_rounded_alpha(probe *call); /* not 0 */
+/* [0, 1], dense next to 0, 1 and the mark */
+double some_fraction(probe *call, double mark);
+/* on the surface: next to 0, +-alpha, +-c, +-1 */
+double some_place(probe *call, double alpha, double c);
+void some_point(probe *call, double alpha, double c, double *x, double *y); /* of the half-plane */
+double some_friction(probe *call);
+double some_poisson(probe *call);
+double near(probe *call, double mark); /* from a factor of 2 to the next double */
+
+/* ---- Errors ---- */
+
+/* |result - exact|/scale. */
+ball error_over(double result, const ball &exact, const ball &scale);
+
+/* The largest error of the components. */
+ball error_over(const double result[3], const tensor &exact, const ball &scale);
+
+/* The relative error; 0 where both are 0. */
+ball relative_error(double result, const ball &exact);
+
+/* Of a row whose result is a difference that should be 0. */
+ball judge_difference(const probe &call);
+
 #endif

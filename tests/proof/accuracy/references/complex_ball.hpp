@@ -100,19 +100,9 @@ class complex_ball
     friend complex_ball root(const complex_ball &z) { return rounded(ball_root, z); }
     friend complex_ball i_over_pi(const complex_ball &z) { return times_i(z) / pi(); }
 
-    friend ball re(const complex_ball &z)
-    {
-        ball x;
-        arb_set(x.arb(), acb_realref(z.acb()));
-        return x;
-    }
+    friend ball re(const complex_ball &z) { return ball::copy(acb_realref(z.v)); }
 
-    friend ball im(const complex_ball &z)
-    {
-        ball y;
-        arb_set(y.arb(), acb_imagref(z.acb()));
-        return y;
-    }
+    friend ball im(const complex_ball &z) { return ball::copy(acb_imagref(z.v)); }
 
     friend ball abs(const complex_ball &z)
     {

@@ -1,31 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The formulas of one contact in ball arithmetic, from the paper. */
 #ifndef CONTACT_HPP
 #define CONTACT_HPP
+
 #include "references/ball.hpp"
-extern "C" {
-#include "references/balls.h"
-}
+
+/* phi0 and c0 = cos(phi0), sin(phi0) = min(a/b, 1). */
 struct angle {
     ball phi0, c0;
 };
-inline angle angle_of(const ball &a, const ball &b)
-{
-    angle r;
-    ball_angle(r.phi0.arb(), r.c0.arb(), a.arb(), b.arb(), bits);
-    return r;
-}
-inline ball force(const ball &a, const ball &b)
-{
-    return rounded(ball_force, a, b);
-}
-inline ball half_width(const ball &a, const ball &f, double guess)
-{
-    ball r;
-    ball_half_width(r.arb(), a.arb(), f.arb(), guess, bits);
-    return r;
-}
-inline ball pressure(const ball &a, const ball &c, const ball &x)
-{
-    return rounded(ball_pressure, a, c, x);
-}
+
+angle angle_of(const ball &a, const ball &b);
+
+/* A P/theta of a contact of half-width b, Eq. (7), (11), (15): (b^2 phi0 + a sqrt(b^2-a^2))/a. */
+ball force(const ball &a, const ball &b);
+
+/* The half-width b > 0 of that force; guess is near it, and only a guess. Unknown where it is too
+ * far off. */
+ball half_width(const ball &a, const ball &wanted, double guess);
+
+/* A p/theta at |x| < c, pressed to the half-width c, Eq. (8), (12), (14); 0 beyond. */
+ball pressure(const ball &a, const ball &c, const ball &x);
+
+/* How far the profile lies above the surface that a contact of that half-width deforms, over
+ * theta. */
+ball gap_of(const ball &a, const ball &width, const ball &place);
+
 #endif

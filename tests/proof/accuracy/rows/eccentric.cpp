@@ -66,22 +66,26 @@ struct column {
 struct square {
     ball xx, xy, yx, yy;
 
-    column operator*(const column &v) const { return {xx * v.x + xy * v.y, yx * v.x + yy * v.y}; }
+    column operator*(const column &v) const
+    {
+        return {xx * v.x + xy * v.y, yx * v.x + yy * v.y};
+    }
 };
 
 /* What the edges carry too much, and how that changes with them. */
-column excess(const ball_edges &e, const wanted &to)
-{
-    const carried c = carried_by(to.a, e);
-    return {c.P - to.P, (to.by_moment ? c.M : c.tilt) - to.other};
-}
+struct excess {
+    column F;
+    square J;
+};
 
-square slopes(const ball_edges &e, const wanted &to)
+excess excess_at(const ball_edges &e, const wanted &to)
 {
     const carried c = carried_by(to.a, e);
     if (to.by_moment) /* m dP + (pi s^2/2) d delta */
-        return {-c.v, c.u, c.half * c.v / 2 - c.middle * c.v, c.half * c.u / 2 + c.middle * c.u};
-    return {-c.v, c.u, c.v / (pi() * c.half), c.u / (pi() * c.half)};
+        return {{c.P - to.P, c.M - to.other},
+                {-c.v, c.u, c.half * c.v / 2 - c.middle * c.v, c.half * c.u / 2 + c.middle * c.u}};
+    return {{c.P - to.P, c.tilt - to.other},
+            {-c.v, c.u, c.v / (pi() * c.half), c.u / (pi() * c.half)}};
 }
 
 /* Of the middles; any numbers near it serve. */
@@ -92,36 +96,37 @@ square inverse_of(const square &m)
             midpoint(-m.yx / determinant), midpoint(m.xx / determinant)};
 }
 
-/* x - A F(x) + (1 - A J(X)) (X - x) inside X. */
-bool is_proved(ball_edges *found, const ball_edges &x, const square &A, const ball &width,
-               const wanted &to)
+/* x - F + (1 - A J(X)) (X - x) inside X, where F = A F(x). */
+bool is_proved(ball_edges *answer, const ball_edges &x, const column &F, const square &A,
+               const ball &width, const wanted &to)
 {
     const ball_edges X = {widened(x.left, width), widened(x.right, width)};
-    const square J = slopes(X, to);
-    const column first = A * column{J.xx, J.yx}, second = A * column{J.xy, J.yy},
-                 F = A * excess(x, to);
+    const square J = excess_at(X, to).J;
+    const column first = A * column{J.xx, J.yx}, second = A * column{J.xy, J.yy};
     const column rest = square{1 - first.x, -second.x, -first.y, 1 - second.y} *
                         column{X.left - x.left, X.right - x.right};
-    *found = {x.left - F.x + rest.x, x.right - F.y + rest.y};
-    return contains(X.left, found->left) && contains(X.right, found->right);
+    *answer = {x.left - F.x + rest.x, x.right - F.y + rest.y};
+    return contains(X.left, answer->left) && contains(X.right, answer->right);
 }
 
 /* The patch near a guess; indeterminate where none is proved. */
 ball_edges patch_of(const wanted &to, double left, double right)
 {
-    ball_edges x = {left, right}, found;
+    ball_edges x = {left, right}, answer;
     square A;
     for (int i = 0; i < 12; i++) {
-        const square J = slopes(x, to);
+        const excess at = excess_at(x, to);
+        const square &J = at.J;
         A = inverse_of({midpoint(J.xx), midpoint(J.xy), midpoint(J.yx), midpoint(J.yy)});
-        const column step = A * excess(x, to);
+        const column step = A * at.F;
         if (!is_finite(step.x) || !is_finite(step.y))
             return {unknown(), unknown()};
         x = {midpoint(x.left - step.x), midpoint(x.right - step.y)};
     }
+    const column F = A * excess_at(x, to).F;
     for (slong n = bits / 2; n > 8; n -= bits / 8)
-        if (is_proved(&found, x, A, scaled(right - left, -n), to))
-            return found;
+        if (is_proved(&answer, x, F, A, scaled(right - left, -n), to))
+            return answer;
     return {unknown(), unknown()};
 }
 
@@ -238,9 +243,9 @@ ball magnified(const ball &error, const pressed_patch &p)
 }
 
 /* The larger error of two edges over a scale. */
-ball edges_error(const double found[2], const ball_edges &e, const ball &scale)
+ball edges_error(const double answer[2], const ball_edges &e, const ball &scale)
 {
-    return max(error_over(found[0], e.left, scale), error_over(found[1], e.right, scale));
+    return max(error_over(answer[0], e.left, scale), error_over(answer[1], e.right, scale));
 }
 
 /* ---- Edges, tilt ---- */
@@ -341,11 +346,11 @@ ball_edges edges_of(const pressed_patch &whole, const tangential &sticking, cons
 }
 
 /* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */
-ball front_error(const double found[2], const ball_edges &e, const pressed_patch &whole,
+ball front_error(const double answer[2], const ball_edges &e, const pressed_patch &whole,
                  const tangential &sticking)
 {
     const ball flat = min(flatness(sticking.tilt), flatness(whole.c.tilt));
-    return edges_error(found, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
+    return edges_error(answer, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
 }
 
 /* Load and tilt of what sticks. */
@@ -421,8 +426,8 @@ ball judge_permanent(const probe &call)
     const double *v = call.value, *r = call.result;
     const pressed_patch one = ball_pressed(call, 2),
                         two = ball_pressed(v, v[SECOND_LOAD], v[SECOND_MOMENT], r[4], r[5]);
-    const bool rises = two.c.P > one.c.P;
-    const pressed_patch &smaller = rises ? one : two, &larger = rises ? two : one;
+    const pressed_patch &smaller = two.c.P > one.c.P ? one : two,
+                        &larger = &smaller == &one ? two : one;
     const tangential T =
         tangential_of(one.per_stress, v[FRICTION], ball(v[Q2]) - v[Q1], ball(v[S2]) - v[S1]);
     const tangential sticking = {(one.c.P + two.c.P - T.load) / 2,
@@ -449,12 +454,11 @@ bool draw_stress_history(probe *call)
     const double b = rwedge_contact_half_width(one);
     const double x = argument(call, "x", b * (4 * uniform(call) - 2)),
                  y = argument(call, "y", b * uniform(call));
-    double P[LOADS], M[LOADS], Q[LOADS], sigma[LOADS], s[3][LOADS], single[3];
+    double P[LOADS], M[LOADS], Q[LOADS], sigma[LOADS] = {}, s[3][LOADS], single[3];
     for (int i = 0; i < LOADS; i++) {
         P[i] = v[LOAD];
         M[i] = v[MOMENT];
         Q[i] = f * v[LOAD] * (i == 1 ? -0.8 : 0.8) * uniform(call);
-        sigma[i] = 0;
     }
     int32_t status =
         rwedge_contact_stress_history(one, LOADS, P, M, Q, sigma, 1, &x, &y, s[0], s[1], s[2]);
@@ -470,32 +474,27 @@ bool draw_stress_history(probe *call)
     return status == RWEDGE_OK;
 }
 
-ball judge_the_same(const probe &call)
-{
-    return call.result[0];
-}
-
 #define PATCHES "M; edges dense at -a, a; s from 1e-15 a; \\|delta\\| to 1 - 1e-9"
 
 } // namespace
 
 const row ECCENTRIC_ROWS[] = {
     {"contact_edges", PATCHES, "of the width or \\|x\\|, over 1 - \\|delta\\|", 1e-14, "1e-14", 1,
-     draw_edges, judged<judge_edges>},
+     draw_edges, judge_edges},
     {"contact_tilt", PATCHES, "of theta max(1, \\|x\\|/width), over 1 - \\|delta\\|", 1e-14,
-     "1e-14", 1, draw_edges, judged<judge_tilt>},
-    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges found", 1e-14, "1e-14", 1,
-     draw_edges, judged<judge_asymptotes>},
+     "1e-14", 1, draw_edges, judge_tilt},
+    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges answer", 1e-14, "1e-14", 1,
+     draw_edges, judge_asymptotes},
     {"contact_stick_zone", "also Q to 0.9 f P, sigma to its limit",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",
-     1e-14, "1e-14", 1, draw_stick_zone, judged<judge_stick_zone>},
+     1e-14, "1e-14", 1, draw_stick_zone, judge_stick_zone},
     {"contact_largest_tension_step", "the same",
      "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|", 1e-14, "1e-14", 1,
-     draw_stick_zone, judged<judge_tension_step>},
+     draw_stick_zone, judge_tension_step},
     {"permanent_stick", "P, M constant or in proportion",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",
-     1e-14, "1e-14", 1, draw_permanent, judged<judge_permanent>},
+     1e-14, "1e-14", 1, draw_permanent, judge_permanent},
     {"contact_stress_history", "three loads", "from `contact_stresses`", 0, "the same", 0.3,
-     draw_stress_history, judged<judge_the_same>},
+     draw_stress_history, judge_difference},
     {},
 };

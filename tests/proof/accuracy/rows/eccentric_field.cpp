@@ -17,6 +17,7 @@
  * library found: its rows judge them. */
 #include <initializer_list>
 #include <math.h>
+#include <vector>
 
 #ifdef BALLS_IN_FLINT
 #include <flint/acb_calc.h>
@@ -30,22 +31,30 @@
 namespace
 {
 
+/* An end of the rounding inside: its jump, psi and phi. */
+struct breakpoint {
+    ball k, psi, cosine, sine, constant; /* (cos phi - psi sin phi)/pi */
+};
+
 struct patch {
     ball middle, half, a, tilt;
-    ball phi[2], k[2]; /* of ends inside */
-    int ends;
     ball rate; /* of the slope, left of the first end inside: k_left */
+    std::vector<breakpoint> ends;
 };
+
+breakpoint breakpoint_at(const ball &place, const ball &k)
+{
+    const ball phi = asin(place), psi = pi() / 2 - phi, cosine = cos(phi);
+    return {k, psi, cosine, place, (cosine - psi * place) / pi()};
+}
 
 patch patch_of(const ball &a, const ball_edges &e)
 {
     const carried c = carried_by(a, e);
-    patch p = {c.middle, c.half, a, c.tilt, {}, {}, 0, -a <= e.left ? 1 / a : 0};
+    patch p = {c.middle, c.half, a, c.tilt, -a <= e.left ? 1 / a : 0, {}};
     for (const ball &at : {-a, a})
-        if (!(at <= e.left) && !(at >= e.right)) {
-            p.k[p.ends] = -1 / at;
-            p.phi[p.ends++] = asin((at - p.middle) / p.half);
-        }
+        if (!(at <= e.left) && !(at >= e.right))
+            p.ends.push_back(breakpoint_at((at - p.middle) / p.half, -1 / at));
     return p;
 }
 
@@ -66,48 +75,41 @@ place place_of(const patch &p, const complex_ball &z)
     return {sine, over_i(X), q, over_i(log(q))};
 }
 
-/* u ln u, for Re u >= 0 or nearly so. Where u may be 0: r (|ln r| + 4) bounds it for |u| <= r <=
- * 1/e, as |arg u| <= pi. */
-complex_ball times_own_logarithm(const complex_ball &u)
+/* u ln u of that logarithm, for Re u >= 0 or nearly so. Where u may be 0: r (|ln r| + 4) bounds
+ * it for |u| <= r <= 1/e, as |arg u| <= pi. */
+complex_ball times_own_logarithm(const complex_ball &u, const complex_ball &logarithm)
 {
     if (!contains_zero(u))
-        return u * log(u);
+        return u * logarithm;
     const ball r = upper_bound(u);
     if (!(r < 0.36))
-        return u * log(u);
+        return u * logarithm;
     const ball bound = r * (log(r) - 4);
     return {widened(0, bound), widened(0, bound)};
 }
 
-/* L_j, (sin zeta - sin phi_j) L_j, and psi, cos(phi), sin(phi). With L_j = ln(A) - ln(B) - i
- * psi_j, sin zeta - sin phi_j = (i B/2q) A. */
-struct patch_end {
+/* L_j, (sin zeta - sin phi_j) L_j. With L_j = ln(A) - ln(B) - i psi_j, sin zeta - sin phi_j = (i
+ * B/2q) A. */
+struct term {
     complex_ball L, product;
-    ball psi, cosine, sine;
-
-    ball constant() const { return (cosine - psi * sine) / pi(); }
 };
 
-patch_end end_of(const patch &p, int j, const place &at)
+term term_of(const breakpoint &end, const place &at)
 {
-    const ball psi = pi() / 2 - p.phi[j], cosine = cos(p.phi[j]), sine = sin(p.phi[j]);
-    const complex_ball A = 1 - complex_ball(cosine, -sine) * at.q,
-                       B = 1 + complex_ball(cosine, sine) * at.q;
-    const complex_ball rest = log(B) + complex_ball(0, psi);
-    return {log(A) - rest, times_own_logarithm(A) * times_i(B / at.q) / 2 - (at.sine - sine) * rest,
-            psi, cosine, sine};
+    const complex_ball A = 1 - complex_ball(end.cosine, -end.sine) * at.q,
+                       B = 1 + complex_ball(end.cosine, end.sine) * at.q;
+    const complex_ball ln_A = log(A), rest = log(B) + complex_ball(0, end.psi);
+    return {ln_A - rest,
+            times_own_logarithm(A, ln_A) * times_i(B / at.q) / 2 - (at.sine - end.sine) * rest};
 }
 
-/* G; and y G', if wanted. */
 complex_ball potential_at(const patch &p, const complex_ball &z)
 {
     const place at = place_of(p, z);
-    complex_ball G = p.half * p.rate * (at.sine - times_i(at.cosine)); /* k_left */
-    for (int j = 0; j < p.ends; j++) {
-        const patch_end end = end_of(p, j, at);
-        G += p.k[j] * p.half * (i_over_pi(end.product - end.psi * at.cosine) - end.constant());
-    }
-    return G;
+    complex_ball G = p.rate * (at.sine - times_i(at.cosine)); /* k_left */
+    for (const breakpoint &end : p.ends)
+        G += end.k * (i_over_pi(term_of(end, at).product - end.psi * at.cosine) - end.constant);
+    return p.half * G;
 }
 
 /* y G' */
@@ -117,10 +119,9 @@ complex_ball depth_slope_at(const patch &p, const complex_ball &z)
         return 0;
     const place at = place_of(p, z);
     complex_ball slope = p.rate * (1 + times_i(at.sine / at.cosine)); /* k_left */
-    for (int j = 0; j < p.ends; j++) {
-        const patch_end end = end_of(p, j, at);
-        slope += p.k[j] * i_over_pi(end.L + (end.psi * at.sine + end.cosine) / at.cosine);
-    }
+    for (const breakpoint &end : p.ends)
+        slope +=
+            end.k * i_over_pi(term_of(end, at).L + (end.psi * at.sine + end.cosine) / at.cosine);
     return im(z) * slope;
 }
 
@@ -130,11 +131,10 @@ complex_ball primitive(const patch &p, const complex_ball &z)
     const place at = place_of(p, z);
     const complex_ball zeta_and = at.sine * at.cosine + at.zeta;
     complex_ball sum = p.rate * (sqr(at.sine) - times_i(zeta_and)) / 2;
-    for (int j = 0; j < p.ends; j++) {
-        const patch_end end = end_of(p, j, at);
-        const complex_ball own = end.product * (at.sine - end.sine) +
+    for (const breakpoint &end : p.ends) {
+        const complex_ball own = term_of(end, at).product * (at.sine - end.sine) +
                                  end.cosine * (at.cosine + end.sine * at.zeta) - end.psi * zeta_and;
-        sum += p.k[j] * (i_over_pi(own / 2) - end.constant() * at.sine);
+        sum += end.k * (i_over_pi(own / 2) - end.constant * at.sine);
     }
     return sqr(p.half) * sum;
 }
@@ -385,12 +385,12 @@ ball judge_energy(const probe &call)
 const row ECCENTRIC_FIELD_ROWS[] = {
     {"contact_stresses, off the centre", "after one step of Q and sigma; points dense at all edges",
      "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\|; of the edges found", 1e-13,
-     "1e-13", 1, draw_stresses, judged<judge_stresses>},
+     "1e-13", 1, draw_stresses, judge_stresses},
     {"contact_slip, off the centre", "the same",
      "of f theta b, over 1 - \\|delta\\|; of the edges found", 1e-12, "1e-12", 1, draw_slip,
-     judged<judge_slip>},
+     judge_slip},
     {"contact_dissipated_energy, off the centre", "the same",
      "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|; loads (4)", 1e-12, "1e-12 (4)",
-     0.004, draw_energy, judged<judge_energy>},
+     0.004, draw_energy, judge_energy},
     {},
 };

@@ -67,8 +67,8 @@ ball judge_fatemi_socie(const probe &call)
 
 const row LIFE_ROWS[] = {
     {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1, draw_smith_watson_topper,
-     judged<judge_smith_watson_topper>},
+     judge_smith_watson_topper},
     {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1, draw_fatemi_socie,
-     judged<judge_fatemi_socie>},
+     judge_fatemi_socie},
     {},
 };

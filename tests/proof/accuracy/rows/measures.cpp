@@ -134,11 +134,10 @@ struct wave {
     {
         return {mean - w.mean, cosine - w.cosine, sine - w.sine};
     }
-    wave operator*(const ball &x) const { return {mean * x, cosine * x, sine * x}; }
-};
-
-struct direction {
-    ball cosine, sine;
+    wave operator*(const ball &x) const
+    {
+        return {mean * x, cosine * x, sine * x};
+    }
 };
 
 ball value_at(const wave &w, const direction &phi)
@@ -213,7 +212,7 @@ void set_best(plane_problem *p, const ball &product)
 void climb(plane_problem *p, const wave &x, const wave &y, const ball &x_bound, const ball &y_bound,
            double phi, double reach)
 {
-    const direction here = {cos(ball(phi)), sin(ball(phi))};
+    const direction here = direction_of(phi);
     const ball X = value_at(x, here), Y = value_at(y, here), product = X * Y;
     if (X > 0 && Y > 0 && product > p->best)
         set_best(p, product);
@@ -246,7 +245,7 @@ void largest_product(plane_problem *p)
 /* The parameter of the plane at the angle. */
 ball product_at(const plane_problem &p, double angle)
 {
-    const direction phi = {cos(ball(2 * angle)), sin(ball(2 * angle))};
+    const direction phi = direction_of(2 * angle);
     ball most, top = value_at(p.range[0], phi), bottom = top;
     for (int i = 0; i < LOADS; i++) {
         const ball range = value_at(p.range[i], phi);
@@ -377,22 +376,22 @@ bool draw_fatemi_socie(probe *call)
 
 const row MEASURE_ROWS[] = {
     {"von_mises", STRESS "; nu", "relative", 4 * EPSILON, "4 eps", 1, draw_von_mises,
-     judged<judge_von_mises>},
+     judge_von_mises},
     {"out_of_plane_stress", "the same", "relative", 4 * EPSILON, "4 eps", 1, draw_out_of_plane,
-     judged<judge_out_of_plane>},
+     judge_out_of_plane},
     {"largest_shear", "the same", "relative", 4 * EPSILON, "4 eps", 1, draw_largest_shear,
-     judged<judge_largest_shear>},
+     judge_largest_shear},
     {"principal_stresses", "the same", "of the larger of \\|s1\\|, \\|s2\\|", 4 * EPSILON, "4 eps",
-     1, draw_principal, judged<judge_principal>},
+     1, draw_principal, judge_principal},
     {"principal_stresses, angle", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_principal,
-     judged<judge_angle>},
+     judge_angle},
     {"smith_watson_topper", "three loads, often equal or opposite", "of s^2 (1+nu)/E", 1e-14,
-     "1e-14", 0.1, draw_smith_watson_topper, judged<judge_plane>},
+     "1e-14", 0.1, draw_smith_watson_topper, judge_plane},
     {"smith_watson_topper_field", "the same, at two points", "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper_field, judged<judge_plane>},
+     draw_smith_watson_topper_field, judge_plane},
     {"fatemi_socie_field", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie_field, judged<judge_plane>},
+     draw_fatemi_socie_field, judge_plane},
     {"fatemi_socie", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie, judged<judge_plane>},
+     draw_fatemi_socie, judge_plane},
     {},
 };

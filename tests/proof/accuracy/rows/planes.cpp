@@ -221,7 +221,7 @@ ball judge_mcdiarmid(const probe &call)
 
 /* ---- Crossland, Dang Van ---- */
 
-bool draw_sphere(probe *call, bool is_dang_van)
+template <bool is_dang_van> bool draw_sphere(probe *call)
 {
     cycle c;
     double nu, value;
@@ -233,18 +233,8 @@ bool draw_sphere(probe *call, bool is_dang_van)
     return true;
 }
 
-bool draw_crossland(probe *call)
-{
-    return draw_sphere(call, false);
-}
-
-bool draw_dang_van(probe *call)
-{
-    return draw_sphere(call, true);
-}
-
 /* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
-ball judge_sphere(const probe &call, bool is_dang_van)
+template <bool is_dang_van> ball judge_sphere(const probe &call)
 {
     const principals s = principals_of(call);
     const outermost at = outermost_of(s);
@@ -256,20 +246,10 @@ ball judge_sphere(const probe &call, bool is_dang_van)
                       (1 + alpha) * at.s);
 }
 
-ball judge_crossland(const probe &call)
-{
-    return judge_sphere(call, false);
-}
-
-ball judge_dang_van(const probe &call)
-{
-    return judge_sphere(call, true);
-}
-
 /* ---- Fields ---- */
 
 /* The difference of a field's second point from the value of that point alone. */
-bool draw_field(probe *call, int criterion)
+template <int criterion> bool draw_field(probe *call)
 {
     cycle c;
     double nu, own, v[FIELD], a[FIELD], o[FIELD], at[3][LOADS * FIELD];
@@ -301,7 +281,7 @@ bool draw_field(probe *call, int criterion)
     return true;
 }
 
-bool draw_sphere_field(probe *call, bool is_dang_van)
+template <bool is_dang_van> bool draw_sphere_field(probe *call)
 {
     cycle c;
     double nu, own = NAN, v[FIELD];
@@ -317,32 +297,6 @@ bool draw_sphere_field(probe *call, bool is_dang_van)
     return true;
 }
 
-#define FIELD_OF(name, criterion)                                                                  \
-    static bool draw_##name##_field(probe *call)                                                   \
-    {                                                                                              \
-        return draw_field(call, criterion);                                                        \
-    }
-FIELD_OF(smith_watson_topper, 0)
-FIELD_OF(fatemi_socie, 1)
-FIELD_OF(findley, 2)
-FIELD_OF(modified_wohler, 3)
-FIELD_OF(mcdiarmid, 4)
-
-bool draw_crossland_field(probe *call)
-{
-    return draw_sphere_field(call, false);
-}
-
-bool draw_dang_van_field(probe *call)
-{
-    return draw_sphere_field(call, true);
-}
-
-ball judge_difference(const probe &call)
-{
-    return fabs(call.result[0]);
-}
-
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
 #define SAME "from one point alone"
 
@@ -350,31 +304,31 @@ ball judge_difference(const probe &call)
 
 const row PLANE_ROWS[] = {
     {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper, judged<judge_smith_watson_topper>},
+     draw_smith_watson_topper, judge_smith_watson_topper},
     {"smith_watson_topper_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_smith_watson_topper_field, judged<judge_difference>},
+     draw_field<0>, judge_difference},
     {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie, judged<judge_fatemi_socie>},
+     draw_fatemi_socie, judge_fatemi_socie},
     {"fatemi_socie_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_fatemi_socie_field, judged<judge_difference>},
-    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judged<judge_findley>},
-    {"findley_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_findley_field,
-     judged<judge_difference>},
+     draw_field<1>, judge_difference},
+    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
+    {"findley_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<2>,
+     judge_difference},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
-     judged<judge_modified_wohler>},
-    {"modified_wohler_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_modified_wohler_field, judged<judge_difference>},
+     judge_modified_wohler},
+    {"modified_wohler_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<3>,
+     judge_difference},
     {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
-     judged<judge_mcdiarmid>},
-    {"mcdiarmid_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_mcdiarmid_field,
-     judged<judge_difference>},
-    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_crossland,
-     judged<judge_crossland>},
-    {"crossland_field", "the same, at two points", SAME, 0, "the same", 1, draw_crossland_field,
-     judged<judge_difference>},
-    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_dang_van,
-     judged<judge_dang_van>},
-    {"dang_van_field", "the same, at two points", SAME, 0, "the same", 1, draw_dang_van_field,
-     judged<judge_difference>},
+     judge_mcdiarmid},
+    {"mcdiarmid_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<4>,
+     judge_difference},
+    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
+     judge_sphere<false>},
+    {"crossland_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<false>,
+     judge_difference},
+    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<true>,
+     judge_sphere<true>},
+    {"dang_van_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<true>,
+     judge_difference},
     {},
 };

@@ -4,6 +4,7 @@
  * them. */
 #include <float.h>
 #include <math.h>
+#include <vector>
 
 #include "references/ball_matrix.hpp"
 #include "rows/rows.hpp"
@@ -214,13 +215,16 @@ ball judge_fit(const probe &call)
     const fit &f = *static_cast<const fit *>(call.object);
     const int n = rwedge_series_terms(f.series);
     ball_matrix normal(n, n), right(n, 1), solution(n, 1);
-    for (int i = 0; i < FIT_SAMPLES; i++)
+    for (int i = 0; i < FIT_SAMPLES; i++) {
+        std::vector<ball> column;
+        for (int k = 1; k <= n; k++)
+            column.push_back(-sin(k * acos(ball(f.x[i]))));
         for (int k = 0; k < n; k++) {
-            const ball t = acos(ball(f.x[i])), column = -sin((k + 1) * t);
-            right.add(k, 0, column * f.p[i]);
+            right.add(k, 0, column[(size_t)k] * f.p[i]);
             for (int l = 0; l < n; l++)
-                normal.add(k, l, column * -sin((l + 1) * t));
+                normal.add(k, l, column[(size_t)k] * column[(size_t)l]);
         }
+    }
     if (!solve(solution, normal, right))
         return unknown();
     ball largest, error;
@@ -259,20 +263,20 @@ ball judge_bound(const probe &call)
 
 const row SERIES_ROWS[] = {
     {"series_coefficient", "k 0 to 499", "from `coefficient`", 1e-300, "the same", 0.3,
-     draw_coefficient, judged<judge_coefficient>},
+     draw_coefficient, judge_coefficient},
     {"series_residual, create", "terms 1 to 1000", "short of the tail's first 200 terms, relative",
-     1e-14, "a bound", 0.1, draw_bound, judged<judge_bound>},
+     1e-14, "a bound", 0.1, draw_bound, judge_bound},
     {"series_residual, fit", "24 samples, 1 to 12 terms", "of the samples' root mean square", 1e-15,
-     "(1e-15)", 0.3, draw_fit, judged<judge_residual>},
+     "(1e-15)", 0.3, draw_fit, judge_residual},
     {"series_fit", "the same", "of the largest coefficient", 1e-13, "(1e-13)", 0.1, draw_fit,
-     judged<judge_fit>},
+     judge_fit},
     {"series_pressure", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_pressure,
-     judged<judge_pressure>},
+     judge_pressure},
     {"series_potential", "1 to 40 terms", MODULI, 1e-14, "(1e-14)", 1, draw_potential,
-     judged<judge_potential>},
+     judge_potential},
     {"series_stress", "1 to 40 terms",
      "of terms times "
      "that sum",
-     1e-14, "(1e-14)", 1, draw_stress, judged<judge_stress>},
+     1e-14, "(1e-14)", 1, draw_stress, judge_stress},
     {},
 };

@@ -78,12 +78,11 @@ ball judge_max_tension(const probe &call)
 
 const row STICK_ROWS[] = {
     {"stick_width", "alpha; Q/(fP) dense at 0, 1", "relative", 1e-14, "1e-14", 1, draw_stick_width,
-     judged<judge_stick_width>},
+     judge_stick_width},
     {"shear_ratio", "alpha; c dense at 0, alpha, 1", "relative", 1e-14, "1e-14", 1,
-     draw_shear_ratio, judged<judge_shear_ratio>},
+     draw_shear_ratio, judge_shear_ratio},
     {"shear", "alpha, c; x dense at 0, ±alpha, ±c, ±1", "of 1 + \\|A p/theta\\|", 1e-14, "1e-14", 1,
-     draw_shear, judged<judge_shear>},
-    {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, draw_max_tension,
-     judged<judge_max_tension>},
+     draw_shear, judge_shear},
+    {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, draw_max_tension, judge_max_tension},
     {},
 };

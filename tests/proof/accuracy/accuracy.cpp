@@ -8,15 +8,18 @@
  * nothing, the bound of the row counts. The figures depend only on calls and seed. */
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "rows/rows.h"
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
 
-enum { BLOCK = 64, THREADS_MAX = 64 };
+#include "rows/rows.hpp"
+
+enum { BLOCK = 64 };
 
 static const row *const SECTIONS[] = {
     LAW_ROWS,       STICK_ROWS,           STRESS_ROWS,  STRENGTH_ROWS, DESIGN_ROWS, HISTORY_ROWS,
@@ -24,61 +27,30 @@ static const row *const SECTIONS[] = {
 
 /* ---- Measuring: the threads take blocks of calls ---- */
 
-typedef struct {
-    const row *claim;
-    uint64_t seed;
-    size_t count, next;
-    pthread_mutex_t lock;
-    double *errors;
-} work;
-
-static size_t take_block(work *w)
+/* The error of each of so many calls. */
+static std::vector<double> measure(const row *claim, uint64_t seed, size_t count)
 {
-    pthread_mutex_lock(&w->lock);
-    const size_t begin = w->next;
-    w->next += BLOCK;
-    pthread_mutex_unlock(&w->lock);
-    return begin;
-}
-
-static void *take_part(void *context)
-{
-    work *w = context;
-    for (size_t begin; (begin = take_block(w)) < w->count;)
-        for (size_t i = begin; i < begin + BLOCK && i < w->count; i++) {
-            probe call;
-            w->errors[i] = probe_error(w->claim, w->seed, i, &call);
-            probe_release(&call);
-        }
-    flint_cleanup();
-    return NULL;
-}
-
-static size_t count_processors(void)
-{
-    const long online = sysconf(_SC_NPROCESSORS_ONLN);
-    return online < 1 ? 1 : online > THREADS_MAX ? THREADS_MAX : (size_t)online;
-}
-
-static void measure(work *w)
-{
-    pthread_t threads[THREADS_MAX];
-    size_t started = 0;
-    while (started + 1 < count_processors() &&
-           pthread_create(&threads[started], NULL, take_part, w) == 0)
-        started++;
-    take_part(w);
-    while (started-- > 0)
-        pthread_join(threads[started], NULL);
+    std::vector<double> errors(count);
+    std::atomic<size_t> next(0);
+    const auto take_part = [&] {
+        for (size_t begin; (begin = next.fetch_add(BLOCK)) < count;)
+            for (size_t i = begin; i < begin + BLOCK && i < count; i++) {
+                probe call;
+                errors[i] = probe_error(claim, seed, i, &call);
+                probe_release(&call);
+            }
+        flint_cleanup();
+    };
+    std::vector<std::thread> threads;
+    while (threads.size() + 1 < std::thread::hardware_concurrency())
+        threads.emplace_back(take_part);
+    take_part();
+    for (std::thread &thread : threads)
+        thread.join();
+    return errors;
 }
 
 /* ---- Reporting ---- */
-
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 static void print_call(FILE *stream, const probe *call, const char *format)
 {
@@ -104,27 +76,17 @@ static void print_breach(const row *claim, const probe *call, double error)
 static bool report(const row *claim, size_t calls, uint64_t seed)
 {
     const double wanted = ceil((double)calls * claim->part);
-    work w = {
-        .claim = claim, .seed = seed, .count = (size_t)wanted, .lock = PTHREAD_MUTEX_INITIALIZER};
-    w.errors = malloc(w.count * sizeof *w.errors);
-    if (!w.errors) {
-        fprintf(stderr, "out of memory\n");
-        exit(EXIT_FAILURE);
-    }
-    measure(&w);
-    size_t worst = 0;
-    for (size_t i = 1; i < w.count; i++)
-        if (w.errors[i] > w.errors[worst])
-            worst = i;
-    const double error = w.errors[worst];
-    qsort(w.errors, w.count, sizeof *w.errors, ascending);
-    const double usual = w.errors[(w.count - 1) * 999 / 1000];
-    free(w.errors);
+    std::vector<double> errors = measure(claim, seed, (size_t)wanted);
+    const auto largest = std::max_element(errors.begin(), errors.end());
+    const size_t worst = (size_t)(largest - errors.begin()), count = errors.size();
+    const double error = *largest;
+    std::sort(errors.begin(), errors.end());
+    const double usual = errors[(count - 1) * 999 / 1000];
     probe call;
     probe_error(claim, seed, worst, &call);
     const bool kept = error <= claim->promised;
     printf("| `%s` | %s | %zu | %.3g | %.3g | %.1e %s | %s%s | ", claim->function, claim->domain,
-           w.count, error / DBL_EPSILON, usual / DBL_EPSILON, error, claim->measure, claim->promise,
+           count, error / DBL_EPSILON, usual / DBL_EPSILON, error, claim->measure, claim->promise,
            kept ? "" : " **broken**");
     print_call(stdout, &call, "%.4g");
     printf(" |\n");
@@ -143,18 +105,18 @@ int main(int count, char *arguments[])
         fprintf(stderr, "usage: accuracy [calls [seed [function]]]\n");
         return 2;
     }
-    bool kept = true, found = false;
+    bool kept = true, is_known = false;
     printf("| `rwedge_` | domain sampled | calls | worst, eps | 99.9 %%, eps | worst, and of what "
            "| promised | worst at |\n"
            "|---|---|---|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof SECTIONS / sizeof SECTIONS[0]; i++)
         for (const row *claim = SECTIONS[i]; claim->function; claim++)
             if (count < 4 || strstr(claim->function, arguments[3])) {
-                found = true;
+                is_known = true;
                 kept &= report(claim, (size_t)calls, seed);
             }
     flint_cleanup();
-    if (!found) {
+    if (!is_known) {
         fprintf(stderr, "accuracy: no row has \"%s\" in its first column\n", arguments[3]);
         return 2;
     }

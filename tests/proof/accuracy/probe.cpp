@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "probe.h"
+#include "probe.hpp"
 
 #include <float.h>
 #include <math.h>
@@ -8,7 +8,7 @@ enum { FIRST_BITS = 128, MOST_BITS = 1 << 14, MOST_DRAWS = 1000 };
 
 /* What the radius of the reference may add to a figure: a ten-thousandth of epsilon, or of the
  * figure. */
-static const double NEGLIGIBLE = 1e-4;
+const double NEGLIGIBLE = 1e-4;
 
 /* Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014:
  * splitmix64. */
@@ -183,43 +183,31 @@ double some_poisson(probe *call)
 
 /* ---- Errors ---- */
 
-void error_over(arb_t error, double result, const arb_t exact, const arb_t scale, slong prec)
+ball error_over(double result, const ball &exact, const ball &scale)
 {
-    arb_t difference;
-    arb_init(difference);
-    arb_set_d(difference, result);
-    arb_sub(difference, difference, exact, prec);
-    if (arb_is_zero(difference)) {
-        arb_zero(error);
-    } else {
-        arb_div(error, difference, scale, prec);
-        arb_abs(error, error);
-    }
-    arb_clear(difference);
+    const ball difference = result - exact;
+    return is_zero(difference) ? 0 : abs(difference / scale);
 }
 
-void relative_error(arb_t error, double result, const arb_t exact, slong prec)
+ball error_over(const double result[3], const tensor &exact, const ball &scale)
 {
-    error_over(error, result, exact, exact, prec);
+    return max(max(error_over(result[0], exact.xx, scale), error_over(result[1], exact.yy, scale)),
+               error_over(result[2], exact.xy, scale));
 }
 
-static bool is_told(const arb_t error)
+ball relative_error(double result, const ball &exact)
 {
-    const double radius = mag_get_d(arb_radref(error));
-    if (!arb_is_finite(error))
-        return false;
-    const double middle = fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR));
-    return radius <= NEGLIGIBLE * fmax(DBL_EPSILON, middle);
+    return error_over(result, exact, exact);
 }
 
-static double upper_bound(const arb_t error)
+ball judge_difference(const probe &call)
 {
-    arf_t bound;
-    arf_init(bound);
-    arb_get_ubound_arf(bound, error, 64);
-    const double upper = arf_get_d(bound, ARF_RND_UP);
-    arf_clear(bound);
-    return fmax(0, upper);
+    return fabs(call.result[0]);
+}
+
+static bool is_told(const ball &error)
+{
+    return is_finite(error) && radius(error) <= NEGLIGIBLE * fmax(DBL_EPSILON, fabs(middle(error)));
 }
 
 static bool is_refused(const probe *call)
@@ -232,26 +220,27 @@ static bool is_refused(const probe *call)
 
 double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
 {
-    *call = (probe){.random = mixed(mixed(seed) + index)};
+    *call = {};
+    call->random = mixed(mixed(seed) + index);
     for (const char *c = claim->function; *c; c++)
         call->random = mixed(call->random + (unsigned char)*c);
     for (int draws = 1; !claim->draw(call); draws++) {
         if (draws == MOST_DRAWS)
             return HUGE_VAL;
         probe_release(call);
-        *call = (probe){.random = call->random};
+        const uint64_t random = call->random;
+        *call = {};
+        call->random = random;
     }
     if (is_refused(call))
         return HUGE_VAL;
-    arb_t error;
-    arb_init(error);
-    slong prec = FIRST_BITS;
-    do
-        claim->judge(error, call, prec);
-    while (!is_told(error) && (prec *= 2) <= MOST_BITS);
-    const double upper = is_told(error) ? upper_bound(error) : HUGE_VAL;
-    arb_clear(error);
-    return upper;
+    for (slong wanted = FIRST_BITS; wanted <= MOST_BITS; wanted *= 2) {
+        const precision here(wanted);
+        const ball error = claim->judge(*call);
+        if (is_told(error))
+            return fmax(0, upper_bound(error));
+    }
+    return HUGE_VAL;
 }
 
 void probe_release(probe *call)

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory diagram of a load history in balls: the path T(s), T = Q/f, whose slopes D weight
+ * the patches of shear traction (lib/README.md, "Load histories"). Loads closer than 2^-(bits/2)
+ * of each other count as equal: what that leaves out is of the order of its square root. */
+#ifndef MEMORY_HPP
+#define MEMORY_HPP
+
+#include <vector>
+
+#include "references/ball.hpp"
+
+/* ratio is the slope D of the path from the corner before. */
+struct corner {
+    ball load, shear, ratio;
+};
+
+/* Corner 0 is the origin. */
+struct path {
+    std::vector<corner> corners{1}; /* of a contact without load */
+
+    int count() const { return (int)corners.size(); }
+    const corner &operator[](int i) const { return corners[(size_t)i]; }
+    const corner &end() const { return corners.back(); }
+
+    /* In a straight line to (load, shear). */
+    void advance(const ball &load, const ball &shear);
+
+    /* The shear where the path has that load. */
+    ball shear_at(const ball &load) const;
+
+  private:
+    int corner_below(const ball &load) const;
+    void push(const ball &load, const ball &shear);
+    void cut_off(const ball &load);
+    void forget(int slip, const ball &load, const ball &shear);
+};
+
+/* -1, 0, 1; 0 for what is below 2^-(bits/2) of the scale. */
+int sign_beside(const ball &value, const ball &scale);
+
+#endif

@@ -1,0 +1,491 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts with a load history: half-widths, tractions, stresses, slip, energy, distance from
+ * yield. */
+#include <float.h>
+#include <math.h>
+
+#include "references/energy.hpp"
+#include "references/root.hpp"
+#include "rows/rows.hpp"
+#include "rwedge.h"
+
+namespace
+{
+
+/* ---- Random histories ---- */
+
+/* Loads of every kind: growing, falling, repeated, in full sliding; never closer to each other
+ * than 1e-3 without being equal, because the library takes loads within rounding of each other
+ * for equal. */
+void some_loads(probe *call, double f, double unit)
+{
+    const int count = 1 + (int)(uniform(call) * uniform(call) * LOADS_MAX);
+    double P = unit * log_between(call, 0.01, 10), Q = 0;
+    for (int i = 0; i < count; i++) {
+        const double kind = uniform(call), old = P;
+        if (i > 1 && kind < 0.2) { /* back to an earlier load */
+            const int again = (int)(uniform(call) * i);
+            P = call->P[again];
+            Q = call->Q[again];
+        } else {
+            if (kind > 0.5)
+                P = unit * log_between(call, 0.01, 10);
+            if (fabs(P / old - 1) < 1e-3)
+                P = old;
+            const double how = uniform(call);
+            Q = f * P *
+                (how < 0.08   ? 1
+                 : how < 0.16 ? -1
+                 : how < 0.2  ? 0
+                              : between(call, -0.999, 0.999));
+        }
+        call->P[i] = P;
+        call->Q[i] = Q;
+    }
+    call->loads = count;
+}
+
+enum { THETA, COMPLIANCE, ROUNDING, FRICTION };
+
+void destroy(void *contact)
+{
+    rwedge_contact_destroy(static_cast<rwedge_contact *>(contact));
+}
+
+/* The contact under its last load. Where a load is refused, NULL and the result NaN: a failure,
+ * because all that is drawn is in the domain. */
+rwedge_contact *some_contact(probe *call)
+{
+    const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
+                 A = argument(call, "A", log_between(call, 1e-6, 1));
+    const double kind = uniform(call), b = log_between(call, 1e-3, 10);
+    const double a = argument(call, "a",
+                              kind < 0.1   ? 0
+                              : kind < 0.2 ? b * 20
+                                           : b * log_between(call, 1e-6, 2));
+    const double f = argument(call, "f", log_between(call, 0.01, 3));
+    some_loads(call, f, theta / A * b);
+    call->result[0] = NAN;
+    rwedge_contact *contact = NULL;
+    if (rwedge_contact_create(theta, a, A, f, &contact) != RWEDGE_OK)
+        return NULL;
+    call->object = contact;
+    call->release = destroy;
+    for (int i = 0; i < call->loads; i++)
+        if (rwedge_contact_load(contact, call->P[i], call->Q[i]) != RWEDGE_OK)
+            return NULL;
+    return contact;
+}
+
+/* Next to an edge of some load, of slip, of the rounding; or anywhere in the contact. */
+double some_contact_place(probe *call, const rwedge_contact *contact)
+{
+    const double *v = call->value, b = rwedge_contact_half_width(contact),
+                 c = rwedge_contact_stick_half_width(contact);
+    const double P = call->P[(int)(uniform(call) * call->loads)], kind = uniform(call);
+    const double mark = kind < 0.2   ? b
+                        : kind < 0.4 ? c
+                        : kind < 0.5 ? v[ROUNDING]
+                        : kind < 0.6 ? rwedge_half_width(v[THETA], v[ROUNDING], v[COMPLIANCE], P)
+                                     : b * uniform(call);
+    return either_sign(call, fabs(mark + either_sign(call, mark * log_between(call, 1e-14, 1))));
+}
+
+template <double (*measured)(const rwedge_contact *)> bool draw_measured(probe *call)
+{
+    call->result[0] = measured(some_contact(call));
+    return true;
+}
+
+/* ---- The exact state ---- */
+
+struct load_point {
+    ball load, shear;
+};
+
+/* P and Q/f of a load; to 8 epsilon full sliding is full sliding. */
+load_point load_of(const probe &call, int i)
+{
+    const double P = call.P[i], Q = call.Q[i], f = call.value[FRICTION];
+    const double last = i > 0 ? call.P[i - 1] : 0;
+    if (fabs(fabs(Q) - f * P) <= 8 * DBL_EPSILON * f * fmax(P, last))
+        return {P, Q > 0 ? P : -P};
+    return {P, ball(Q) / f};
+}
+
+struct state {
+    const probe &call;
+    ball theta, A, a, f, unit; /* unit: theta/A */
+    path now;
+
+    explicit state(const probe &of_call)
+        : call(of_call), theta(call.value[0]), A(call.value[1]), a(call.value[2]), f(call.value[3]),
+          unit(theta / A)
+    {
+    }
+};
+
+void advance(state *s, int i)
+{
+    const load_point to = load_of(s->call, i);
+    s->now.advance(to.load, to.shear);
+}
+
+state run_history(const probe &call)
+{
+    state s(call);
+    for (int i = 0; i < call.loads; i++)
+        advance(&s, i);
+    return s;
+}
+
+/* The half-width under a load of the path. */
+ball width_of(const state &s, const ball &load)
+{
+    const double *v = s.call.value;
+    return half_width(s.a, load / s.unit, rwedge_half_width(v[0], v[2], v[1], middle(load)));
+}
+
+/* D of the corner less that beyond it. */
+ball weight_of(const path &p, int i)
+{
+    return i + 1 < p.count() ? p[i].ratio - p[i + 1].ratio : p[i].ratio;
+}
+
+/* D is a quotient of differences of loads. How much it magnifies their rounding where they are
+ * close to each other; 1 where they differ by 1e-2 of the load or more. */
+double closeness(const probe &call)
+{
+    double factor = 1;
+    for (int i = 1; i < call.loads; i++)
+        if (call.P[i] != call.P[i - 1])
+            factor = fmax(factor, 1e-2 * call.P[i] / fabs(call.P[i] - call.P[i - 1]));
+    return factor;
+}
+
+/* A load of the diagram has the rounding of the largest one: by how much more than 1e-14 a
+ * half-width may be off. */
+double looseness(const state &s, int i)
+{
+    double largest = 0;
+    for (int j = 0; j < s.call.loads; j++)
+        largest = fmax(largest, s.call.P[j]);
+    return fmax(1, largest / middle(s.now[i].load));
+}
+
+/* ---- Half-widths ---- */
+
+ball judge_half_width(const probe &call)
+{
+    const state s = run_history(call);
+    return relative_error(call.result[0], width_of(s, s.now.end().load));
+}
+
+/* The error is that of the stick zone's load, relative to the largest load. */
+ball judge_stick(const probe &call)
+{
+    const state s = run_history(call);
+    const int slip = sign(s.now.end().ratio);
+    int stick = s.now.count() - 1;
+    while (stick > 0 && slip != 0 && is_small(1 - slip * s.now[stick].ratio, 1, (bits - 40) / 2))
+        stick--; /* the ring that ends there slips */
+    if (stick == 0)
+        return relative_error(call.result[0], 0);
+    return relative_error(call.result[0], width_of(s, s.now[stick].load)) / looseness(s, stick);
+}
+
+/* ---- Tractions ---- */
+
+template <bool shear> bool draw_tractions(probe *call)
+{
+    const rwedge_contact *contact = some_contact(call);
+    if (!contact)
+        return true;
+    const double x = argument(call, "x", some_contact_place(call, contact));
+    double p, q;
+    if (rwedge_contact_tractions(contact, 1, &x, &p, &q) != RWEDGE_OK)
+        p = q = NAN;
+    call->result[0] = shear ? q : p;
+    return x != 0;
+}
+
+/* By how much the pressure of a patch changes if its half-widths are off by 1e-14 and by the
+ * rounding of their load. */
+ball change_by_width(const state &s, int i, const ball &width, const ball &x)
+{
+    const ball off = 1e-14 * looseness(s, i);
+    return abs(pressure(s.a, (1 + off) * width, x) - pressure(s.a, (1 - off) * width, x));
+}
+
+/* result, over 1e-13 (theta/A + |p|) f and what half-widths off by 1e-14 change, times 1e-13;
+ * for the pressure over 1e-12 |p| and that, times 1e-12. */
+template <bool shear> ball judge_tractions(const probe &call)
+{
+    const state s = run_history(call);
+    const double x = call.value[4];
+    ball p, q, change, sum;
+    for (int i = 1; i < s.now.count(); i++) {
+        const ball width = width_of(s, s.now[i].load), weight = weight_of(s.now, i);
+        p = pressure(s.a, width, x);
+        q += weight * p;
+        change = change_by_width(s, i, width, x);
+        sum += abs(weight) * change;
+    }
+    const ball unit = s.unit * closeness(call);
+    if (shear)
+        return error_over(call.result[0], q * s.f * s.unit,
+                          (sum / 1e-13 + abs(p) + 1) * s.f * unit);
+    return error_over(call.result[0], p * s.unit, (change / 1e-12 + abs(p)) * unit);
+}
+
+/* ---- Stresses ---- */
+
+bool draw_stresses(probe *call)
+{
+    const rwedge_contact *contact = some_contact(call);
+    if (!contact)
+        return true;
+    const double b = rwedge_contact_half_width(contact), kind = uniform(call);
+    double x = some_contact_place(call, contact),
+           y = kind < 0.2 ? 0 : b * log_between(call, 1e-15, 3);
+    if (kind > 0.9) {
+        x *= log_between(call, 1, 1e4);
+        y *= log_between(call, 1, 1e4);
+    }
+    argument(call, "x", x);
+    argument(call, "y", y);
+    double *r = call->result;
+    if (rwedge_contact_stresses(contact, 1, &x, &y, &r[0], &r[1], &r[2]) != RWEDGE_OK)
+        r[0] = NAN;
+    return x != 0 || y != 0;
+}
+
+/* The traction of the state, for nu. */
+traction traction_of(const state &s, double nu)
+{
+    traction t(s.a, s.f, nu);
+    for (int i = 1; i < s.now.count(); i++)
+        t.add(width_of(s, s.now[i].load), weight_of(s.now, i));
+    return t;
+}
+
+/* The stresses of the patch of one corner, stretched. */
+tensor stresses_of_patch(const state &s, int i, double stretch, const complex_ball &z)
+{
+    traction t(s.a, s.f, 0);
+    t.add(width_of(s, s.now[i].load) * (1 + ball(stretch)), weight_of(s.now, i));
+    t.shear_alone = i + 1 < s.now.count();
+    return stresses_at(t, z);
+}
+
+/* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in
+ * the stresses of the patches. */
+ball stress_change_by_widths(const state &s, const complex_ball &z)
+{
+    ball sum;
+    for (int i = 1; i < s.now.count(); i++) {
+        const double off = 1e-14 * looseness(s, i);
+        const tensor less = stresses_of_patch(s, i, -off, z),
+                     more = stresses_of_patch(s, i, off, z);
+        sum += norm_of({less.xx - more.xx, less.yy - more.yy, less.xy - more.xy});
+    }
+    return sum;
+}
+
+/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths change,
+ * over 1e-13. */
+ball stress_scale(const state &s, const tensor &stresses, const complex_ball &z)
+{
+    const ball b = width_of(s, s.now.end().load);
+    return max(norm_of(stresses), 1 / (1 + abs(z) / b)) * (s.now.count() - 1) +
+           stress_change_by_widths(s, z) / 1e-13;
+}
+
+ball judge_stresses(const probe &call)
+{
+    const state s = run_history(call);
+    const complex_ball z(call.value[4], call.value[5]);
+    const tensor at = stresses_at(traction_of(s, 0), z);
+    return error_over(call.result, {at.xx * s.unit, at.yy * s.unit, at.xy * s.unit},
+                      stress_scale(s, at, z) * closeness(call) * s.unit);
+}
+
+/* ---- Slip ---- */
+
+bool draw_slip(probe *call)
+{
+    const rwedge_contact *contact = some_contact(call);
+    if (!contact)
+        return true;
+    const double x = argument(call, "x", some_contact_place(call, contact));
+    if (fabs(x) > rwedge_contact_half_width(contact))
+        return false;
+    if (rwedge_contact_slip(contact, 1, &x, &call->result[0]) != RWEDGE_OK)
+        call->result[0] = NAN;
+    return true;
+}
+
+/* sum (D_i - D_(i+1)) gap_i(x) - D_1 h(x): the displacement of a path over f theta. */
+ball displacement(const state &s, const path &p, const ball &x)
+{
+    if (p.count() < 2)
+        return 0;
+    ball sum;
+    for (int i = 1; i < p.count(); i++)
+        sum += weight_of(p, i) * gap_of(s.a, width_of(s, p[i].load), x);
+    const ball profile = x < s.a ? sqr(x) / s.a / 2 : x - s.a / 2;
+    return sum - p[1].ratio * profile;
+}
+
+/* The path when the load passed u on its way up. */
+path entry_at(const state &before, int i, const ball &u)
+{
+    path entry = before.now;
+    const corner from = entry.end();
+    const load_point to = load_of(before.call, i);
+    const ball part = (u - from.load) / (to.load - from.load);
+    entry.advance(u, from.shear + (to.shear - from.shear) * part);
+    return entry;
+}
+
+/* w of the present path less w of the path at entry, over f theta b. */
+ball judge_slip(const probe &call)
+{
+    state s(call);
+    path entry;
+    const ball x = fabs(call.value[4]), last = call.P[call.loads - 1];
+    const ball u = min(force(s.a, x) * s.unit, last);
+    for (int i = 0; i < call.loads; i++) {
+        if (s.now.end().load < u && call.P[i] >= u)
+            entry = entry_at(s, i, u);
+        advance(&s, i);
+    }
+    const ball unit = s.f * s.theta, b = width_of(s, s.now.end().load);
+    return error_over(call.result[0],
+                      (displacement(s, s.now, x) - displacement(s, entry, x)) * unit,
+                      b * unit * closeness(call));
+}
+
+/* ---- Energy ---- */
+
+/* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how
+ * far Q/f gets ahead of what sticks, or over the new load. Shares of that rounding alone, A (f P
+ * epsilon)^2, count as none. */
+ball judge_energy(const probe &call)
+{
+    state s(call);
+    ball sum, scale, most;
+    for (int i = 0; i < call.loads; i++) {
+        const load_point to = load_of(call, i);
+        const dissipation share = dissipation_to(s.now, to.load, to.shear, s.a, s.unit);
+        sum += share.energy;
+        scale += share.energy + sqr(to.load) * (DBL_EPSILON * DBL_EPSILON / 1e-14);
+        most = max(most, to.load);
+        if (sign_beside(share.ahead, most) > 0)
+            scale += share.energy * most / min(share.ahead, to.load) * (4 * DBL_EPSILON / 1e-14);
+        advance(&s, i);
+    }
+    const ball unit = sqr(s.f) * s.A / pi();
+    return error_over(call.result[0], sum * unit, scale * unit);
+}
+
+/* ---- Distance from yield ---- */
+
+bool draw_yield_factor(probe *call)
+{
+    const rwedge_contact *contact = some_contact(call);
+    if (!contact)
+        return true;
+    if (call->value[2] == 0)
+        return false;
+    const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)),
+                 k = argument(call, "k", 1);
+    double *r = call->result;
+    if (rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]) != RWEDGE_OK)
+        r[0] = NAN;
+    return true;
+}
+
+/* dJ2/dx along the surface, and its derivative. */
+struct slope_along_surface {
+    const traction &t;
+
+    value_slope operator()(const ball &x) const
+    {
+        const J2_jet J = J2_at(t, x, 2);
+        return {J.x, J.xx};
+    }
+};
+
+/* J2 at the mark next to x, if there is one within 1e-7 of it: the rounding's edge, the edge of
+ * a patch. */
+bool J2_at_mark(ball *J2, const state &s, const traction &t, double x)
+{
+    for (int i = 0; i < s.now.count(); i++) {
+        const ball mark = i == 0 ? s.a : width_of(s, s.now[i].load);
+        if (!(fabs(fabs(x) - middle(mark)) < 1e-7 * middle(mark)))
+            continue;
+        const complex_ball z = x < 0 ? -mark : mark, N = t.whole().potential(z);
+        complex_ball T; /* D = G_T and s = Im G_N - Re G_T */
+        for (const traction::part &p : t.parts)
+            T += t.f * p.weight * p.shape.potential(z);
+        *J2 = dot(T, T) + t.kappa * sqr(im(N) - re(T));
+        return true;
+    }
+    return false;
+}
+
+/* The stationary value next to where the library says the maximum is: below the surface, or at a
+ * mark or along the surface, whichever is higher. */
+bool maximum_next_to(ball *J2, const state &s, const traction &t, double x, double y)
+{
+    const double b = rwedge_contact_half_width(static_cast<rwedge_contact *>(s.call.object));
+    extremum below;
+    if (y > 1e-7 * b) {
+        const bool proved = find_stationary(&below, t, x, y);
+        *J2 = below.J2;
+        return proved;
+    }
+    const bool at_mark = J2_at_mark(J2, s, t, x);
+    ball place;
+    if (!find_zero(&place, x, b, slope_along_surface{t}))
+        return at_mark;
+    const ball along = J2_at(t, place, 0).J2;
+    *J2 = at_mark ? max(*J2, along) : along;
+    return true;
+}
+
+ball judge_yield_factor(const probe &call)
+{
+    const double x = call.result[1], y = call.result[2];
+    const state s = run_history(call);
+    ball J2;
+    if (!maximum_next_to(&J2, s, traction_of(s, call.value[4]), x, y))
+        return unknown();
+    const ball per_root = 1 / sqrt(J2), factor = per_root / s.unit;
+    const ball change = stress_change_by_widths(s, {x, y}) / 1e-12 * per_root;
+    return error_over(call.result[0], factor, factor * (1 + change));
+}
+
+} // namespace
+
+const row HISTORY_ROWS[] = {
+    {"contact_half_width", "1 to 12 loads", "relative", 1e-14, "1e-14", 1,
+     draw_measured<rwedge_contact_half_width>, judge_half_width},
+    {"contact_stick_half_width", "the same", "relative, times its load over the largest (1)", 1e-13,
+     "1e-13", 1, draw_measured<rwedge_contact_stick_half_width>, judge_stick},
+    {"contact_tractions, p", "x dense at the edges", "relative; widths (1)", 1e-12, "1e-12", 1,
+     draw_tractions<false>, judge_tractions<false>},
+    {"contact_tractions, q", "the same", "of f (theta/A + \\|p\\|); widths (1), loads (2)", 1e-13,
+     "1e-13", 1, draw_tractions<true>, judge_tractions<true>},
+    {"contact_stresses", "points dense at the edges",
+     "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1,
+     draw_stresses, judge_stresses},
+    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1,
+     draw_slip, judge_slip},
+    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1,
+     draw_measured<rwedge_contact_dissipated_energy>, judge_energy},
+    {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1,
+     draw_yield_factor, judge_yield_factor},
+    {},
+};

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elastic limits, and the points that yield. */
+#include <math.h>
+
+#include "references/absence.hpp"
+#include "references/root.hpp"
+#include "rows/rows.hpp"
+#include "rwedge.h"
+#include "references/strength.hpp"
+
+namespace
+{
+
+double some_tip(probe *call)
+{
+    const double alpha = some_rounded_alpha(call);
+    return alpha < 1e-14 ? log_between(call, 1e-14, 1) : alpha;
+}
+
+/* Not the sharp wedge, whose limits are exact. */
+void some_strength(probe *call, double v[3])
+{
+    v[0] = argument(call, "alpha", some_tip(call));
+    v[1] = argument(call, "f", some_friction(call));
+    v[2] = argument(call, "nu", some_poisson(call));
+}
+
+/* The maximum at (x, y) of the contact of the first three arguments. */
+bool enclose(extremum *at, const probe &call)
+{
+    const double *v = call.value, x = call.result[1], y = call.result[2];
+    const traction t = sliding_contact(fmin(v[0], 1), v[1], v[2]);
+    return y > 0 ? find_stationary(at, t, x, y) : find_surface_maximum(at, t, x);
+}
+
+/* result[0] is a limit, result[1], result[2] where it is. */
+ball judge_limit(const probe &call)
+{
+    extremum at;
+    if (!enclose(&at, call))
+        return unknown();
+    return relative_error(call.result[0], limit_of(fmin(call.value[0], 1), at.J2));
+}
+
+/* The limit is the smaller one of the two branches, and neither of them is below it. */
+bool draw_elastic_limit(probe *call)
+{
+    double v[3], *r = call->result, limit, x, y;
+    some_strength(call, v);
+    if (rwedge_yield_point(v[0], v[1], v[2], &r[0], &r[1], &r[2]) != RWEDGE_OK)
+        r[0] = NAN;
+    if (rwedge_surface_yield(v[0], v[1], v[2], &limit, &x) == RWEDGE_OK && !(r[0] <= limit))
+        r[0] = NAN;
+    if (rwedge_subsurface_yield(v[0], v[1], v[2], &limit, &x, &y) == RWEDGE_OK && !(r[0] <= limit))
+        r[0] = NAN;
+    if (rwedge_elastic_limit(v[0], v[1], v[2]) != r[0])
+        r[0] = NAN;
+    return v[1] > 0 || v[2] < 0.5 || v[0] < 1; /* the whole surface yields */
+}
+
+bool draw_elastic_limits(probe *call)
+{
+    double v[3], alpha[3], f[3], limit[3], *r = call->result;
+    some_strength(call, v);
+    for (int i = 0; i < 3; i++) {
+        alpha[i] = i == 1 ? v[0] : 0.1 * (i + 1);
+        f[i] = i == 1 ? v[1] : 0.5;
+    }
+    double own;
+    if (rwedge_yield_point(v[0], v[1], v[2], &own, &r[1], &r[2]) != RWEDGE_OK ||
+        rwedge_elastic_limits(3, alpha, f, v[2], limit) != RWEDGE_OK)
+        limit[1] = NAN;
+    r[0] = limit[1];
+    return true;
+}
+
+bool draw_subsurface(probe *call)
+{
+    double v[3], *r = call->result;
+    some_strength(call, v);
+    const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
+    if (status == RWEDGE_EABSENT && !has_maximum_below(v[0], v[1], v[2]))
+        return false;
+    if (status != RWEDGE_OK)
+        r[0] = NAN;
+    return true;
+}
+
+bool draw_surface(probe *call)
+{
+    double v[3], *r = call->result;
+    some_strength(call, v);
+    if (rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) != RWEDGE_OK)
+        r[0] = NAN;
+    return v[2] < 0.5 || v[1] > 0;
+}
+
+/* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next
+ * to it J2 falls by 1 - flatness (distance/depth)^2/2. */
+ball judge_place(const probe &call)
+{
+    extremum at;
+    if (!enclose(&at, call))
+        return unknown();
+    const double *r = call.result, tip = fmin(call.value[0], 1);
+    const ball scale = r[2] == 0 ? tip : hypot(at.x, at.y);
+    return hypot(error_over(r[1], at.x, scale), error_over(r[2], at.y, scale)) *
+           fmin(1, at.flatness);
+}
+
+/* ---- Critical friction ---- */
+
+/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
+ * = -Re G. */
+ball J2_by_friction(const traction &t, const complex_ball &z)
+{
+    const complex_ball G = t.whole().potential(z), H = t.whole().depth_slope(z);
+    const complex_ball Df = times_i(H) + G, D = t.f * Df - H;
+    return 2 * (dot(D, Df) + t.kappa * (t.f * re(G) - im(G)) * re(G));
+}
+
+/* By how much the maximum below exceeds that of the surface, for all f of the ball, and its
+ * derivative by f (that of J2 at the maxima). False where one of them is not proved. */
+bool excess_below(const probe &call, const ball &f, ball *excess, ball *slope)
+{
+    const double *r = call.result;
+    const traction t = sliding_contact(fmin(call.value[0], 1), f, call.value[1]);
+    extremum below, surface;
+    if (!find_stationary(&below, t, r[1], r[2]) || !find_surface_maximum(&surface, t, r[3]))
+        return false;
+    *slope = J2_by_friction(t, {below.x, below.y}) - J2_by_friction(t, surface.x);
+    *excess = below.J2 - surface.J2;
+    return true;
+}
+
+/* The places of both maxima for that friction, in the probe's results. */
+bool find_places(probe *call, double f)
+{
+    double *r = call->result, limit;
+    const double alpha = call->value[0], nu = call->value[1];
+    return rwedge_subsurface_yield(alpha, f, nu, &limit, &r[1], &r[2]) == RWEDGE_OK &&
+           rwedge_surface_yield(alpha, f, nu, &limit, &r[3]) == RWEDGE_OK;
+}
+
+/* The promise lets 0 stand for what is below 1e-7: it is wrong where the maximum below is still
+ * the higher one there. */
+bool is_wrongly_zero(probe *call)
+{
+    static const double LEAST = 1e-7;
+    const precision here(512);
+    ball excess, slope;
+    return find_places(call, LEAST) && excess_below(*call, LEAST, &excess, &slope) && excess > 0;
+}
+
+bool draw_critical_friction(probe *call)
+{
+    const double alpha = argument(call, "alpha", some_tip(call)),
+                 nu = argument(call, "nu", some_poisson(call));
+    double *r = call->result;
+    r[0] = rwedge_critical_friction(alpha, nu);
+    if (r[0] == 0 && !is_wrongly_zero(call))
+        return false;
+    if (r[0] == 0 || !find_places(call, r[0]))
+        r[0] = NAN;
+    return true;
+}
+
+/* The promise is 1e-11 f, or 1e-14/f. */
+ball judge_critical_friction(const probe &call)
+{
+    ball f;
+    const auto balance = [&call](const ball &friction, ball *excess, ball *slope) {
+        return excess_below(call, friction, excess, slope);
+    };
+    if (!find_parameter(&f, call.result[0], balance))
+        return unknown();
+    return error_over(call.result[0], f, max(f, 1e-3 / f));
+}
+
+} // namespace
+
+const row STRENGTH_ROWS[] = {
+    {"elastic_limit, yield_point", "alpha 1e-14 to 1e60; f 0 to 1e6; nu 0 to 0.5", "relative",
+     1e-12, "1e-12", 1, draw_elastic_limit, judge_limit},
+    {"elastic_limits", "the same", "relative", 1e-12, "1e-12", 1, draw_elastic_limits, judge_limit},
+    {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface,
+     judge_limit},
+    {"surface_yield", "the same", "relative", 1e-12, "1e-12", 1, draw_surface, judge_limit},
+    {"subsurface_yield, place", "where it exists", "of \\|z\\|, times flatness", 1e-12,
+     "about 1e-12", 0.1, draw_subsurface, judge_place},
+    {"surface_yield, place", "the same", "of alpha, times flatness", 1e-12, "about 1e-12", 0.1,
+     draw_surface, judge_place},
+    {"critical_friction", "alpha, nu, where not 0", "of max(f, 0.001/f)", 1e-11, "1e-11", 0.1,
+     draw_critical_friction, judge_critical_friction},
+    {},
+};

@@ -33,8 +33,8 @@
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
  * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _copy, _load, _apply, _obstacle, _stress_history, _restore, _cycle_... and
- * rwedge_permanent_stick() allocate.
+ * _create_..., _copy, _load, _apply, _obstacle, _stress_history, _restore, _cycle_... and
+ * both permanent_stick() allocate.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -316,6 +316,30 @@ typedef struct rwedge_contact rwedge_contact;
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 
+/* The same of a flat pad with rounded edges, flat over |x| < a and of the radius R beyond; for
+ * a = 0 a cylinder.                                                                             new
+ *   a  half-width of the flat, length
+ *   R  radius of the edges, length, > 0, at most 1e60
+ * Its slope is (|x| - a)/R beyond the flat, as far as |x| = a + R: a load that would bring the
+ * contact farther is refused with RWEDGE_ERANGE. For theta stands 1 where a function below names
+ * it. All functions serve it as they serve the wedge, but for two of a flat that is not 0 wide, and
+ * of any profile: rwedge_contact_allow_error() refuses them with RWEDGE_EDOMAIN, and the energy of
+ * a step that slips is NaN unless P and M are constant and it does not end in full sliding. The
+ * errors are those of the wedge, over the root of 1 - a/b.
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, double f,
+                                              rwedge_contact **contact);
+
+/* The same of any convex profile, by its slopes: linear between the places, constant beyond. Of an
+ * asymmetric one the contact is off the centre, and tilted, under P alone. It takes the time of as
+ * many wedges as there are parts of the profile in contact.                                     new
+ *   x      length, finite: of each place, from left to right; equal places are a kink
+ *   slope  finite, |slope| < pi/2: the slope there, positive where the profile rises to the right
+ * RWEDGE_EDOMAIN where a place or a slope is less than the one before, where all slopes are equal,
+ * and unless 2 <= n <= 1000; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_create_profile(size_t n, const double x[], const double slope[],
+                                                 double A, double f, rwedge_contact **contact);
+
 /* How much a bulk tension stretches the surface of the half-plane against that of the wedge: A/4 of
  * the tension unless it is set. That is right for bodies of equal compliance. For others it is
  * (1 - nu1^2)/E1 of the tension, E1 and nu1 being those of the half-plane.                      new
@@ -376,7 +400,8 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  * that is this part of f times the peak pressure. The closed form is used wherever it holds, to
  * the same bits, and again after full sliding or separation.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
- * A load may then fail with RWEDGE_ENOCONV, the contact as before: go there in two loads.
+ * A load may then fail with RWEDGE_ENOCONV, the contact as before: go there in two loads. Of a flat
+ * pad and a profile: RWEDGE_EDOMAIN unless it is 0.
  * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 
@@ -412,6 +437,15 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
  * is larger, over 1 - |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
+/* How far the contact reaches beyond the corners of its flat, as rwedge_contact_create_flat() has
+ * it, with the digits that the edges lose where that is little; below 0 where a corner is lifted.
+ * Of other contacts, how far from x = 0.                                                        new
+ *   left, right  length
+ * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Relative error below 1e-14 without a moment; else
+ * that of the edges. */
+RWEDGE_API int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left,
+                                              double *right);
+
 /* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
  * |p|. Those of the contact where there is no such zone.                                        new
  *   left, right  length
@@ -434,7 +468,8 @@ RWEDGE_API size_t rwedge_contact_zone_count(const rwedge_contact *contact);
 RWEDGE_API int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[],
                                         double right[], double slip[]);
 
-/* The angle by which the moment tilts the wedge, rad: |tilt| < theta.                           new
+/* The angle by which the moment tilts the wedge, rad: |tilt| < theta. Of a profile, the slope that
+ * is taken off it, between its outermost slopes.                                                new
  * 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
  * error. */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
@@ -468,6 +503,13 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
 RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
                                           double M1, double Q1, double sigma1, double P2, double M2,
                                           double Q2, double sigma2, double *left, double *right);
+
+/* The same for the pad, the friction and the strain per tension of a contact. Its own loads do not
+ * count. */
+RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
+                                                  double M1, double Q1, double sigma1, double P2,
+                                                  double M2, double Q2, double sigma2, double *left,
+                                                  double *right);
 
 /* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
  * off the centre.

@@ -17,7 +17,7 @@ from header import EQUATION, Function, Interface, Parameter, template
 WIDTH = 128
 # Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
 # field has its own cells.
-NOT_DECLARED = {"contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count",
+NOT_DECLARED = {"contact_create_flat", "contact_create_profile", "contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count",
                 "contact_zones", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
                 "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
 # Declared for the template's own functions.

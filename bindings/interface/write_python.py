@@ -21,7 +21,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     ("HUGE_VAL", "inf"))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
-BY_HAND = {"contact_create", "contact_copy", "contact_destroy", "contact_load", "contact_apply", "contact_half_width", "contact_stick_half_width",
+BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "contact_copy", "contact_destroy", "contact_load", "contact_apply", "contact_half_width", "contact_stick_half_width",
            "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
            "contact_yield_factor", "contact_loads", "contact_state_size", "contact_state", "contact_restore", "series_create",
            "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure",

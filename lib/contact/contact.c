@@ -4,24 +4,44 @@
 
 #include <stdlib.h>
 
-int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
+int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact)
 {
-    const rw_geometry geometry = {theta, a, A};
-    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) ||
-        !rw_is_positive(rw_unit_stress(&geometry)))
-        return RWEDGE_EDOMAIN;
-    if (!contact)
-        return RWEDGE_ENULL;
     rwedge_contact *created = malloc(sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    *created = (rwedge_contact){.geometry = geometry, .f = f, .strain = 1, .is_origin_known = true};
+    *created =
+        (rwedge_contact){.geometry = *geometry, .f = f, .strain = 1, .is_origin_known = true};
     if (!rw_memory_create(&created->memory)) {
         free(created);
         return RWEDGE_ENOMEM;
     }
     *contact = created;
     return RWEDGE_OK;
+}
+
+int32_t rw_contact_create_like(const rwedge_contact *contact, rwedge_contact **like)
+{
+    rw_geometry geometry = contact->geometry;
+    if (geometry.pad) {
+        geometry.pad = rw_pad_copy(geometry.pad);
+        if (!geometry.pad)
+            return RWEDGE_ENOMEM;
+    }
+    const int32_t status = rw_contact_create(&geometry, contact->f, like);
+    if (status != RWEDGE_OK)
+        rw_pad_destroy(geometry.pad);
+    else
+        (*like)->strain = contact->strain;
+    return status;
+}
+
+int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
+{
+    const rw_geometry geometry = {.theta = theta, .a = a, .A = A};
+    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) ||
+        !rw_is_positive(rw_unit_stress(&geometry)))
+        return RWEDGE_EDOMAIN;
+    return contact ? rw_contact_create(&geometry, f, contact) : RWEDGE_ENULL;
 }
 
 int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_tension)
@@ -48,7 +68,10 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     copied->memory = (rw_memory){0};
     copied->origins = (rw_slip_origins){0};
     copied->numerical = NULL;
-    if (!rw_memory_copy(&contact->memory, &copied->memory) ||
+    if (contact->geometry.pad)
+        copied->geometry.pad = rw_pad_copy(contact->geometry.pad);
+    if ((contact->geometry.pad && !copied->geometry.pad) ||
+        !rw_memory_copy(&contact->memory, &copied->memory) ||
         !rw_slip_origins_copy(&contact->origins, &copied->origins) ||
         !rw_numerical_take_over(copied, contact->numerical)) {
         rwedge_contact_destroy(copied);
@@ -65,6 +88,7 @@ void rwedge_contact_destroy(rwedge_contact *contact)
     rw_memory_destroy(&contact->memory);
     rw_slip_origins_destroy(&contact->origins);
     rw_numerical_end(contact);
+    rw_pad_destroy(contact->geometry.pad);
     free(contact);
 }
 

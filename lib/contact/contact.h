@@ -15,7 +15,7 @@ typedef struct {
 } rw_loads;
 
 struct rwedge_contact {
-    rw_geometry geometry;
+    rw_geometry geometry; /* its pad is the contact's own */
     double f;
     double strain; /* of the surface per bulk tension, over A/4: 1 for equal compliances */
     rw_loads loads;
@@ -32,6 +32,18 @@ struct rwedge_contact {
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
 };
+
+/* Without load; the contact takes the geometry's pad over. RWEDGE_ENOMEM. */
+int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
+
+/* The same again without load, with a pad of its own. */
+int32_t rw_contact_create_like(const rwedge_contact *contact, rwedge_contact **like);
+
+/* Room for that many arcs. NULL where memory is short. */
+rw_pad *rw_pad_create(size_t count);
+rw_pad *rw_pad_copy(const rw_pad *pad);
+void rw_pad_destroy(rw_pad *pad); /* NULL is allowed */
+void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
 
 /* What is in the way of a straight line to the loads that is not divided into pieces. */
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
@@ -64,8 +76,8 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
                           const double x[], const double y[], rw_contact_fields *fields);
 
 /* A patch's own fields at n <= RW_BATCH points, and their part of the sum over the patches. */
-void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
-                     rw_fields *fields);
+void rw_patch_fields(const rw_geometry *geometry, rw_patch patch, int n, const double x[],
+                     const double y[], rw_fields *fields);
 void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum);
 
 /* The same of a traction of its own, which is -q: over f. */

@@ -58,9 +58,17 @@ double rwedge_contact_stick_half_width(const rwedge_contact *contact)
     return contact ? rw_patch_half_width(stick_zone(contact)) : NAN;
 }
 
+/* Of a pad, off the slope it was given with. */
+static double tilt_of(const rwedge_contact *contact)
+{
+    const rw_geometry *g = &contact->geometry;
+    const double tilt = g->theta * rw_memory_end(&contact->memory)->tilt;
+    return g->pad && contact->memory.count > 1 ? g->middle_slope + tilt : tilt;
+}
+
 double rwedge_contact_tilt(const rwedge_contact *contact)
 {
-    return contact ? contact->geometry.theta * rw_memory_end(&contact->memory)->tilt : NAN;
+    return contact ? tilt_of(contact) : NAN;
 }
 
 /* ---- What is at an edge ---- */
@@ -77,8 +85,7 @@ int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact, double *no
     const rw_geometry *g = &contact->geometry;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;
     const double b = rw_patch_half_width(patch);
-    const rw_corners corners = rw_corners_of(g->a, patch);
-    const rw_edge_rates rates = rw_patch_edge_rates(&corners);
+    const rw_edge_rates rates = rw_edge_rates_of(g, patch);
     const double pressure = 2 / RW_PI * (g->theta / g->A) * sqrt(2 / b);
     const double tension = (contact->loads.sigma - contact->touched_at) * b / 4 * contact->strain;
     *normal_left = pressure * rates.at_left;

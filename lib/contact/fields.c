@@ -14,7 +14,7 @@ bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
     if (b == 0)
         return true;
     return rw_is_signed(x / b) && rw_is_magnitude(y / b) &&
-           !(contact->geometry.a == 0 && x == 0 && y == 0);
+           !(y == 0 && rw_is_kink(&contact->geometry, x));
 }
 
 /* Where it is no sum of patches. */
@@ -25,21 +25,32 @@ static const rw_traction *shear_of(const rwedge_contact *contact)
 
 /* ---- Tractions ---- */
 
-static double patch_pressure(rw_patch patch, double a, double x)
+static double arc_pressure(rw_arc arc, rw_patch patch, double x)
 {
-    if (rw_patch_middle(patch) == 0)
-        return rw_patch_pressure(a, patch.right, x);
+    rw_eccentric potential;
+    rw_eccentric_init_arc(&potential, arc, patch);
+    return rw_eccentric_at(&potential, x, 0).G_im;
+}
+
+static double patch_pressure(rw_patch patch, const rw_geometry *g, double x)
+{
+    if (!g->pad && rw_patch_middle(patch) == 0)
+        return rw_patch_pressure(g->a, patch.right, x);
     if (x <= patch.left || x >= patch.right)
         return 0;
-    rw_eccentric potential;
-    rw_eccentric_init(&potential, a, patch);
-    return rw_eccentric_at(&potential, x, 0).G_im;
+    if (!g->pad)
+        return arc_pressure(rw_rounding(g->a), patch, x);
+    double sum = 0;
+    for (size_t i = 0; i < g->pad->count; i++)
+        if (rw_arc_is_inside(g->pad->arcs[i], patch))
+            sum += g->pad->weights[i] * arc_pressure(g->pad->arcs[i], patch, x);
+    return sum;
 }
 
 double rw_contact_pressure(const rwedge_contact *contact, double x)
 {
     const rw_geometry *g = &contact->geometry;
-    return rw_unit_stress(g) * patch_pressure(rw_memory_end(&contact->memory)->patch, g->a, x);
+    return rw_unit_stress(g) * patch_pressure(rw_memory_end(&contact->memory)->patch, g, x);
 }
 
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
@@ -56,7 +67,7 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
         const double at = x[i];
         double shear = 0, pressure = 0;
         for (size_t j = 1; j < memory->count; j++) {
-            pressure = rw_unit_stress(g) * patch_pressure(memory->corners[j].patch, g->a, at);
+            pressure = rw_unit_stress(g) * patch_pressure(memory->corners[j].patch, g, at);
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */
@@ -67,14 +78,6 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 }
 
 /* ---- Stresses ---- */
-
-void rw_patch_fields(double a, rw_patch patch, int n, const double x[], const double y[],
-                     rw_fields *fields)
-{
-    rw_eccentric potential;
-    rw_eccentric_init(&potential, a, patch);
-    rw_eccentric_fields(&potential, n, x, y, fields);
-}
 
 static void add(int n, double weight, const double *restrict part, double *restrict sum)
 {
@@ -107,11 +110,35 @@ static void clear(rw_fields *fields, int n)
         rw_put(fields, i, (rw_field){0, 0, 0, 0});
 }
 
+static void arc_fields(rw_arc arc, rw_patch patch, int n, const double x[], const double y[],
+                       rw_fields *fields)
+{
+    rw_eccentric potential;
+    rw_eccentric_init_arc(&potential, arc, patch);
+    rw_eccentric_fields(&potential, n, x, y, fields);
+}
+
+void rw_patch_fields(const rw_geometry *g, rw_patch patch, int n, const double x[],
+                     const double y[], rw_fields *fields)
+{
+    if (!g->pad) {
+        arc_fields(rw_rounding(g->a), patch, n, x, y, fields);
+        return;
+    }
+    clear(fields, n);
+    for (size_t i = 0; i < g->pad->count; i++)
+        if (rw_arc_is_inside(g->pad->arcs[i], patch)) {
+            rw_fields of_arc;
+            arc_fields(g->pad->arcs[i], patch, n, x, y, &of_arc);
+            rw_add_patch(&of_arc, g->pad->weights[i], n, fields);
+        }
+}
+
 static void add_corner(const rwedge_contact *contact, size_t corner, int n, const double x[],
                        const double y[], rw_fields *of_patch, rw_fields *sum)
 {
     const rw_memory *memory = &contact->memory;
-    rw_patch_fields(contact->geometry.a, memory->corners[corner].patch, n, x, y, of_patch);
+    rw_patch_fields(&contact->geometry, memory->corners[corner].patch, n, x, y, of_patch);
     rw_add_patch(of_patch, rw_patch_weight(memory, corner), n, sum);
 }
 

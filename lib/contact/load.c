@@ -37,6 +37,8 @@ static int32_t shear_of(const rwedge_contact *contact, double P, double Q, doubl
 /* Whether lengths and pressures stay in the domain. */
 static bool is_in_range(const rw_geometry *g, double P)
 {
+    if (g->pad)
+        return rw_is_positive(rw_as_length(g, P));
     const double b = rw_half_width(g, P);
     if (!rw_is_contact_size(g, b))
         return false;
@@ -50,7 +52,7 @@ static double share_centred(const rwedge_contact *contact, const rw_step *step)
     const rw_memory *memory = &contact->memory;
     if (contact->f == 0 || memory->count == 1)
         return 0;
-    if (!rw_memory_is_plain(memory, step->to))
+    if (contact->geometry.pad || !rw_memory_is_plain(memory, step->to))
         return rw_path_separates_stuck(step) ? 0 : NAN;
     const rw_geometry *g = &contact->geometry;
     const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
@@ -107,9 +109,11 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
         return RWEDGE_OK;
     }
     step->patch = rw_patch_under_moment(g, to.P, to.M);
-    step->to.tilt = to.M == 0                 ? 0
+    if (g->reach > 0 && fmax(-step->patch.left, step->patch.right) > g->reach)
+        return RWEDGE_ERANGE;
+    step->to.tilt = to.P == 0 || (to.M == 0 && rw_is_symmetric(g)) ? 0
                     : isnan(step->patch.left) ? NAN /* there is no such patch */
-                                              : rw_patch_pressing(g->a, step->patch).tilt;
+                                              : rw_pressing_of(g, step->patch).tilt;
     return RWEDGE_OK;
 }
 
@@ -210,14 +214,14 @@ static double share_of(const rwedge_contact *contact, const rw_step *step,
                        const rw_departure *departure)
 {
     const rw_geometry *g = &contact->geometry;
-    if (step->to.load == 0 || rw_memory_is_plain(&contact->memory, step->to))
+    if (step->to.load == 0 || (!g->pad && rw_memory_is_plain(&contact->memory, step->to)))
         return share_centred(contact, step);
     if (contact->f == 0 || departure->slip == 0)
         return 0;
     if (step->to_P != step->from_P || slides(departure))
         return NAN;
     return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_edge_work(&contact->memory, departure, g->a);
+           rw_edge_work(&contact->memory, departure, g);
 }
 
 static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,

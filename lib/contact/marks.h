@@ -18,8 +18,9 @@ static inline double rw_mark_edge(rw_patch patch, int side)
     return side > 0 ? patch.right : patch.left;
 }
 
-/* The centre, the edges of the contact, and those of the rounding, in this order: part 0 to
- * 2. */
+/* The centre, the edges of the contact, and those of the arcs, in this order: part 0, 1, and so on.
+ */
+int rw_main_parts(const rwedge_contact *contact);
 rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side);
 
 /* A kink of a shear that is no sum of patches. */

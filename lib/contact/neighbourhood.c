@@ -23,15 +23,25 @@ static bool is_far(double from, double radius, double place)
     return fabs(place - from) > FAR * radius;
 }
 
-/* Whether a patch is smooth there: its edges are far away, and the ends of the rounding that are in
- * contact. */
+/* Whether the end of an arc is outside of the patch or far away. */
+static bool is_clear(double end, rw_patch p, double centre, double radius)
+{
+    return end < p.left || end > p.right || is_far(centre, radius, end);
+}
+
+/* Whether a patch is smooth there: its edges are far away, and the ends of arcs in contact. */
 static bool is_smooth(const rwedge_contact *contact, size_t patch, double centre, double radius)
 {
     const rw_patch p = contact->memory.corners[patch].patch;
-    const double a = contact->geometry.a;
-    return is_far(centre, radius, p.left) && is_far(centre, radius, p.right) &&
-           (a > p.right || is_far(centre, radius, a)) &&
-           (-a < p.left || is_far(centre, radius, -a));
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    if (!is_far(centre, radius, p.left) || !is_far(centre, radius, p.right))
+        return false;
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        if (!is_clear(arc.left, p, centre, radius) || !is_clear(arc.right, p, centre, radius))
+            return false;
+    }
+    return true;
 }
 
 typedef struct {
@@ -89,7 +99,7 @@ static void add_patches(const rwedge_contact *contact, size_t first, size_t last
         rw_fields field;
         if (weight == 0)
             continue;
-        rw_patch_fields(contact->geometry.a, contact->memory.corners[i].patch, RW_NODES, x, surface,
+        rw_patch_fields(&contact->geometry, contact->memory.corners[i].patch, RW_NODES, x, surface,
                         &field);
         rw_add_patch(&field, weight, RW_NODES, values);
     }

@@ -330,7 +330,8 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
 {
     if (!contact)
         return RWEDGE_ENULL;
-    if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
+    if (tolerance != 0 && (contact->geometry.pad ||
+                           !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2))))
         return RWEDGE_EDOMAIN;
     contact->tolerance = tolerance;
     return RWEDGE_OK;

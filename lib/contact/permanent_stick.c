@@ -3,10 +3,9 @@
 #include "contact/contact.h"
 
 /* The tension moves nothing before the contact. */
-static int32_t load_once(double theta, double a, double A, double f, rw_loads to,
-                         rwedge_contact **contact)
+static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact **contact)
 {
-    int32_t status = rwedge_contact_create(theta, a, A, f, contact);
+    int32_t status = rw_contact_create_like(like, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);
     if (status == RWEDGE_OK)
@@ -50,24 +49,40 @@ static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, d
     return RWEDGE_OK;
 }
 
-int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1, double M1,
-                               double Q1, double sigma1, double P2, double M2, double Q2,
-                               double sigma2, double *left, double *right)
+int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1, double M1,
+                                       double Q1, double sigma1, double P2, double M2, double Q2,
+                                       double sigma2, double *left, double *right)
 {
-    if (!left || !right)
+    if (!contact || !left || !right)
         return RWEDGE_ENULL;
     rwedge_contact *one = NULL, *two = NULL;
     rw_patch stuck = {0, 0};
-    int32_t status = load_once(theta, a, A, f, (rw_loads){P1, M1, Q1, sigma1}, &one);
+    int32_t status = load_once(contact, (rw_loads){P1, M1, Q1, sigma1}, &one);
     if (status == RWEDGE_OK)
-        status = load_once(theta, a, A, f, (rw_loads){P2, M2, Q2, sigma2}, &two);
+        status = load_once(contact, (rw_loads){P2, M2, Q2, sigma2}, &two);
     if (status == RWEDGE_OK)
-        status = f == 0 ? RWEDGE_EABSENT : permanent(one, two, Q2 < Q1 ? -1 : 1, &stuck);
+        status = contact->f == 0 ? RWEDGE_EABSENT : permanent(one, two, Q2 < Q1 ? -1 : 1, &stuck);
     if (status == RWEDGE_OK) {
         *left = stuck.left;
         *right = stuck.right;
     }
     rwedge_contact_destroy(one);
     rwedge_contact_destroy(two);
+    return status;
+}
+
+int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1, double M1,
+                               double Q1, double sigma1, double P2, double M2, double Q2,
+                               double sigma2, double *left, double *right)
+{
+    rwedge_contact *contact;
+    if (!left || !right)
+        return RWEDGE_ENULL;
+    int32_t status = rwedge_contact_create(theta, a, A, f, &contact);
+    if (status != RWEDGE_OK)
+        return status;
+    status = rwedge_contact_permanent_stick(contact, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left,
+                                            right);
+    rwedge_contact_destroy(contact);
     return status;
 }

@@ -16,11 +16,13 @@
 #include "history/gap.h"
 #include "history/off_centre.h"
 
-/* rw_gap() of a patch of half-width s. */
-static double gap(double a, double s, double x)
+/* The gap of a patch of half-width s in the middle. */
+static double gap(const rw_geometry *g, double s, double x)
 {
+    if (g->pad)
+        return rw_patch_gap(g, (rw_patch){-s, s}, x);
     rw_potential patch;
-    rw_potential_init(&patch, a / s);
+    rw_potential_init(&patch, g->a / s);
     return s * rw_gap(&patch, x / s);
 }
 
@@ -36,7 +38,7 @@ static double displacement(const rwedge_contact *contact, const rw_trail *path, 
         if (s >= x)
             continue;
         const double next = i + 1 < count ? rw_trail_corner(path, i + 1)->ratio : beyond;
-        sum += (corner->ratio - next) * gap(contact->geometry.a, s, x);
+        sum += (corner->ratio - next) * gap(&contact->geometry, s, x);
     }
     return sum;
 }
@@ -52,12 +54,18 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     return displacement(contact, &trail, 0, 1, left->slip, x);
 }
 
+/* The load under which the edge is at x. */
+static double load_up_to(const rw_geometry *g, double x)
+{
+    return g->pad ? rw_normal_load(g, x) : rwedge_normal_load(g->theta, g->a, g->A, x);
+}
+
 /* x >= 0 */
 static double slip_at(const rwedge_contact *contact, double x)
 {
     const rw_geometry *g = &contact->geometry;
     const rw_memory *now = &contact->memory;
-    const double u = fmin(rwedge_normal_load(g->theta, g->a, g->A, x), rw_memory_end(now)->load);
+    const double u = fmin(load_up_to(g, x), rw_memory_end(now)->load);
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
@@ -74,7 +82,7 @@ static double slip_at(const rwedge_contact *contact, double x)
     if (!is_corner && left.slip != 0)
         w -= departure_displacement(contact, &left, x);
     const double at_centre = kept > 1 ? rw_trail_corner(&base, 1)->ratio : after_kept;
-    w -= (now->corners[1].ratio - at_centre) * rw_profile(g->a, x);
+    w -= (now->corners[1].ratio - at_centre) * rw_height(g, x);
     /* what is small last */
     return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
 }
@@ -87,7 +95,7 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
         return 0;
     const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
                             .count = contact->origins.all[0].corners};
-    const double w = rw_path_displacement(&contact->memory, &base, contact->geometry.a, x);
+    const double w = rw_path_displacement(&contact->memory, &base, &contact->geometry, x);
     return contact->f > 1 ? contact->f * w * contact->geometry.theta
                           : contact->geometry.theta * w * contact->f;
 }

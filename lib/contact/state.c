@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-/* Since 2 it has the strain per bulk tension, since 3 what has no closed form. */
+/* Since 2 it has the strain per bulk tension, since 3 what has no closed form and any pad. */
 static const double VERSION = 3;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
@@ -84,9 +84,9 @@ static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
     const rw_patch p = c->patch;
     const double load = rw_as_length(g, c->load);
     if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
-        !(p.left < g->a && p.right > -g->a) || !(fabs(c->tilt) < 1))
+        !(g->pad || (p.left < g->a && p.right > -g->a)) || !(fabs(c->tilt) < 1))
         return false;
-    const rw_pressing carried = rw_patch_pressing(g->a, p);
+    const rw_pressing carried = rw_pressing_of(g, p);
     return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
 }
 
@@ -129,7 +129,7 @@ static bool are_loads_sound(const rwedge_contact *c)
     const rw_corner *end = rw_memory_end(&c->memory);
     if (end->load == 0)
         return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
-    const rw_pressing carried = rw_patch_pressing(g->a, end->patch);
+    const rw_pressing carried = rw_pressing_of(g, end->patch);
     const double arm = fmax(-end->patch.left, end->patch.right);
     return is_near(c->loads.P, end->load, end->load) &&
            is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
@@ -155,6 +155,8 @@ static bool is_shear_sound(const rwedge_contact *c)
         return false;
     if (!c->numerical)
         return true;
+    if (c->geometry.pad)
+        return false;
     const rw_stance *s = &c->numerical->now;
     const rw_patch contact = rw_memory_end(&c->memory)->patch;
     const rw_zones *z = &s->shear.zones;
@@ -348,6 +350,41 @@ static void pass_numerical(tape *t, rwedge_contact *c)
         t->is_short = true;
 }
 
+static bool is_arc_sound(const rw_pad *pad, rw_arc arc, double weight)
+{
+    return arc.left <= arc.right && weight > 0 && weight <= 1 &&
+           (pad->count == 0 || pad->arcs[pad->count - 1].right <= arc.left);
+}
+
+/* What the pad is, if it is not a wedge. */
+static void pass_pad(tape *t, rw_geometry *g)
+{
+    double *const finite[] = {&g->reach, &g->middle_slope};
+    pass_finite(t, 2, finite);
+    t->is_sound = t->is_sound && rw_is_magnitude(g->reach);
+    const size_t count = pass_count(t, g->pad ? g->pad->count : 0, t->in ? t->size / 3 : SIZE_MAX);
+    double all = 0;
+    if (t->in && t->is_sound && count > 0) {
+        g->pad = rw_pad_create(count);
+        t->is_short = !g->pad;
+    }
+    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
+        rw_arc arc = {0, 0};
+        double weight = 0;
+        if (!t->in) {
+            arc = g->pad->arcs[i];
+            weight = g->pad->weights[i];
+        }
+        double *const numbers[] = {&arc.left, &arc.right, &weight};
+        pass_finite(t, 3, numbers);
+        t->is_sound = t->is_sound && (!t->in || is_arc_sound(g->pad, arc, weight));
+        if (t->in && t->is_sound)
+            rw_pad_append(g->pad, arc, weight);
+        all += weight;
+    }
+    t->is_sound = t->is_sound && (count == 0 || is_near(all, 1, 1));
+}
+
 static void pass_contact(tape *t, rwedge_contact *c)
 {
     double *const finite[] = {
@@ -363,6 +400,8 @@ static void pass_contact(tape *t, rwedge_contact *c)
         c->strain = 1;
     pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
     t->geometry = &c->geometry;
+    if (t->version > 2)
+        pass_pad(t, &c->geometry);
     if (t->in && !(rw_is_geometry(t->geometry) && rw_is_positive(rw_unit_stress(t->geometry))))
         t->is_sound = false;
     c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;

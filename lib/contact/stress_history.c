@@ -102,7 +102,7 @@ typedef struct {
 
 /* The points, and a level for each piece; levels[0] is none. */
 typedef struct {
-    double a;
+    const rw_geometry *geometry;
     int n;
     const double *x, *y;
     level *levels;
@@ -114,7 +114,7 @@ static void add_piece(const block *b, size_t at, const piece *next)
     level *l = &b->levels[at];
     if (!is_same_patch(l->patch, next->patch)) {
         l->patch = next->patch;
-        rw_patch_fields(b->a, next->patch, b->n, b->x, b->y, &l->field);
+        rw_patch_fields(b->geometry, next->patch, b->n, b->x, b->y, &l->field);
     }
     l->sum = b->levels[at - 1].sum;
     rw_add_patch(&l->field, next->weight, b->n, &l->sum);
@@ -145,7 +145,7 @@ static void roll(const rwedge_contact *contact, const record *r, level levels[],
 {
     for (size_t start = 0; start < n; start += RW_BATCH) {
         const int size = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
-        block b = {contact->geometry.a, size, x + start, y + start, levels, 0};
+        block b = {&contact->geometry, size, x + start, y + start, levels, 0};
         for (size_t i = 0; i <= r->most; i++)
             levels[i].patch = (rw_patch){0, 0};
         const piece *own = r->own.all;

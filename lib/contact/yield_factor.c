@@ -87,7 +87,7 @@ static double J2_of(const search *s, rw_field normal, rw_field shear)
  * may be the apex of a sharp wedge, which has no stress. Beside it J2 is not high. */
 static double off_apex(const search *s, double x, double y, double r)
 {
-    return s->contact->geometry.a == 0 && fabs(x) + y == 0 ? 1e-3 * r : y;
+    return y == 0 && rw_is_kink(&s->contact->geometry, x) ? 1e-3 * r : y;
 }
 
 /* Of the fields at n points, and at their mirror images for side = -1. */
@@ -246,7 +246,7 @@ static void evaluate_mark(search *s, double at)
 {
     const double surface = 0;
     double J2;
-    if (at != 0 || s->contact->geometry.a > 0)
+    if (!rw_is_kink(&s->contact->geometry, at))
         evaluate(s, 1, &at, &surface, &J2);
 }
 
@@ -360,10 +360,21 @@ static void note_feet(search *s, const polar_grid *grid, int side)
         }
 }
 
+static bool is_smooth_at_centre(const rw_geometry *g)
+{
+    const rw_arcs arcs = rw_arcs_of(g);
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        if (arc.left == 0 || arc.right == 0)
+            return false;
+    }
+    return true;
+}
+
 /* The inner radius of a grid. Around the centre of a rounded wedge all is smooth. */
 static double innermost_radius(const search *s, const rw_mark *m)
 {
-    if (m->at == 0 && s->contact->geometry.a > 0)
+    if (m->at == 0 && is_smooth_at_centre(&s->contact->geometry))
         return 0.05 * m->nearest;
     return fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
 }
@@ -422,7 +433,7 @@ static void search_all(search *s)
     const rwedge_contact *contact = s->contact;
     const rw_neighbourhood whole = rw_neighbourhood_whole(contact);
     const int to = s->is_centred ? 1 : -1;
-    for (int part = 0; part < 3; part++)
+    for (int part = 0; part < rw_main_parts(contact); part++)
         for (int side = 1; side >= (part > 0 ? to : 1); side -= 2) {
             const rw_mark m = rw_main_mark(contact, part, side);
             search_around(s, &m, &whole);
@@ -437,12 +448,23 @@ static void search_all(search *s)
     climb_all(s);
 }
 
-/* The apex of the sharp wedge: its pressure is infinite, and so are the stresses unless the
- * material yields by shape alone and the traction's infinity is stuck. */
+/* At a kink, as the apex of the sharp wedge, the pressure is infinite, and so are the stresses
+ * unless the material yields by shape alone and the traction's infinity is stuck: what counts is
+ * the first patch that has the kink inside. */
 static bool is_infinite(const rwedge_contact *contact, double kappa)
 {
-    return contact->geometry.a == 0 &&
-           (kappa > 0 || contact->f * contact->memory.corners[1].ratio != 0);
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    const rw_memory *memory = &contact->memory;
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        size_t j = 1;
+        while (j < memory->count && !rw_arc_is_inside(arc, memory->corners[j].patch))
+            j++;
+        if (arc.left == arc.right && j < memory->count &&
+            (kappa > 0 || contact->f * memory->corners[j].ratio != 0))
+            return true;
+    }
+    return false;
 }
 
 int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
@@ -457,7 +479,8 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     search s = {.contact = contact,
                 .kappa = rw_plane_strain_weight(nu),
                 .tension = contact->loads.sigma / 2 / rw_unit_stress(&contact->geometry),
-                .is_centred = !contact->numerical && are_centred(&contact->memory),
+                .is_centred = !contact->numerical && rw_is_symmetric(&contact->geometry) &&
+                              are_centred(&contact->memory),
                 .top_radius = HUGE_VAL};
     double found = 0;
     if (!is_infinite(contact, s.kappa)) {

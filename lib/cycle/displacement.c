@@ -88,5 +88,6 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
 {
     if (!contact || !rw_is_positive(b) || contact->memory.count < 2)
         return NAN;
-    return contact->was_off_centre ? off_centre(contact, b) : centred(contact, b);
+    return contact->was_off_centre || contact->geometry.pad ? off_centre(contact, b)
+                                                            : centred(contact, b);
 }

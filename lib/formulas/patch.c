@@ -41,32 +41,31 @@ static double sine_less_arc(double v, double sine, double cosine)
     return sum;
 }
 
-/* v - sin(v) cos(v): of the order (2/3) v^3. */
-static double arc_less_product(double v, double sine, double cosine)
+double rw_arc_less_product(double v, double sine, double cosine)
 {
     return v * sine * sine - cosine * sine_less_arc(v, sine, cosine);
 }
 
 /* With the sines t and cosines c of the two angles, t_1 - t_0 = 2 cos_middle sin_half, c_0 + c_1 =
  * 2 cos_middle cos_half and t_0 + t_1 = 2 sin_middle cos_half. */
-rw_corners rw_corners_of(double a, rw_patch patch)
+rw_corners rw_corners_of(rw_arc arc, rw_patch patch)
 {
-    const double s = rw_patch_half_width(patch), alpha = a / s;
+    const double s = rw_patch_half_width(patch), alpha = rw_arc_half_length(arc) / s;
     rw_corners k = {.alpha = alpha, .per_alpha = alpha < SHARP ? 0 : 1 / alpha};
     for (int i = 0; i < 2; i++) {
-        const double at = i == 0 ? -a : a;
+        const double at = i == 0 ? arc.left : arc.right;
         const double from_left = (at - patch.left) / s, to_right = (patch.right - at) / s;
         k.is_inside[i] = from_left > 0 && to_right > 0;
         k.sine[i] = k.is_inside[i] ? (at - rw_patch_middle(patch)) / s : 2 * i - 1;
         k.cosine[i] = k.is_inside[i] ? sqrt(from_left * to_right) : 0;
     }
     const bool left_inside = k.is_inside[0], right_inside = k.is_inside[1];
-    const double between = right_inside  ? left_inside ? 2 * alpha : (a - patch.left) / s
-                           : left_inside ? (patch.right + a) / s
+    const double centre = arc.left / 2 + arc.right / 2, off = centre - rw_patch_middle(patch);
+    const double between = right_inside  ? left_inside ? 2 * alpha : (arc.right - patch.left) / s
+                           : left_inside ? (patch.right - arc.left) / s
                                          : 2;
-    const double sum = right_inside
-                           ? left_inside ? -2 * (rw_patch_middle(patch) / s) : (a - patch.right) / s
-                       : left_inside ? (-a - patch.left) / s
+    const double sum = right_inside  ? left_inside ? 2 * (off / s) : (arc.right - patch.right) / s
+                       : left_inside ? (arc.left - patch.left) / s
                                      : 0;
     const double over = right_inside && left_inside ? 2 : between * k.per_alpha;
     const double cosines = k.cosine[0] + k.cosine[1];
@@ -88,35 +87,47 @@ rw_edge_rates rw_patch_edge_rates(const rw_corners *k)
 
 /* -<phi> (2/pi). Of both ends inside, phi is the middle and <phi> less than that by what the sine
  * bends; of one, all of the rounding but an angle counts as pi/2. */
-static double tilt_of(const rw_corners *k, double half)
+static double tilt_of(const rw_corners *k, double half, int *side)
 {
+    *side = 0;
     if (k->is_inside[0] && k->is_inside[1]) {
         const double bend =
             half > 0 ? sine_less_arc(half, k->sin_half, k->cos_half) / k->sin_half : 0;
         const double middle = rw_angle(k->cos_middle, k->sin_middle);
         return -2 / RW_PI * (middle - k->sin_middle / k->cos_middle * bend);
     }
-    const int in = k->is_inside[1], side = in ? 1 : -1;
-    const double arc = rw_angle(-side * k->sine[in], k->cosine[in]);
-    return side *
-           (1 - sine_less_arc(arc, k->cosine[in], -side * k->sine[in]) / RW_PI * k->per_alpha);
+    const int in = k->is_inside[1];
+    *side = in ? 1 : -1;
+    const double arc = rw_angle(-*side * k->sine[in], k->cosine[in]);
+    return -*side *
+           (sine_less_arc(arc, k->cosine[in], -*side * k->sine[in]) / RW_PI * k->per_alpha);
 }
 
-rw_pressing rw_patch_pressing(double a, rw_patch patch)
+rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side)
 {
     const double m = rw_patch_middle(patch), s = rw_patch_half_width(patch);
-    if (patch.left >= -a && patch.right <= a) { /* Hertz */
-        const double load = RW_HALF_PI * s * (s / a);
-        return (rw_pressing){load, m * load, m / a};
+    if (rw_arc_covers(arc, patch)) {
+        const double a = rw_arc_half_length(arc), load = RW_HALF_PI * s * (s / a);
+        *side = 0;
+        return (rw_pressing){load, m * load, (m - (arc.left / 2 + arc.right / 2)) / a};
     }
-    const rw_corners k = rw_corners_of(a, patch);
+    const rw_corners k = rw_corners_of(arc, patch);
     const double half = k.half_over * k.alpha;
-    const double load = s * (arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
+    const double load = s * (rw_arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
                              2 * k.cos_middle * k.cos_middle * k.sin_half_over * k.cos_half);
     const double c0 = k.cosine[0], c1 = k.cosine[1];
     /* (c0^3 - c1^3)/(6 alpha) */
     const double off = k.sin_middle * k.sin_half_over / 3 * (c0 * c0 + c0 * c1 + c1 * c1);
-    return (rw_pressing){load, m * load + s * s * off, tilt_of(&k, half)};
+    return (rw_pressing){load, m * load + s * s * off, tilt_of(&k, half, side)};
+}
+
+rw_pressing rw_patch_pressing(double a, rw_patch patch)
+{
+    int side;
+    rw_pressing carried = rw_arc_pressing(rw_rounding(a), patch, &side);
+    if (side != 0)
+        carried.tilt += side;
+    return carried;
 }
 
 /* ---- Which patch ---- */

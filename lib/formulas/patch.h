@@ -28,23 +28,58 @@ static inline double rw_patch_half_width(rw_patch patch)
     return patch.right / 2 - patch.left / 2;
 }
 
+/* The height of the profile above its middle at x >= 0, over theta. */
+static inline double rw_wedge_height(double a, double x)
+{
+    return x < a ? x / a * (x / 2) : x - a / 2;
+}
+
+/* A part of the profile with a constant curvature, left <= right: a kink where they are equal. The
+ * wedge's is [-a, a]. */
+typedef struct {
+    double left, right;
+} rw_arc;
+
+static inline rw_arc rw_rounding(double a)
+{
+    return (rw_arc){-a, a};
+}
+
+static inline double rw_arc_half_length(rw_arc arc)
+{
+    return arc.right / 2 - arc.left / 2;
+}
+
+/* Whether a patch has a part of the arc inside; the ends of an arc that is no kink do not count. */
+static inline bool rw_arc_is_inside(rw_arc arc, rw_patch patch)
+{
+    return arc.left < patch.right && arc.right > patch.left;
+}
+
+/* Whether all of the patch is on the arc: Hertz. */
+static inline bool rw_arc_covers(rw_arc arc, rw_patch patch)
+{
+    return patch.left >= arc.left && patch.right <= arc.right;
+}
+
 /* Whether one patch lies inside another, to the rounding that patches of a tilt have. false for
  * NaN. */
 bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt);
 
-/* The ends of the rounding as the patch sees them, at x = -+a; one that is outside counts as the
+/* The ends of an arc as the patch sees them; one that is outside counts as the
  * edge. half is half the angle phi between them, middle the angle midway. */
 typedef struct {
-    double alpha, per_alpha;   /* a/s; its reciprocal, 0 where the wedge is sharp to the last bit */
-    double sine[2], cosine[2]; /* of phi */
-    double sin_half, cos_half; /* half >= 0 */
+    double alpha,
+        per_alpha; /* half the arc over s; its reciprocal, 0 where it is a kink to the last bit */
+    double sine[2], cosine[2];       /* of phi */
+    double sin_half, cos_half;       /* half >= 0 */
     double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
     double sin_middle, cos_middle;   /* cos_middle >= sin_half */
     bool is_inside[2];
 } rw_corners;
 
-/* a >= 0 and left < right, with the rounding at least partly inside. */
-rw_corners rw_corners_of(double a, rw_patch patch);
+/* left < right, with the arc at least partly inside. */
+rw_corners rw_corners_of(rw_arc arc, rw_patch patch);
 
 /* Load, moment about x = 0, tilt. */
 typedef struct {
@@ -52,6 +87,14 @@ typedef struct {
 } rw_pressing;
 
 rw_pressing rw_patch_pressing(double a, rw_patch patch);
+
+/* The same of the wedge that an arc is the rounding of, but for the part `side` of the tilt: -1, 1
+ * or 0. An arc on the right of the patch makes the tilt -1 and one on its left 1; where it reaches
+ * in, the rest is small. */
+rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side);
+
+/* v - sin(v) cos(v), 0 <= v <= pi/2: of the order (2/3) v^3. */
+double rw_arc_less_product(double v, double sine, double cosine);
 
 /* How fast the edges move: a load dP and a tilt d delta move the right edge by (dP + pi s d
  * delta)/(2 at_right) and the left one by -(dP - pi s d delta)/(2 at_left). The pressure falls to

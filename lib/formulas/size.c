@@ -25,6 +25,8 @@ double rw_half_width(const rw_geometry *geometry, double P)
 {
     static const double SHARP = 0x1p106; /* of the ratio: sharp to the last bit */
     const double length = geometry->A * P / geometry->theta;
+    if (geometry->pad)
+        return rw_pad_half_width(geometry->pad, length);
     if (geometry->a == 0)
         return length / 2;
     const double ratio = length / geometry->a;
@@ -37,7 +39,7 @@ double rw_half_width(const rw_geometry *geometry, double P)
 
 double rwedge_half_width(double theta, double a, double A, double P)
 {
-    const rw_geometry geometry = {theta, a, A};
+    const rw_geometry geometry = {.theta = theta, .a = a, .A = A};
     if (!rw_is_geometry(&geometry) || !rw_is_magnitude(P))
         return NAN;
     const double b = rw_half_width(&geometry, P);
@@ -52,12 +54,16 @@ static double load_per_width(double a, double b)
 
 double rw_normal_load(const rw_geometry *geometry, double b)
 {
-    return b == 0 ? 0 : rw_unit_stress(geometry) * b * load_per_width(geometry->a, b);
+    if (b == 0)
+        return 0;
+    return rw_unit_stress(geometry) * (geometry->pad
+                                           ? rw_pad_pressing(geometry->pad, (rw_patch){-b, b}).load
+                                           : b * load_per_width(geometry->a, b));
 }
 
 double rwedge_normal_load(double theta, double a, double A, double b)
 {
-    const rw_geometry geometry = {theta, a, A};
+    const rw_geometry geometry = {.theta = theta, .a = a, .A = A};
     if (!rw_is_geometry(&geometry) || !rw_is_magnitude(b))
         return NAN;
     return b == 0 || rw_is_contact_size(&geometry, b) ? magnitude(rw_normal_load(&geometry, b))
@@ -72,13 +78,32 @@ static rw_patch centred(const rw_geometry *g, double P)
 
 rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
 {
+    if (g->pad && P > 0)
+        return rw_pad_patch_of_moment(g->pad, rw_as_length(g, P), rw_as_length(g, M));
     return M == 0 ? centred(g, P)
                   : rw_patch_of_moment(g->a, rw_as_length(g, P), rw_as_length(g, M));
 }
 
 rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
 {
-    if (tilt == 0)
+    if (tilt == 0 && (rw_is_symmetric(g) || P == 0))
         return centred(g, P);
-    return fabs(tilt) < 1 ? rw_patch_of_tilt(g->a, rw_as_length(g, P), tilt) : (rw_patch){NAN, NAN};
+    if (!(fabs(tilt) < 1))
+        return (rw_patch){NAN, NAN};
+    const double length = rw_as_length(g, P);
+    return g->pad ? rw_pad_patch_of_tilt(g->pad, length, tilt)
+                  : rw_patch_of_tilt(g->a, length, tilt);
+}
+
+rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)
+{
+    if (g->pad)
+        return rw_pad_edge_rates(g->pad, patch);
+    const rw_corners corners = rw_corners_of(rw_rounding(g->a), patch);
+    return rw_patch_edge_rates(&corners);
+}
+
+double rw_height(const rw_geometry *g, double x)
+{
+    return g->pad ? rw_pad_height(g->pad, x) : rw_wedge_height(g->a, x);
 }

@@ -4,10 +4,13 @@
 #define RW_SIZE_H
 
 #include "base/domain.h"
-#include "formulas/patch.h"
+#include "formulas/pad.h"
 
 typedef struct {
-    double theta, a, A;
+    double theta, a, A; /* a of a pad: where it is curved most, the slope changes by theta over a */
+    rw_pad *pad;        /* NULL for the wedge */
+    double reach;       /* as far as the profile is known, from the centre; 0 where all of it is */
+    double middle_slope; /* of the pad as it was given: between its outermost slopes */
 } rw_geometry;
 
 static inline bool rw_is_angle(double theta)
@@ -47,5 +50,45 @@ double rw_normal_load(const rw_geometry *geometry, double b);
  * the tilt is 1. */
 rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
 rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
+
+/* The arcs of a pad, and the wedge's one. */
+typedef struct {
+    size_t count;
+    rw_arc rounding;
+    const rw_pad *pad;
+} rw_arcs;
+
+static inline rw_arcs rw_arcs_of(const rw_geometry *g)
+{
+    return (rw_arcs){g->pad ? g->pad->count : 1, rw_rounding(g->a), g->pad};
+}
+
+static inline rw_arc rw_arc_at(const rw_arcs *arcs, size_t i)
+{
+    return arcs->pad ? arcs->pad->arcs[i] : arcs->rounding;
+}
+
+/* Whether a patch without moment is in the middle. */
+static inline bool rw_is_symmetric(const rw_geometry *g)
+{
+    return !g->pad || g->pad->is_symmetric;
+}
+
+/* Whether the pressure is infinite there. */
+static inline bool rw_is_kink(const rw_geometry *g, double x)
+{
+    return g->pad ? rw_pad_is_kink(g->pad, x) : g->a == 0 && x == 0;
+}
+
+/* What a patch carries, and how fast its edges move. */
+static inline rw_pressing rw_pressing_of(const rw_geometry *g, rw_patch patch)
+{
+    return g->pad ? rw_pad_pressing(g->pad, patch) : rw_patch_pressing(g->a, patch);
+}
+
+rw_edge_rates rw_edge_rates_of(const rw_geometry *geometry, rw_patch patch);
+
+/* The height of a symmetric profile above its middle, over theta. */
+double rw_height(const rw_geometry *geometry, double x);
 
 #endif

@@ -23,7 +23,8 @@
 
 /* One layer: the change of the traction has the load and the moment `inner` inside `from`. */
 typedef struct {
-    double a, weight;
+    const rw_geometry *geometry;
+    double weight;
     rw_patch from, to;
     rw_pressing inner, start, contact;
 } layer;
@@ -50,7 +51,7 @@ static double felt(rw_pressing carried, rw_patch patch, int side)
 static double rate(const layer *l, double t)
 {
     const rw_patch v = patch_at(l, t);
-    const rw_pressing here = rw_patch_pressing(l->a, v), none = {0, 0, 0};
+    const rw_pressing here = rw_pressing_of(l->geometry, v), none = {0, 0, 0};
     const rw_pressing in = sum(l->inner, l->weight, here, l->start),
                       out = sum(none, 1, l->contact, here);
     const double right = felt(in, v, 1) * felt(out, v, 1) * (l->to.right - l->from.right);
@@ -78,18 +79,25 @@ static double passing(double from, double to, double place)
     return (from < place) != (to < place) ? (place - from) / (to - from) : 1;
 }
 
-/* Panels end where an edge passes the end of the rounding, and where the patch has four times the
- * width, however narrow the front is: there is a pole where it has none. */
+static double earlier(double end, double t, double next)
+{
+    return end > t && end < next ? end : next;
+}
+
+/* Panels end where an edge passes the end of an arc, and where the patch has four times the width,
+ * however narrow the front is: there is a pole where it has none. */
 static double next_end(const layer *l, double t)
 {
     const double from = rw_patch_half_width(l->from), to = rw_patch_half_width(l->to);
-    const double ends[] = {passing(l->from.left, l->to.left, -l->a),
-                           passing(l->from.right, l->to.right, l->a),
-                           passing(from, to, 4 * (from + t * (to - from)))};
-    double next = 1;
-    for (int i = 0; i < 3; i++)
-        if (ends[i] > t && ends[i] < next)
-            next = ends[i];
+    const rw_arcs arcs = rw_arcs_of(l->geometry);
+    double next = earlier(passing(from, to, 4 * (from + t * (to - from))), t, 1);
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        next = earlier(passing(l->from.left, l->to.left, arc.left), t, next);
+        next = earlier(passing(l->from.right, l->to.right, arc.right), t, next);
+        next = earlier(passing(l->from.left, l->to.left, arc.right), t, next);
+        next = earlier(passing(l->from.right, l->to.right, arc.left), t, next);
+    }
     return next;
 }
 
@@ -103,12 +111,12 @@ static double layer_integral(const layer *l)
     return sum;
 }
 
-double rw_edge_work(const rw_memory *path, const rw_departure *departure, double a)
+double rw_edge_work(const rw_memory *path, const rw_departure *departure, const rw_geometry *g)
 {
     const rw_corner *front = &departure->corner;
     const rw_patch contact = rw_memory_end(path)->patch;
-    layer l = {.a = a, .to = front->patch, .contact = rw_patch_pressing(a, contact)};
-    rw_pressing reached = rw_patch_pressing(a, front->patch);
+    layer l = {.geometry = g, .to = front->patch, .contact = rw_pressing_of(g, contact)};
+    rw_pressing reached = rw_pressing_of(g, front->patch);
     double sum_of_all = 0;
     for (size_t i = departure->kept; i < path->count; i++) {
         const rw_corner *corner = &path->corners[i];
@@ -117,7 +125,7 @@ double rw_edge_work(const rw_memory *path, const rw_departure *departure, double
         l.start = reached;
         l.weight = 1 - departure->slip * corner->ratio;
         sum_of_all += layer_integral(&l);
-        reached = rw_patch_pressing(a, l.to);
+        reached = rw_pressing_of(g, l.to);
         l.inner = sum(l.inner, l.weight, reached, l.start);
     }
     return fmax(0, sum_of_all / (2 * RW_PI));

@@ -12,6 +12,7 @@
 #include "history/gap.h"
 
 #include "base/domain.h"
+#include "formulas/patch.h"
 #include "stress/far_series.h"
 #include "base/integral.h"
 
@@ -83,17 +84,12 @@ static double far_primitive(const rw_potential *p, double x)
     return constant + sum / 2;
 }
 
-double rw_profile(double a, double x)
-{
-    return x < a ? x / a * (x / 2) : x - a / 2;
-}
-
 double rw_gap(const rw_potential *potential, double x)
 {
     if (x <= 1)
         return 0;
     if (x > FAR)
-        return rw_profile(potential->alpha, x) - far_primitive(potential, x);
+        return rw_wedge_height(potential->alpha, x) - far_primitive(potential, x);
     const double X = sqrt((x - 1) * (x + 1));
     if (potential->alpha >= 1) {
         const double beyond = fmax(x - potential->alpha, 0);

@@ -5,9 +5,6 @@
 
 #include "stress/potential.h"
 
-/* The profile h(x) at x >= 0, over theta. */
-double rw_profile(double a, double x);
-
 /* How far the profile h(x) lies above the surface that a contact of half-width 1 has deformed,
  * at x >= 0, in theta:
  *     gap = int_0^x (g - Re G) dx,   g = x/alpha for x < alpha, 1 beyond.

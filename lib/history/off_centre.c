@@ -19,7 +19,8 @@
 /* ---- The gap, on the right of a patch ---- */
 
 typedef struct {
-    double a, m, s, delta;
+    double m, s, delta;
+    rw_arc arc;
     rw_patch patch;
     rw_corners ends;
     double clear[2]; /* 1 - t, exactly */
@@ -141,16 +142,16 @@ static double w_at(const outside *o, double right, double x)
 }
 
 /* The formulas hold as far as the profile is what they take it for. */
-static outside outside_of(double a, rw_patch patch)
+static outside outside_of(rw_arc arc, rw_patch patch)
 {
-    outside o = {.a = a,
+    outside o = {.arc = arc,
                  .patch = patch,
                  .m = rw_patch_middle(patch),
                  .s = rw_patch_half_width(patch),
-                 .ends = rw_corners_of(a, patch),
-                 .flank = patch.right >= a};
-    o.clear[0] = (patch.right + a) / o.s;
-    o.clear[1] = (patch.right - a) / o.s;
+                 .ends = rw_corners_of(arc, patch),
+                 .flank = patch.right >= arc.right};
+    o.clear[0] = (patch.right - arc.left) / o.s;
+    o.clear[1] = (patch.right - arc.right) / o.s;
     return o;
 }
 
@@ -158,7 +159,7 @@ static outside outside_of(double a, rw_patch patch)
 static double right_gap(outside *o, double x)
 {
     const double whole = w_at(o, o->patch.right, x);
-    const double rounding = o->flank ? whole : fmin(whole, w_at(o, o->patch.right, o->a));
+    const double rounding = o->flank ? whole : fmin(whole, w_at(o, o->patch.right, o->arc.right));
     const double closed = fmin(rounding, FAR);
     double gap =
         2 / RW_PI * (closed < NEAR ? integrate(slope, o, 0, closed) : primitive(o, closed));
@@ -166,42 +167,60 @@ static double right_gap(outside *o, double x)
         gap += 2 / RW_PI * integrate(slope, o, closed, rounding);
     const double from = o->flank ? closed : rounding;
     if (from < whole) {
-        o->delta = rw_patch_pressing(o->a, o->patch).tilt;
-        rw_eccentric_init(&o->potential, o->a, o->patch);
+        int side;
+        o->delta = rw_arc_pressing(o->arc, o->patch, &side).tilt;
+        o->delta += side;
+        rw_eccentric_init_arc(&o->potential, o->arc, o->patch);
         gap += integrate(plain_slope, o, from, whole);
     }
     return o->s * gap;
 }
 
-double rw_patch_gap(double a, rw_patch patch, double x)
+/* Of the wedge that an arc is the rounding of, x outside. */
+static double arc_gap(rw_arc arc, rw_patch patch, double x)
 {
+    const bool is_right = x > patch.right;
+    outside o = is_right ? outside_of(arc, patch)
+                         : outside_of((rw_arc){-arc.right, -arc.left},
+                                      (rw_patch){-patch.right, -patch.left});
+    return right_gap(&o, is_right ? x : -x);
+}
+
+double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
+{
+    const rw_pad *pad = g->pad;
     if (x >= patch.left && x <= patch.right)
         return 0;
-    const bool is_right = x > patch.right;
-    outside o = outside_of(a, is_right ? patch : (rw_patch){-patch.right, -patch.left});
-    return right_gap(&o, is_right ? x : -x);
+    if (!pad)
+        return arc_gap(rw_rounding(g->a), patch, x);
+    double sum = rw_pad_rise(pad, patch, x);
+    for (size_t i = 0; i < pad->count; i++)
+        if (rw_arc_is_inside(pad->arcs[i], patch))
+            sum += pad->weights[i] * arc_gap(pad->arcs[i], patch, x);
+    return sum;
 }
 
 /* ---- Displacement ---- */
 
 /* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
-static double displacement(const rw_memory *path, size_t first, double a, double x)
+static double displacement(const rw_memory *path, size_t first, const rw_geometry *g, double x)
 {
     double sum = 0;
     for (size_t i = first; i < path->count; i++) {
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
-        sum += (path->corners[i].ratio - beyond) * rw_patch_gap(a, path->corners[i].patch, x);
+        sum += (path->corners[i].ratio - beyond) * rw_patch_gap(g, path->corners[i].patch, x);
     }
     if (first > 1 && first < path->count)
-        sum -= path->corners[first].ratio * rw_patch_gap(a, path->corners[first - 1].patch, x);
+        sum -= path->corners[first].ratio * rw_patch_gap(g, path->corners[first - 1].patch, x);
     return sum;
 }
 
-double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, double a, double x)
+double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, const rw_geometry *g,
+                            double x)
 {
     /* they differ before one of them ends, because one has slipped where the other has not: at a
      * front inside a layer of the other, or by the slope of a layer */
     const rw_trail other = rw_memory_trail(beyond);
     const size_t common = rw_memory_common(path, &other);
-    return displacement(path, common, a, x) - displacement(beyond, common, a, x);
+    return displacement(path, common, g, x) - displacement(beyond, common, g, x);
 }

@@ -27,9 +27,10 @@ static const double ROUNDING = 1e-12, EDGE_ROUNDING = 8 * DBL_EPSILON;
 enum { HALVINGS = 16 };
 
 typedef struct {
+    const rw_geometry *geometry;
     const rw_memory *path;
     const rw_departure *departure;
-    double a, edge_error;
+    double edge_error;
     bool is_right;
 } zone;
 
@@ -55,7 +56,8 @@ typedef struct {
 
 static void add_gap(const zone *z, size_t i, double weight, double x, estimate *sum)
 {
-    const double gap = rw_patch_gap(z->a, patch_of(z, i), x), distance = fabs(x - edge_of(z, i));
+    const double gap = rw_patch_gap(z->geometry, patch_of(z, i), x),
+                 distance = fabs(x - edge_of(z, i));
     sum->value += weight * gap;
     if (gap > 0)
         sum->error += (ROUNDING + 1.5 * z->edge_error / distance) * fabs(weight) * gap;
@@ -105,11 +107,11 @@ static bool slips_one_way(const zone *z)
     return true;
 }
 
-bool rw_slips_one_way(const rw_memory *path, const rw_departure *departure, double a)
+bool rw_slips_one_way(const rw_memory *path, const rw_departure *departure, const rw_geometry *g)
 {
     const rw_corner *end = rw_memory_end(path);
     const double reach = fmax(fabs(end->patch.left), fabs(end->patch.right));
     const double error = EDGE_ROUNDING * reach / (1 - fabs(end->tilt));
-    const zone right = {path, departure, a, error, true}, left = {path, departure, a, error, false};
+    const zone right = {g, path, departure, error, true}, left = {g, path, departure, error, false};
     return slips_one_way(&right) && slips_one_way(&left);
 }

@@ -90,7 +90,7 @@ static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_d
     return (d->kept == 1 || rw_patch_is_nested(before->patch, d->corner.patch, tilt)) &&
            rw_patch_is_nested(d->corner.patch, memory->corners[d->kept].patch, tilt) &&
            rw_patch_is_nested(d->corner.patch, patch, tilt) &&
-           rw_slips_one_way(memory, d, s->geometry->a);
+           rw_slips_one_way(memory, d, s->geometry);
 }
 
 /* ---- Constant load and moment ---- */
@@ -131,8 +131,8 @@ static bool is_level(const rw_step *s)
     const rw_corner *end = rw_memory_end(s->memory);
     const rw_patch larger = grows(s) ? s->patch : end->patch;
     const double a = s->geometry->a;
-    const bool is_hertz = larger.left >= -a && larger.right <= a;
-    return (s->from_M == 0 && s->to_M == 0) ||
+    const bool is_hertz = !s->geometry->pad && rw_arc_covers(rw_rounding(a), larger);
+    return (rw_is_symmetric(s->geometry) && s->from_M == 0 && s->to_M == 0) ||
            (is_hertz &&
             (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s, s->to)));
 }
@@ -226,7 +226,7 @@ static station station_at(const rw_step *s, double t, int slip, const station *l
         at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
         loading = (rw_loading){.load = P,
                                .shear = end->shear + t * (s->to.shear - end->shear),
-                               .tilt = rw_patch_pressing(s->geometry->a, at.contact).tilt,
+                               .tilt = rw_pressing_of(s->geometry, at.contact).tilt,
                                .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
     }
     at.front = rw_memory_departure(s->memory, loading);
@@ -326,7 +326,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
     part.to = (rw_loading){.load = at->load,
                            .shear = end->shear + t * (s->to.shear - end->shear),
-                           .tilt = rw_patch_pressing(s->geometry->a, part.patch).tilt,
+                           .tilt = rw_pressing_of(s->geometry, part.patch).tilt,
                            .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
     rw_departure d;
     if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||

@@ -44,7 +44,7 @@ static double half_width_at_yield(double a, const yielding *y)
 
 double rwedge_yield_load(double theta, double a, double A, double f, double nu, double k)
 {
-    const rw_geometry geometry = {theta, a, A};
+    const rw_geometry geometry = {.theta = theta, .a = a, .A = A};
     if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) ||
         !rw_is_positive(k))
         return NAN;

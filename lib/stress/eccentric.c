@@ -11,8 +11,10 @@ static rw_half_view plain_view(const rw_eccentric *p, double side)
     return (rw_half_view){.edge = side > 0 ? p->patch.right : -p->patch.left};
 }
 
-static rw_half_view view_of(const rw_eccentric *p, double side)
+static rw_half_view view_of(const rw_eccentric *p, rw_arc arc, double side)
 {
+    const double left = side > 0 ? arc.left : -arc.right, right = side > 0 ? arc.right : -arc.left;
+    const double centre = left / 2 + right / 2, part = centre - left / 2;
     const rw_corners *k = &p->corners;
     const int first = side > 0 ? 0 : 1;
     const double sin_middle = side * k->sin_middle, up = fmax(sin_middle, 0);
@@ -27,10 +29,13 @@ static rw_half_view view_of(const rw_eccentric *p, double side)
         .clearance =
             sin_middle > 0 ? k->cosine[0] * k->cosine[1] / (k->cos_half + up) : k->cos_half,
     };
-    v.end = -p->a;
+    v.end = left;
+    v.other_end = right;
+    v.centre = centre;
+    v.centre_low = (left / 2 - (centre - part)) + (right / 2 - part);
     if (p->inside == 1) {
         const int in = v.cosine[1] > 0;
-        v.end = in ? p->a : -p->a;
+        v.end = in ? right : left;
         v.side = in ? -1 : 1;
         v.sine[0] = v.sine[in];
         v.cosine[0] = v.cosine[in];
@@ -61,10 +66,10 @@ static void make_series(rw_eccentric *p)
         p->far[n - 1] = (part[n - 1] - part[n + 1]) / n;
 }
 
-void rw_eccentric_init(rw_eccentric *p, double a, rw_patch patch)
+void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
 {
-    const double s = rw_patch_half_width(patch);
-    p->is_centred = rw_patch_middle(patch) == 0;
+    const double s = rw_patch_half_width(patch), a = rw_arc_half_length(arc);
+    p->is_centred = rw_patch_middle(patch) == 0 && arc.right == -arc.left;
     if (p->is_centred) { /* all it takes, and quick */
         rw_potential_init_patch(&p->centred, a, s);
         return;
@@ -74,17 +79,22 @@ void rw_eccentric_init(rw_eccentric *p, double a, rw_patch patch)
                         .half_width = s,
                         .per_half_width = 1 / s,
                         .a = a};
-    if (patch.left >= -a && patch.right <= a) {
+    if (rw_arc_covers(arc, patch)) {
         p->view[0] = plain_view(p, 1);
         p->view[1] = plain_view(p, -1);
         p->far[0] = RW_HALF_PI * (s / a);
         return;
     }
-    p->corners = rw_corners_of(a, patch);
+    p->corners = rw_corners_of(arc, patch);
     p->inside = p->corners.is_inside[0] + p->corners.is_inside[1];
-    p->view[0] = view_of(p, 1);
-    p->view[1] = view_of(p, -1);
+    p->view[0] = view_of(p, arc, 1);
+    p->view[1] = view_of(p, arc, -1);
     make_series(p);
+}
+
+void rw_eccentric_init(rw_eccentric *p, double a, rw_patch patch)
+{
+    rw_eccentric_init_arc(p, rw_rounding(a), patch);
 }
 
 /* ---- Far away ---- */

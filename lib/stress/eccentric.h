@@ -11,9 +11,10 @@
 /* What a half of the plane, right or left of the patch's middle, sees of the profile; the left
  * half as its mirror image. */
 typedef struct {
-    double edge, end; /* of the patch on this side; of the rounding: the one that is inside, or
-                                     * the left one */
-    double sine[2], cosine[2];       /* of the angles of the rounding's ends */
+    double edge;                     /* of the patch on this side */
+    double end, other_end;           /* of the arc: the one that is inside, or the left one */
+    double centre, centre_low;       /* of the arc, in two parts */
+    double sine[2], cosine[2];       /* of the angles of the arc's ends */
     double sin_middle, slant;        /* slant: the tangent of the angle midway */
     double above, beside, clearance; /* see turn_over() */
     double side;                     /* of the end that is inside, if one is: +1 flank beyond it */
@@ -25,15 +26,19 @@ enum { RW_SERIES_TERMS = 27 };
 typedef struct {
     rw_potential centred;
     rw_patch patch;
-    double middle, half_width, per_half_width, a;
+    double middle, half_width, per_half_width;
+    double a; /* half of the arc */
     rw_corners corners;
     bool is_centred;
-    int inside;                  /* how many ends of the rounding are inside the patch */
+    int inside;                  /* how many ends of the arc are inside the patch */
     rw_half_view view[2];        /* right, left */
     double far[RW_SERIES_TERMS]; /* of the series in R, from R^1 */
 } rw_eccentric;
 
 void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
+
+/* Of an arc that is partly inside the patch. */
+void rw_eccentric_init_arc(rw_eccentric *potential, rw_arc arc, rw_patch patch);
 
 /* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the
  * middle in half-widths, over 1 - |delta|. */

@@ -27,7 +27,7 @@
 
 typedef struct {
     double x, y, beyond; /* from the middle and from the edge */
-    double apex;         /* x from the apex */
+    double apex;         /* x from the middle of the arc */
     double past[2];      /* from the ends of the rounding, or [0] from the one that is inside */
 } rw_side_place;
 
@@ -168,6 +168,9 @@ RW_INLINE rw_half_view blended(const rw_half_view *r, const rw_half_view *l, dou
     return (rw_half_view){
         .edge = rw_if_negative(from_middle, l->edge, r->edge),
         .end = rw_if_negative(from_middle, l->end, r->end),
+        .other_end = rw_if_negative(from_middle, l->other_end, r->other_end),
+        .centre = rw_if_negative(from_middle, l->centre, r->centre),
+        .centre_low = rw_if_negative(from_middle, l->centre_low, r->centre_low),
         .sine = {rw_if_negative(from_middle, l->sine[0], r->sine[0]),
                  rw_if_negative(from_middle, l->sine[1], r->sine[1])},
         .cosine = {rw_if_negative(from_middle, l->cosine[0], r->cosine[0]),
@@ -189,8 +192,8 @@ RW_INLINE rw_side_place rw_side_place_of(const rw_eccentric *p, const rw_half_vi
     return (rw_side_place){.x = (right - sign * p->middle) * per_s,
                            .y = y * per_s,
                            .beyond = (right - v->edge) * per_s,
-                           .apex = right * per_s,
-                           .past = {(right - v->end) * per_s, (right - p->a) * per_s}};
+                           .apex = ((right - v->centre) - v->centre_low) * per_s,
+                           .past = {(right - v->end) * per_s, (right - v->other_end) * per_s}};
 }
 
 /* From the right half to where the point is: G(-conj z) = -conj G'(z), G' being that of the mirror

@@ -20,11 +20,13 @@ NUMBERS = {
 LISTS = {
     "x": [-0.9, 0, 0.9], "y": [0.2, 0.2, 0.2], "alpha": [0.1, 0.25, 1], "f": [0, 0.1, 0.3], "p": [-0.6, -1, -0.6],
     "sxx": [120, -80, 45], "syy": [-64, 31, 15], "txy": [55, -14, 26],
-    "value": [0.1, 0.05, 0.02], "state": "state", "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0],
+    "slope": [-0.01, 0, 0.02], "value": [0.1, 0.05, 0.02], "state": "state",
+    "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0],
 }
 OWN = {("smith_watson_topper_life", "b"): -0.078, ("smith_watson_topper_life", "c"): -0.62, ("fatemi_socie_life", "b"): -0.08,
        ("fatemi_socie_life", "c"): -0.6, ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
-       ("yield_load", "f"): 0.3, ("permanent_stick", "f"): 0.3, ("contact_cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
+       ("yield_load", "f"): 0.3, ("permanent_stick", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
+       ("contact_create_profile", "f"): 0.3, ("contact_cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
        ("contact_apply", "Q"): 500, ("findley", "k"): 0.25, ("findley_field", "k"): 0.25}
 UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
 # What the object of a call is: how it is made, and the calls before.

@@ -30,6 +30,8 @@ NO_OBJECT = "No cell holds an object."
 OTHERS = {
     ("version", "Python"): "rwedge.__version__",
     ("contact_create", "Python"): "contact = rwedge.Contact({})",
+    ("contact_create_flat", "Python"): "contact = rwedge.Contact.flat({})",
+    ("contact_create_profile", "Python"): "contact = rwedge.Contact.profile({})",
     ("contact_copy", "Python"): "copy = contact.copy()",
     ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
     ("series_create", "Python"): "series = rwedge.Series({})",

@@ -74,6 +74,8 @@ static double displaced(const boundary_element *s, size_t i, size_t first, size_
 static double profile(const boundary_element *s, double signed_x)
 {
     const double x = fabs(signed_x);
+    if (s->height)
+        return s->height(signed_x);
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 

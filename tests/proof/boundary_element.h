@@ -21,8 +21,9 @@ typedef enum { STICKS, FORWARD, BACKWARD } motion;
 
 typedef struct {
     double theta, a, A, f;
-    bool even;            /* the elements are those of x > 0, and have their mirror images */
-    size_t n, first, end; /* elements `first` to `end` - 1 are in contact */
+    double (*height)(double x); /* of another profile than the wedge's; NULL: the wedge's */
+    bool even;                  /* the elements are those of x > 0, and have their mirror images */
+    size_t n, first, end;       /* elements `first` to `end` - 1 are in contact */
     double width;
     double x[BOUNDARY_ELEMENTS_MAX], p[BOUNDARY_ELEMENTS_MAX], q[BOUNDARY_ELEMENTS_MAX];
     double displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid one */

@@ -280,16 +280,18 @@ static void damage_that_is_signed_does_no_harm(void **state)
     rwedge_contact_destroy(none);
 }
 
-/* A state of the first version, which did not hold the strain, is that of equal compliances. What
- * has no closed form is at the end since the third. */
+/* A state of the first version, which did not hold the strain, is that of equal compliances. Since
+ * the third, what is no wedge is after the energy, and what has no closed form at the end. */
 static void older_states_are_read(void **state)
 {
     (void)state;
-    enum { STRAIN = 2 + 13, END = 2 }; /* its place; numbers at the end */
+    /* its place; that of three numbers of the pad; numbers at the end */
+    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 2 };
     static double numbers[MOST];
     rwedge_contact *contact = create(0.4, 0.5);
     load(contact, 0.5, 0.1);
-    const size_t n = state_of(contact, numbers);
+    const size_t n = state_of(contact, numbers) - 3;
+    memmove(numbers + PAD, numbers + PAD + 3, (n - PAD) * sizeof *numbers);
     numbers[0] = 2;
     sign(n - END, numbers);
     rwedge_contact *restored = restore(n - END, numbers);

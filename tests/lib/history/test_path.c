@@ -970,8 +970,8 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
 static void a_patch_without_width_ends_the_integral_of_its_gap(void **state)
 {
     (void)state;
-    assert_nan(rw_patch_gap(0.4, (rw_patch){0.1, 0.1}, 0.2));
-    assert_nan(rw_patch_gap(0, (rw_patch){0.5, 0.5}, 0.6));
+    assert_nan(rw_patch_gap(&(rw_geometry){.a = 0.4}, (rw_patch){0.1, 0.1}, 0.2));
+    assert_nan(rw_patch_gap(&(rw_geometry){.a = 0}, (rw_patch){0.5, 0.5}, 0.6));
 }
 
 /* So small a force moves one edge of the slip by less than the rounding of its place. */

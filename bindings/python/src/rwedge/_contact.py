@@ -26,6 +26,7 @@ from ._ufuncs import Points
 from ._validity import warn
 
 _create, _copy, _destroy = (function("contact_" + name) for name in ("create", "copy", "destroy"))
+_create_flat, _create_profile = function("contact_create_flat"), function("contact_create_profile")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
 _half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
@@ -131,11 +132,77 @@ class Contact(ContactMethods, Handle):
 
     def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
                  beta: SupportsFloat = math.nan) -> None:
+        self._is_wedge = True
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
         self._begin(handle)
         warn(theta=self.theta, f=self.f, beta=real("beta", beta))
+
+    @classmethod
+    def cylinder(cls: type[Self], R: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> Self:
+        """A contact of a cylinder of the radius R: ``flat`` with a = 0. Source: new."""
+        return cls.flat(0.0, R, A, f)
+
+    @classmethod
+    def flat(cls: type[Self], a: SupportsFloat, R: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> Self:
+        """A contact of a flat pad with rounded edges.
+
+        Parameters
+        ----------
+        a : float
+            half-width of the flat, length, finite, >= 0
+        R : float
+            radius of the edges, length, finite, > 0
+        A, f : float
+            as for ``Contact``
+
+        Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
+        refused. Source: new.
+        """
+        given = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
+        handle = ctypes.c_void_p()
+        check("contact_create_flat", _create_flat(*given.values(), ctypes.byref(handle)), given)
+        return cls._of_handle(handle)
+
+    @classmethod
+    def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat) -> Self:
+        """A contact of any convex profile, by its slopes: linear between the places, constant beyond.
+
+        Parameters
+        ----------
+        x : array_like
+            length, finite: 2 to 1000 places, from left to right; equal places are a kink
+        slope : array_like
+            the slope at each, of less than pi/2; none is less than the one before
+        A, f : float
+            as for ``Contact``
+
+        Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
+        that where it is curved most. Source: new.
+        """
+        places, slopes = (np.ascontiguousarray(np.asarray(given).astype(float, casting="safe")).ravel() for given in (x, slope))
+        if places.size != slopes.size:
+            raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
+        for i in range(1, places.size):
+            if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
+                raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
+        given, handle = {"A": real("A", A), "f": real("f", f)}, ctypes.c_void_p()
+        status = _create_profile(places.size, places.ctypes.data, slopes.ctypes.data, *given.values(), ctypes.byref(handle))
+        check("contact_create_profile", status, given)
+        return cls._of_handle(handle)
+
+    @classmethod
+    def _of_handle(cls: type[Self], handle: ctypes.c_void_p) -> Self:
+        """What the contact is made of stands in its state."""
+        size = _state_size(handle)
+        numbers = np.empty(size)
+        check("contact_state", _state(handle, size, numbers.ctypes.data))
+        contact = cls.__new__(cls)
+        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
+        contact._is_wedge = numbers[16 + 1] == 0 == numbers[16 + 3]
+        contact._begin(handle)
+        return contact
 
     def _begin(self, handle: ctypes.c_void_p) -> None:
         self._lock = threading.RLock()
@@ -242,6 +309,8 @@ class Contact(ContactMethods, Handle):
             self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
+        if not self._is_wedge:
+            return math.nan
         b = _formula_half_width(self.theta, self.a, self.A, P)
         return self.a / b if b > 0 else math.nan
 
@@ -374,12 +443,10 @@ class Contact(ContactMethods, Handle):
         if status == EDOMAIN:
             raise Error(f"state, of {numbers.size} numbers: they are not those that Contact.state() gives", status)
         check("contact_restore", status)
-        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
-        contact._begin(handle)
-        return contact
+        return cls._of_handle(handle)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters")}
+        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters", "_is_wedge")}
         return type(self).restore, (self.state(),), (own, self._slots())
 
     @property

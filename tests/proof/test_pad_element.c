@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts of a flat pad with rounded edges and of a worn, asymmetric one against the incremental
+ * boundary-element solver, along a history with moment and bulk tension. */
+#include "boundary_element.h"
+#include "histories.h"
+
+#include <stdio.h>
+
+static const double F = 0.5, FLAT = 0.4, RADIUS = 4;
+
+/* The slope of the worn pad: linear between the places. */
+static const double X[] = {-1, -0.4, 0.1, 0.5, 0.9}, SLOPE[] = {-0.12, -0.02, -0.01, 0.05, 0.15};
+
+static double flat_height(double x)
+{
+    const double beyond = fmax(0, fabs(x) - FLAT);
+    return beyond * beyond / (2 * RADIUS);
+}
+
+/* From X[0] on. */
+static double worn_height(double x)
+{
+    double sum = SLOPE[0] * (x - X[0]);
+    for (int i = 1; i < 5; i++) {
+        const double length = X[i] - X[i - 1], in = fmin(fmax(0, x - X[i - 1]), length);
+        const double rise = (SLOPE[i] - SLOPE[i - 1]) / length;
+        sum += rise * (in * in / 2 + in * fmax(0, x - X[i]));
+    }
+    return sum;
+}
+
+static const boundary_loads LOADS[] = {{0.08, 0.006, 0, 0},
+                                       {0.08, 0.006, 0.03, 0.012},
+                                       {0.08, 0.006, -0.02, -0.01},
+                                       {0.08, 0.006, 0.01, 0.005},
+                                       {0.1, 0.0075, 0.01, 0.005}};
+enum { LEGS = sizeof LOADS / sizeof *LOADS };
+
+typedef struct {
+    double pressure, shear, slip, energy;
+    int legs;
+} difference;
+
+static void go(boundary_element *solver, int steps, boundary_loads to)
+{
+    const boundary_loads from = solver->loads;
+    for (int i = 1; i <= steps; i++) {
+        const double t = (double)i / steps;
+        const boundary_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
+                                   from.Q + t * (to.Q - from.Q),
+                                   from.sigma + t * (to.sigma - from.sigma)};
+        assert_int_equal(boundary_element_step(solver, at), 0);
+    }
+}
+
+static void compare(const rwedge_contact *contact, const boundary_element *solver,
+                    difference *worst)
+{
+    double off[2] = {0}, slipped = 0, limit = 0;
+    for (size_t i = 0; i < solver->n; i++) {
+        const double x = solver->x[i];
+        const bool is_at_a_jump = fabs(x - contact->settled.left) < solver->width ||
+                                  fabs(x - contact->settled.right) < solver->width;
+        double w;
+        off[0] += fabs(pressure(contact, x) - solver->p[i]);
+        off[1] += fabs(shear(contact, x) - solver->q[i]);
+        limit += fabs(pressure(contact, x));
+        if (i > solver->first + 1 && i + 2 < solver->end && !is_at_a_jump &&
+            rwedge_contact_slip(contact, 1, &x, &w) == RWEDGE_OK)
+            slipped = fmax(slipped, fabs(w - solver->slip[i]));
+    }
+    worst->pressure = fmax(worst->pressure, off[0] / limit);
+    worst->shear = fmax(worst->shear, off[1] / (F * limit));
+    worst->slip = fmax(worst->slip, slipped);
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    if (energy > 0)
+        worst->energy = fmax(worst->energy, fabs(solver->energy / energy - 1));
+    worst->legs++;
+}
+
+static difference along_the_history(rwedge_contact *contact, double (*height)(double), size_t n)
+{
+    static boundary_element solver;
+    difference worst = {0};
+    boundary_element_start(&solver, THETA, 1, A, F, n, 1);
+    solver.height = height;
+    for (int leg = 0; leg < LEGS; leg++) {
+        const boundary_loads to = LOADS[leg];
+        assert_int_equal(rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma), RWEDGE_OK);
+        go(&solver, leg == 0 ? 1 : 20, to);
+        compare(contact, &solver, &worst);
+    }
+    printf("%3d elements: pressure %.1e shear %.1e slip %.1e energy %.1e\n", (int)n, worst.pressure,
+           worst.shear, worst.slip, worst.energy);
+    rwedge_contact_destroy(contact);
+    return worst;
+}
+
+static void assert_limit(difference coarse, difference fine)
+{
+    assert_true(coarse.legs == LEGS && fine.legs == coarse.legs);
+    assert_true(fine.pressure < 2e-3 && fine.pressure < 0.5 * coarse.pressure);
+    assert_true(fine.shear < 5e-3 && fine.shear < 0.6 * coarse.shear);
+    assert_true(fine.slip < 1e-4 * F * THETA * 2 && fine.energy < 0.1);
+}
+
+static rwedge_contact *flat(void)
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact), RWEDGE_OK);
+    return contact;
+}
+
+static rwedge_contact *worn(void)
+{
+    rwedge_contact *contact;
+    assert_int_equal(rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact), RWEDGE_OK);
+    return contact;
+}
+
+static void a_flat_pad_is_the_limit_of_boundary_elements(void **state)
+{
+    (void)state;
+    assert_limit(along_the_history(flat(), flat_height, 60),
+                 along_the_history(flat(), flat_height, 180));
+}
+
+static void a_worn_pad_is_the_limit_of_boundary_elements(void **state)
+{
+    (void)state;
+    assert_limit(along_the_history(worn(), worn_height, 60),
+                 along_the_history(worn(), worn_height, 180));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_flat_pad_is_the_limit_of_boundary_elements),
+        cmocka_unit_test(a_worn_pad_is_the_limit_of_boundary_elements),
+    };
+    return RUN_CLAIMS("pad_element", tests);
+}

@@ -26,7 +26,7 @@ contains
 
     subroutine answer(line)
         character(*), intent(in) :: line
-        type(numbers) :: v(12)
+        type(numbers) :: v(14)
         real(c_double), allocatable :: r(:), s(:, :, :)
         integer :: stat, i
 
@@ -49,7 +49,7 @@ contains
     ! What stands after the commas.
     function arguments(line) result(v)
         character(*), intent(in) :: line
-        type(numbers) :: v(12)
+        type(numbers) :: v(14)
         integer :: i, from, to
         to = index(line // ',', ',')
         do i = 1, size(v)

@@ -69,8 +69,9 @@ def documented():
             group, _, method = name.partition("_")
             if group != kind.__name__.lower() or method in ("copy", "destroy", "state_size"):
                 continue
-            member = {"create": kind, "coefficient": getattr(kind, "coefficients", None)}.get(method)
-            yield name, inspect.getdoc(member or getattr(kind, method))
+            names = {"coefficient": "coefficients", "create_flat": "flat", "create_profile": "profile"}
+            member = kind if method == "create" else getattr(kind, names.get(method, method))
+            yield name, inspect.getdoc(member)
 
 
 @pytest.mark.parametrize("name, doc", list(documented()))

@@ -23,7 +23,7 @@ function called(name) {
     };
 }
 
-/** Arguments of the words; of an array of two sizes the first one goes before all. */
+/** Arguments of the words; of an array of two sizes the first one goes where the header has its sizes. */
 function argumentsOf(name, words, before) {
     const inputs = functions[name].parameters.filter((p) => p.role === "in" || p.role === "in array");
     const given = words.map((word, i) => {
@@ -32,7 +32,8 @@ function argumentsOf(name, words, before) {
         return inputs[i].role === "in" ? numbers[0] : Float64Array.from(numbers);
     });
     const rows = words.find((word) => word.includes(";"));
-    return rows ? [rows.split(";").length, ...given] : given;
+    if (rows) given.splice(functions[name].parameters.findIndex((p) => p.role === "size"), 0, rows.split(";").length);
+    return given;
 }
 
 /** The numbers of a result, in the order of the header. */

@@ -154,8 +154,10 @@ class Contact(ContactMethods, Handle):
             half-width of the flat, length, finite, >= 0
         R : float
             radius of the edges, length, finite, > 0
-        A, f : float
-            as for ``Contact``
+        A : float
+            composite compliance, 1/stress, finite, > 0
+        f : float
+            coefficient of friction, 0 <= f <= 1e6
 
         Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
         refused. Source: new.
@@ -174,9 +176,11 @@ class Contact(ContactMethods, Handle):
         x : array_like
             length, finite: 2 to 1000 places, from left to right; equal places are a kink
         slope : array_like
-            the slope at each, of less than pi/2; none is less than the one before
-        A, f : float
-            as for ``Contact``
+            the slope at each, |slope| < pi/2; none is less than the one before
+        A : float
+            composite compliance, 1/stress, finite, > 0
+        f : float
+            coefficient of friction, 0 <= f <= 1e6
 
         Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
         that where it is curved most. Source: new.

@@ -6,7 +6,7 @@
 #define BALL_HPP
 
 #include <math.h>
-#include <stdbool.h>
+#include <utility>
 
 #ifdef BALLS_IN_FLINT /* FLINT 3 contains Arb */
 #include <flint/acb.h>
@@ -99,10 +99,14 @@ template <typename Function, typename... Balls> ball exactly(Function f, const B
     return result;
 }
 
-inline ball operator+(ball x, const ball &y) { return x += y; }
-inline ball operator-(ball x, const ball &y) { return x -= y; }
-inline ball operator*(ball x, const ball &y) { return x *= y; }
-inline ball operator/(ball x, const ball &y) { return x /= y; }
+inline ball operator+(const ball &x, const ball &y) { return rounded(arb_add, x, y); }
+inline ball operator+(ball &&x, const ball &y) { return std::move(x += y); }
+inline ball operator-(const ball &x, const ball &y) { return rounded(arb_sub, x, y); }
+inline ball operator-(ball &&x, const ball &y) { return std::move(x -= y); }
+inline ball operator*(const ball &x, const ball &y) { return rounded(arb_mul, x, y); }
+inline ball operator*(ball &&x, const ball &y) { return std::move(x *= y); }
+inline ball operator/(const ball &x, const ball &y) { return rounded(arb_div, x, y); }
+inline ball operator/(ball &&x, const ball &y) { return std::move(x /= y); }
 inline ball operator-(const ball &x) { return exactly(arb_neg, x); }
 inline bool operator<(const ball &x, const ball &y) { return arb_lt(x.arb(), y.arb()); }
 inline bool operator>(const ball &x, const ball &y) { return y < x; }

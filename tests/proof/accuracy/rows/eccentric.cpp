@@ -483,7 +483,7 @@ const row ECCENTRIC_ROWS[] = {
      draw_edges, judge_edges},
     {"contact_tilt", PATCHES, "of theta max(1, \\|x\\|/width), over 1 - \\|delta\\|", 1e-14,
      "1e-14", 1, draw_edges, judge_tilt},
-    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges answer", 1e-14, "1e-14", 1,
+    {"contact_edge_asymptotes", PATCHES, "of the larger K_N of the edges found", 1e-14, "1e-14", 1,
      draw_edges, judge_asymptotes},
     {"contact_stick_zone", "also Q to 0.9 f P, sigma to its limit",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",

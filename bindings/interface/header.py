@@ -399,7 +399,7 @@ class Reader:
         function.errors = list(dict.fromkeys(re.findall(r"RWEDGE_E[A-Z]+", " ".join(function.comment))))
         function.reasons = dict(REASON.findall(" ".join(function.text.split())))
         if before:
-            function.array_of = "" if before.of("in array") else before.name
+            function.array_of = before.name if function.of("in array") and not before.of("in array") else ""
             function.errors += [e for e in before.errors if e not in function.errors]
         function.accuracy = [s for s in SENTENCE.split(" ".join(function.text.split())) if re.search(r"[Ee]rror (below|of)\b", s)]
         if before and not function.accuracy:

@@ -10,6 +10,10 @@ import struct
 import sys
 
 
+# What a search finds is a place: its last digits decide between neighbours that are equally bad.
+SEARCHED = {"contact_cycle_worst": 1e-8}
+
+
 def results(line):
     """The numbers that a door has given: the last words, of which the second field of the line has the count."""
     call, *words = line.split(",")
@@ -38,7 +42,7 @@ def main():
             different += 1
             difference = difference_of(one, other)
             largest = max(largest, difference)
-            if not difference <= allowed:
+            if not difference <= max(allowed, SEARCHED.get(one.split(":")[0], 0)):
                 sys.exit(f"FAILED: {one}\n    but: {other}")
     print(f"{different} of {len(lines[0])} lines differ, by {largest:.1e} at most")
 

@@ -36,9 +36,12 @@ static const struct {
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5}},
+    {"contact_cycle_friction", {4, 0.05, 0, 0}},
+    {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1}},
 };
 
-static const char *const take_long[] = {"critical_friction", "yield_load", "contact_yield_factor"};
+static const char *const take_long[] = {"critical_friction", "yield_load", "contact_yield_factor",
+                                        "contact_allow_error"};
 
 /* The next of a sequence in [0, 1) that is the same on every machine: splitmix64. */
 static double fraction(sample *s)
@@ -121,6 +124,17 @@ static void draw(sample *s, const entry *call, const size_t n[], double v[][MOST
     }
 }
 
+/* The places and the slopes of a profile rise. */
+static void sort_profile(const entry *call, const size_t n[], double v[][MOST])
+{
+    const double STEP = 0.01;
+    if (strcmp(call->name, "contact_create_profile") != 0)
+        return;
+    for (size_t i = 1; i < n[0]; i++)
+        for (int j = 0; j < 2; j++)
+            v[j][i] = v[j][0] / 8 + STEP * (double)i;
+}
+
 static void give(sample *s, const entry *call, const size_t n[], double results[][MOST])
 {
     for (int j = 0; j < call->results; j++) {
@@ -148,6 +162,7 @@ static bool try(sample *s, const entry *call, void *object, void **made)
         result[j] = results[j];
     set_sizes(s, call, object, n);
     draw(s, call, n, v);
+    sort_profile(call, n, v);
     const int32_t status = call->call(object, n, given, result, made);
     s->receive(s->context, call->name, true, status);
     if (status == RWEDGE_OK)
@@ -200,7 +215,7 @@ static void change_all(sample *s, const char *family, const void *object)
     for (int i = 0; i < ENTRY_COUNT; i++) {
         rwedge_contact *copy = NULL;
         if (!is_of(&entries[i], family) || !entries[i].changes_object ||
-            rwedge_contact_copy(object, &copy) != RWEDGE_OK)
+            !has_its_turn(s, &entries[i]) || rwedge_contact_copy(object, &copy) != RWEDGE_OK)
             continue;
         for (int step = 0; step < STEPS; step++)
             try(s, &entries[i], copy, NULL);

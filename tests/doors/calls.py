@@ -69,6 +69,7 @@ OWN = {
     ("contact_create", "f"): [0.6],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
+    ("contact_create_profile", "slope"): [-0.01, 0, 0.01], ("contact_create_profile", "f"): [0.6], ("contact_create_flat", "f"): [0.6],
     ("contact_cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
@@ -178,6 +179,10 @@ def loads_after(function, arguments):
     return dict(zip([p.name for p in function.inputs], last)) if function.method in ("load", "apply", "stress_history") else {}
 
 
+# What a contact of another pad goes through.
+ANOTHER_PAD = [("contact_apply", (0, 0, 0, 1)), ("contact_apply", (2000, 60, 0, 1)), ("contact_apply", (2000, 60, 100, 1))]
+
+
 def formulas():
     for f in interface.functions:
         if not f.family and f.result != "nothing" and f.name not in NOT_EVERYWHERE:
@@ -195,7 +200,7 @@ def objects():
             if "@" in given:
                 call(interface["contact_state"], [])
             call(maker, given)
-            steps = history if maker.method == "create" else history[-1:]
+            steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
                 present = {"M": 0, "sigma": 0, **loads_after(interface[name], arguments)}
@@ -204,6 +209,8 @@ def objects():
                 for f in readers:
                     sample(f, 1 if maker.method != "create" else 2, present)
             for f in others:
+                if maker.method != "create" and f.method == "allow_error":
+                    continue  # another pad is not computed numerically, nor is its copy
                 sample(f, 2)
                 present = {**present, **loads_after(f, sampled(f, 1))}
                 for reader in readers:

@@ -41,7 +41,7 @@ static const struct {
 };
 
 static const char *const take_long[] = {"critical_friction", "yield_load", "contact_yield_factor",
-                                        "contact_allow_error"};
+                                        "contact_allow_error", "contact_create_profile"};
 
 /* The next of a sequence in [0, 1) that is the same on every machine: splitmix64. */
 static double fraction(sample *s)

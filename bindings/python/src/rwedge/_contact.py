@@ -176,7 +176,7 @@ class Contact(ContactMethods, Handle):
         x : array_like
             length, finite: 2 to 1000 places, from left to right; equal places are a kink
         slope : array_like
-            the slope at each, |slope| < pi/2; none is less than the one before
+            the slope at each, abs(slope) < pi/2; none is less than the one before
         A : float
             composite compliance, 1/stress, finite, > 0
         f : float

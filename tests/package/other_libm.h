@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
-static inline double other(double value)
+static inline double unit_larger(double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -17,21 +17,21 @@ static inline double other(double value)
     return value;
 }
 
-#define acos(x) other(acos(x))
-#define asin(x) other(asin(x))
-#define asinh(x) other(asinh(x))
-#define atan(x) other(atan(x))
-#define atan2(y, x) other(atan2(y, x))
-#define cos(x) other(cos(x))
-#define cosh(x) other(cosh(x))
-#define exp(x) other(exp(x))
-#define hypot(x, y) other(hypot(x, y))
-#define log(x) other(log(x))
-#define log1p(x) other(log1p(x))
-#define pow(x, y) other(pow(x, y))
-#define sin(x) other(sin(x))
-#define sinh(x) other(sinh(x))
-#define tan(x) other(tan(x))
-#define tanh(x) other(tanh(x))
+#define acos(x) unit_larger(acos(x))
+#define asin(x) unit_larger(asin(x))
+#define asinh(x) unit_larger(asinh(x))
+#define atan(x) unit_larger(atan(x))
+#define atan2(y, x) unit_larger(atan2(y, x))
+#define cos(x) unit_larger(cos(x))
+#define cosh(x) unit_larger(cosh(x))
+#define exp(x) unit_larger(exp(x))
+#define hypot(x, y) unit_larger(hypot(x, y))
+#define log(x) unit_larger(log(x))
+#define log1p(x) unit_larger(log1p(x))
+#define pow(x, y) unit_larger(pow(x, y))
+#define sin(x) unit_larger(sin(x))
+#define sinh(x) unit_larger(sinh(x))
+#define tan(x) unit_larger(tan(x))
+#define tanh(x) unit_larger(tanh(x))
 
 #endif

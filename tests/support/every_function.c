@@ -35,6 +35,7 @@ static const struct {
     double given[ENTRY_ARGUMENTS];
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05}},
+    {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5}},
     {"contact_cycle_friction", {4, 0.05, 0, 0}},
     {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1}},

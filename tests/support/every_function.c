@@ -41,8 +41,9 @@ static const struct {
     {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1}},
 };
 
-static const char *const take_long[] = {"critical_friction", "yield_load", "contact_yield_factor",
-                                        "contact_allow_error", "contact_create_profile"};
+static const char *const take_long[] = {"critical_friction",      "yield_load",
+                                        "contact_yield_factor",   "contact_allow_error",
+                                        "contact_create_profile", "contact_cycle_worst"};
 
 /* The next of a sequence in [0, 1) that is the same on every machine: splitmix64. */
 static double fraction(sample *s)

@@ -1033,8 +1033,8 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
  * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
  * RWEDGE_ENOMEM. The sum itself errs by 1e-11 and 1e-13 of the criterion over its slope. Damage is
  * not smooth over the planes: they are a grid of 5 degrees, refined around the worst. In no random
- * block of the tests another plane had a damage larger by 1e-4. With a limit, a cycle that is at the
- * limit may be missed. A block of one cycle has the plane of the criterion. */
+ * block of the tests another plane had a damage larger by 1e-4. With a limit, a cycle that is at
+ * the limit may be missed. A block of one cycle has the plane of the criterion. */
 RWEDGE_API int32_t rwedge_smith_watson_topper_damage(size_t n, const double sxx[],
                                                      const double syy[], const double txy[],
                                                      double E, double nu, int32_t plane_stress,

@@ -212,7 +212,7 @@ static rw_direction direction_of(double x, double y)
     return length > 0 ? (rw_direction){x / length, y / length} : (rw_direction){1, 0};
 }
 
-/* Of the path, from the load that is farthest from the first to the one that is farthest from it. */
+/* Of the path: from one end of it, the farthest load from the first, to the farthest from that. */
 static rw_direction longest_way(const miner *m)
 {
     size_t end[2] = {0, 0};

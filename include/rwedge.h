@@ -71,7 +71,7 @@ enum {
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
     RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
-    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_allow_error() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */

@@ -110,7 +110,8 @@ class complex_ball
     friend complex_ball midpoint(const complex_ball &z) { return exactly(acb_get_mid, z); }
     friend complex_ball conj(const complex_ball &z) { return exactly(acb_conj, z); }
     friend complex_ball sqrt(const complex_ball &z) { return rounded(acb_sqrt, z); }
-    /* exp(i pi/4) sqrt(-i z): continuous over the closed upper half-plane but for 0, cut downwards */
+    /* exp(i pi/4) sqrt(-i z): continuous over the closed upper half-plane but for 0, cut
+     * downwards */
     friend complex_ball root(const complex_ball &z)
     {
         return sqrt(over_i(z)) * sqrt(complex_ball(0, 1));

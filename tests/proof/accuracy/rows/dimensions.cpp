@@ -115,8 +115,7 @@ ball J2_by_alpha_below(const traction &t, const complex_ball &z)
 ball J2_by_alpha_at_surface(const traction &t, const ball &x)
 {
     const ball p = pressure(t.a, 1, x);
-    const ball q =
-        4 * t.whole().phi0 / (pi() * angle_of(x, 1).c0 * t.a); /* twice for the square */
+    const ball q = 4 * t.whole().phi0 / (pi() * angle_of(x, 1).c0 * t.a); /* twice for the square */
     return q * (sqr(t.f) * p + t.kappa * (p - x / t.a * t.f));
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes results doubtful: the library's bits of a contact, how exact it is, and their texts. */
+/* What makes results doubtful: the library's bits of a contact, how exact it is; their texts. */
 #ifndef CLI_DOUBTS_H
 #define CLI_DOUBTS_H
 

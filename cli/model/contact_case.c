@@ -137,7 +137,7 @@ static pad shape_of(const double value[INPUT_COUNT])
     return pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
 }
 
-static void fill(const double value[INPUT_COUNT], contact_case *setup)
+static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];
@@ -152,6 +152,7 @@ static void fill(const double value[INPUT_COUNT], contact_case *setup)
     setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
     setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);
     setup->beta = rwedge_dundurs_beta(setup->E1, setup->nu1, setup->E2, setup->nu2);
+    setup->tolerance = texts->tolerance;
     setup->after = NULL;
 }
 
@@ -166,6 +167,8 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
         status = rwedge_contact_set_strain(*contact, own_strain(setup));
+    if (status == RWEDGE_OK) /* a pad of which nothing is computed refuses such loads as ever */
+        rwedge_contact_allow_error(*contact, setup->tolerance);
     return status;
 }
 
@@ -241,7 +244,7 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
         if (input_is_given(texts, i) && !input_read(texts, i, &value[i], complaint))
             return false;
     }
-    fill(value, setup);
+    fill(texts, value, setup);
     if (input_is_given(texts, INPUT_PROFILE))
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], complaint));
     if (!has_radius(texts, &setup->shape, complaint))

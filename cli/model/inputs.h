@@ -49,7 +49,12 @@ typedef struct {
     const char *how_comma, *where_else;
     /* the profile of a name; NULL with the complaint where there is none. May itself be NULL */
     const pad_profile *(*profile_named)(const char *name, char complaint[]);
+    /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
+    double tolerance;
 } input_texts;
+
+/* The tolerance where none is given. */
+extern const double usual_tolerance;
 
 /* What is wrong with the inputs: the line of a message, or the error of a row. */
 enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "doubts.h"
 #include "present_state.h"
 #include "sliding.h"
 #include "text/list.h"
@@ -184,15 +183,17 @@ static bool yield_factor(const contact_case *setup, results *answer, char compla
 static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
                                  "leave 1e-60 to 1e60";
 
-static bool compute(const contact_case *setup, double b, cell row[], char complaint[COMPLAINT_SIZE])
+static bool compute(const contact_case *setup, double b, results *answer,
+                    char complaint[COMPLAINT_SIZE])
 {
+    cell *row = answer->value;
     const bool centred = setup->M == 0 && setup->sigma == 0;
     const bool has_formulas = pad_has_formulas(&setup->shape);
     if (has_formulas)
         geometry(setup, b, row);
     if (has_formulas && centred && setup->after == NULL)
         return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
-    int32_t status = results_of_state(setup, row);
+    int32_t status = results_of_state(setup, row, &answer->doubts.error);
     if (status == RWEDGE_OK && centred && !has_formulas)
         status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
@@ -213,12 +214,13 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
         return not_computed("b", beyond_pad, complaint);
     if (!isnormal(b) || isinf(shape->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
-    if (!compute(setup, b, answer->value, complaint) ||
+    answer->doubts = (doubts){0, 0};
+    if (!compute(setup, b, answer, complaint) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    answer->doubts = doubts_of(setup, answer->value[RESULT_LEFT].number,
-                               answer->value[RESULT_RIGHT].number, safety);
+    answer->doubts.bits = doubts_of(setup, answer->value[RESULT_LEFT].number,
+                                    answer->value[RESULT_RIGHT].number, safety);
     answer->warnings[0] = '\0';
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))

@@ -21,10 +21,10 @@ for name in a a_over_b AP_over_theta_b p_transition; do
     same "$name of a cylinder" "" "$(value $name)"
 done
 same "numbers of a cylinder" 19 "$(grep -c ',[-0-9]' out)"
-printf 'P,M,Q,sigma\n300,0,0,0\n300,0,50,20\n300,0,-40,-10\n200,0,-10,-10\n' >loads.csv
+printf 'P,M,Q,sigma\n300,0,0,0\n300,0,50,20\n300,0,-40,-10\n' >loads.csv
 for command in "profile --history loads.csv --points 9" "field --history loads.csv --x -0.1,0.2 --y 0,0.1" \
-    "history loads.csv --k 500 --until" "fretting loads.csv --until --x -0.1:0.1:0.05" "figure fretting --data --history loads.csv --until" \
-    "figure loop --data --history loads.csv --until --load 100,0"; do
+    "history loads.csv --k 500" "fretting loads.csv --x -0.1:0.1:0.05" "figure fretting --data --history loads.csv" \
+    "figure loop --data --history loads.csv --load 100,0"; do
     run $command $steel --f 0.3 --theta 0.1 --radius 10 --digits 5
     cp out wedge
     run $command $steel --f 0.3 --radius 10 --digits 5
@@ -78,7 +78,7 @@ close_rows "mirrored profile" 1e-9 0
 printf 'x,slope\n-1,-0.1\n0,-0.1\n0,0\n1,0.1\n' >edge.csv
 run profile $steel --profile edge.csv $loads --x -0.01,0,0.01
 same "p at a sharp edge" "yes - yes" "$(column p out | sed 's/^-[0-9].*/yes/' | paste -s -d ' ' -)"
-run fretting loads.csv --until $steel --f 0.3 --profile edge.csv --x 0,0.05
+run fretting loads.csv $steel --f 0.3 --profile edge.csv --x 0,0.05
 same "measures at a sharp edge" "0,0,,,,,,,,," "$(sed -n 2p out)"
 
 # The convex hull of heights.

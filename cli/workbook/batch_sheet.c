@@ -21,7 +21,7 @@ static int column_of(int cell)
 static void write_header(xlsx *book)
 {
     xlsx_text(book, HEADER_ROW, CASE_COLUMN, "case", XLSX_HEADER);
-    for (int cell = 0; cell < CELL_COUNT; cell++)
+    for (int cell = 0; cell < case_cell_count; cell++)
         xlsx_text(book, HEADER_ROW, column_of(cell),
                   cell < RESULTS_END ? case_cells[cell].column : case_cells[cell].name,
                   XLSX_HEADER);
@@ -41,7 +41,7 @@ static void write_row(xlsx *book, int row, const case_values *values)
 {
     for (int cell = 0; cell < INPUT_CELLS; cell++)
         xlsx_number(book, row, column_of(cell), values->number[cell], XLSX_INPUT);
-    for (int cell = INPUT_CELLS; cell < CELL_COUNT; cell++)
+    for (int cell = INPUT_CELLS; cell < case_cell_count; cell++)
         cell_in_row(book, row, cell, column_of, values);
 }
 
@@ -63,7 +63,7 @@ static void check_typing(xlsx *book)
         char named[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
         const xlsx_rule rule = {
             formula_in_row(input_check(cell, named), FIRST_ROW, column_of, formula),
-            case_cells[cell].column, case_cells[cell].what, input_message(cell, message)};
+            case_cells[cell].column, case_cells[cell].label, input_message(cell, message)};
         xlsx_validate(book, (xlsx_area){FIRST_ROW, column_of(cell), BATCH_ROWS, 1}, &rule);
     }
 }
@@ -103,5 +103,5 @@ void sheet_batch(xlsx *book)
     check_typing(book);
     colour_rows(book);
     xlsx_protect(book);
-    xlsx_hide_columns(book, column_of(RESULTS_END), column_of(CELL_COUNT) - 1);
+    xlsx_hide_columns(book, column_of(RESULTS_END), column_of(case_cell_count) - 1);
 }

@@ -23,41 +23,41 @@ static const double example[INPUT_CELLS] = {
 /* ---- Groups of cells ------------------------------------------------------------------------- */
 
 typedef struct {
-    int cell; /* or CELL_COUNT: a heading */
+    int cell; /* or RESULTS_END: a heading */
     const char *text;
 } line;
 
 static const line inputs[] = {
-    {CELL_COUNT, "Shape"}, {CELL_THETA, NULL},  {CELL_THETA_DEG, NULL},
-    {CELL_ROUNDING, NULL}, {CELL_RADIUS, NULL}, {CELL_COUNT, "Materials"},
-    {CELL_E1, NULL},       {CELL_NU1, NULL},    {CELL_E2, NULL},
-    {CELL_NU2, NULL},      {CELL_K, NULL},      {CELL_YIELD_STRESS, NULL},
-    {CELL_COUNT, "Loads"}, {CELL_LOAD, NULL},   {CELL_Q, NULL},
+    {RESULTS_END, "Shape"}, {CELL_THETA, NULL},  {CELL_THETA_DEG, NULL},
+    {CELL_ROUNDING, NULL},  {CELL_RADIUS, NULL}, {RESULTS_END, "Materials"},
+    {CELL_E1, NULL},        {CELL_NU1, NULL},    {CELL_E2, NULL},
+    {CELL_NU2, NULL},       {CELL_K, NULL},      {CELL_YIELD_STRESS, NULL},
+    {RESULTS_END, "Loads"}, {CELL_LOAD, NULL},   {CELL_Q, NULL},
     {CELL_F, NULL},
 };
 
 static const line results[] = {
-    {CELL_COUNT, "Safety"},
+    {RESULTS_END, "Safety"},
     {CELL_SAFETY, "P may grow by this factor: the contact grows with it"},
     {CELL_SAFETY_STRENGTH, "k or Y may fall by this factor under this P"},
-    {CELL_COUNT, "Geometry"},
+    {RESULTS_END, "Geometry"},
     {CELL_B, "the contact is |x| < b"},
     {CELL_A_OVER_B, "1 and more: Hertz' contact; 0: sharp"},
     {CELL_LOAD_NUMBER, "2 for a sharp wedge"},
     {CELL_COMPLIANCE, "2(1-nu1^2)/E1 + 2(1-nu2^2)/E2"},
     {CELL_BETA, "0 for elastically similar bodies"},
-    {CELL_COUNT, "Pressure"},
+    {RESULTS_END, "Pressure"},
     {CELL_P0, "infinite, so empty, for a sharp wedge"},
     {CELL_P_TRANSITION, "where rounding meets flank; 0 beyond b"},
     {CELL_P_MEAN, ""},
-    {CELL_COUNT, "Partial slip"},
+    {RESULTS_END, "Partial slip"},
     {CELL_Q_OVER_FP, "1 and more: it slides"},
     {CELL_C, "sticks in |x| < c, slips in c < |x| < b"},
     {CELL_C_OVER_B, ""},
-    {CELL_COUNT, "Tension at the trailing edge x = -b"},
+    {RESULTS_END, "Tension at the trailing edge x = -b"},
     {CELL_TENSION, "Q grown from 0 under constant P"},
     {CELL_TENSION_SLIDING, "Q = f P"},
-    {CELL_COUNT, "First yield, in full sliding"},
+    {RESULTS_END, "First yield, in full sliding"},
     {CELL_P_OVER_BK, "at this a/b: it yields above"},
     {CELL_LOAD_OVER_BK, "of the load given"},
     {CELL_P_YIELD, "with the contact that it makes"},
@@ -75,14 +75,14 @@ enum {
 
 static bool is_heading(xlsx *book, int row, const line *what)
 {
-    if (what->cell == CELL_COUNT)
+    if (what->cell == RESULTS_END)
         xlsx_text(book, row, LABEL, what->text, XLSX_HEADING);
-    return what->cell == CELL_COUNT;
+    return what->cell == RESULTS_END;
 }
 
 static void describe(xlsx *book, int row, int cell, const char *hint)
 {
-    xlsx_text(book, row, LABEL, case_cells[cell].what, XLSX_PLAIN);
+    xlsx_text(book, row, LABEL, case_cells[cell].label, XLSX_PLAIN);
     xlsx_text(book, row, NAME, case_cells[cell].name, XLSX_NOTE);
     xlsx_text(book, row, UNIT, case_cells[cell].unit, XLSX_UNIT);
     xlsx_text(book, row, HINT, hint, XLSX_NOTE);
@@ -92,9 +92,10 @@ static void describe(xlsx *book, int row, int cell, const char *hint)
 
 static void check_typing(xlsx *book, int row, int cell)
 {
-    char formula[FORMULA_SIZE], message[FORMULA_SIZE];
-    const xlsx_rule rule = {input_check(cell, formula), case_cells[cell].what,
-                            input_rules[cell].hint, input_message(cell, message)};
+    char check[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
+    const xlsx_rule rule = {template_expand(input_check(cell, check), formula),
+                            case_cells[cell].label, input_rules[cell].hint,
+                            input_message(cell, message)};
     xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);
 }
 

@@ -27,12 +27,12 @@ static int column_of(int cell)
 
 static void write_case(xlsx *book, const case_values *values)
 {
-    for (int cell = CELL_WARNINGS; cell < CELL_COUNT; cell++) {
-        xlsx_text(book, LABEL_ROW, column_of(cell), case_cells[cell].what, XLSX_NOTE);
+    for (int cell = CELL_WARNINGS; cell < case_cell_count; cell++) {
+        xlsx_text(book, LABEL_ROW, column_of(cell), case_cells[cell].label, XLSX_NOTE);
         xlsx_text(book, NAME_ROW, column_of(cell), case_cells[cell].name, XLSX_NOTE);
         named_cell(book, VALUE_ROW, column_of(cell), cell, values, XLSX_PLAIN);
     }
-    name_groups(book, VALUE_ROW, column_of);
+    name_triples(book, VALUE_ROW, column_of);
 }
 
 /* ---- Nodes and tables ------------------------------------------------------------------------ */

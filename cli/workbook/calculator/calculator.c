@@ -93,7 +93,7 @@ static void describe(xlsx *book, int row, int cell, const char *hint)
 static void check_typing(xlsx *book, int row, int cell)
 {
     char check[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
-    const xlsx_rule rule = {template_expand(input_check(cell, check), formula),
+    const xlsx_rule rule = {formula_named(input_check(cell, check), formula),
                             case_cells[cell].label, input_rules[cell].hint,
                             input_message(cell, message)};
     xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);

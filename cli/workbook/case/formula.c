@@ -71,60 +71,46 @@ static int find(const char *name, size_t length, int *first)
     return 0;
 }
 
-/* What a name becomes: writes it, and returns its end. */
+/* Where the cells of a row are. */
 typedef struct {
     int row;
-    column_finder *column_of; /* or NULL */
-    int number;               /* instead of rwt_i */
-} substitution;
+    column_finder *column_of;
+} row_cells;
 
-static char *put(char *end, const char *name, size_t length, const substitution *with)
+static char *write_in_row(char *end, const char *name, size_t length, const void *about)
 {
+    const row_cells *cells = about;
     char from[4], to[4];
     int first = 0;
-    if (is_named(name, length, "rwt_i"))
-        return end + sprintf(end, "%d", with->number);
-    const int count = with->column_of != NULL ? find(name, length, &first) : 0;
+    const int count = find(name, length, &first);
     if (count == 0)
-        return (char *)memcpy(end, name, length) + length;
-    column_letters(with->column_of(first), from);
-    end += sprintf(end, "$%s%d", from, with->row + 1);
-    column_letters(with->column_of(first) + count - 1, to);
-    return count == 1 ? end : end + sprintf(end, ":$%s%d", to, with->row + 1);
-}
-
-/* Outside of quotes. */
-static const char *substitute(const char *formula, const substitution *with,
-                              char text[FORMULA_SIZE])
-{
-    char expanded[FORMULA_SIZE], *end = text;
-    const char *from = template_expand(formula, expanded);
-    bool quoted = false;
-    while (*from != '\0') {
-        const size_t length = quoted ? 0 : word_length(from);
-        if (length > 0) {
-            end = put(end, from, length, with);
-            from += length;
-        } else {
-            quoted = quoted != (*from == '"');
-            *end++ = *from++;
-        }
-    }
-    *end = '\0';
-    return text;
+        return word_copy(end, name, length, NULL);
+    column_letters(cells->column_of(first), from);
+    end += sprintf(end, "$%s%d", from, cells->row + 1);
+    column_letters(cells->column_of(first) + count - 1, to);
+    return count == 1 ? end : end + sprintf(end, ":$%s%d", to, cells->row + 1);
 }
 
 const char *formula_in_row(const char *formula, int row, column_finder *column_of,
                            char text[FORMULA_SIZE])
 {
-    const substitution with = {row, column_of, 0};
-    return substitute(formula, &with, text);
+    return template_expand(formula, write_in_row, &(row_cells){row, column_of}, text);
+}
+
+static char *write_number(char *end, const char *name, size_t length, const void *number)
+{
+    return is_named(name, length, "rwt_i") ? end + sprintf(end, "%d", *(const int *)number)
+                                           : word_copy(end, name, length, NULL);
 }
 
 const char *formula_at(const char *formula, int number, char text[FORMULA_SIZE])
 {
-    const substitution with = {0, NULL, number};
-    return substitute(formula, &with, text);
+    return template_expand(formula, write_number, &number, text);
+}
+
+const char *formula_named(const char *formula, char text[FORMULA_SIZE])
+{
+    return template_expand(formula, word_copy, NULL, text);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
@@ -162,7 +148,7 @@ void named_cell(xlsx *book, int row, int column, int cell, const case_values *va
                 xlsx_style style)
 {
     char formula[FORMULA_SIZE];
-    write_cell(book, row, column, cell, template_expand(case_cells[cell].formula, formula), values,
+    write_cell(book, row, column, cell, formula_named(case_cells[cell].formula, formula), values,
                style);
     xlsx_name(book, case_cells[cell].name, row, column);
 }

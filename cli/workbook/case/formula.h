@@ -19,6 +19,9 @@ const char *column_letters(int column, char text[4]);
 /* Where a row has the cells of a case. */
 typedef int column_finder(int cell);
 
+/* The formula, a template, with the names of the calculator. */
+const char *formula_named(const char *formula, char text[FORMULA_SIZE]);
+
 /* The formula, a template, in a row: the names of a case's cells are replaced by those of the
  * row. */
 const char *formula_in_row(const char *formula, int row, column_finder *column_of,

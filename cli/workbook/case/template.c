@@ -14,7 +14,8 @@ typedef struct {
     size_t length;
 } argument;
 
-size_t word_length(const char *text)
+/* The length of the name, function or number that a text begins with; 0 for another character. */
+static size_t word_length(const char *text)
 {
     size_t length = 0;
     while (isalnum((unsigned char)text[length]) || text[length] == '_')
@@ -100,8 +101,14 @@ static const formula_template *find(const char *name, size_t length)
     return each->name != NULL ? each : NULL;
 }
 
-/* Outside of quotes. Returns the end. */
-static char *expand(const char *from, char *end)
+/* How words outside of quotes are written. */
+typedef struct {
+    word_writer *write;
+    const void *about;
+} writer;
+
+/* Returns the end. */
+static char *expand(const char *from, const writer *words, char *end)
 {
     bool quoted = false;
     while (*from != '\0') {
@@ -115,9 +122,9 @@ static char *expand(const char *from, char *end)
                 fill(called->text, given, text);
             else
                 fill_checks(text);
-            end = expand(text, end);
+            end = expand(text, words, end);
         } else if (length > 0) {
-            end = (char *)memcpy(end, from, length) + length;
+            end = words->write(end, from, length, words->about);
             from += length;
         } else {
             quoted = quoted != (*from == '"');
@@ -128,9 +135,16 @@ static char *expand(const char *from, char *end)
     return end;
 }
 
-const char *template_expand(const char *formula, char text[FORMULA_SIZE])
+char *word_copy(char *end, const char *word, size_t length, const void *about)
+{
+    (void)about;
+    return (char *)memcpy(end, word, length) + length;
+}
+
+const char *template_expand(const char *formula, word_writer *write, const void *about,
+                            char text[FORMULA_SIZE])
 {
     text[0] = '=';
-    expand(formula, text + 1);
+    expand(formula, &(writer){write, about}, text + 1);
     return text;
 }

@@ -7,10 +7,12 @@
 
 enum { FORMULA_SIZE = 5000 };
 
-/* The length of the name, function or number that a text begins with; 0 for another character. */
-size_t word_length(const char *text);
+/* What a name, function or number becomes: writes it, and returns its end. */
+typedef char *word_writer(char *end, const char *word, size_t length, const void *about);
+word_writer word_copy; /* as it is */
 
 /* The formula with "=" in front, and what each call stands for. */
-const char *template_expand(const char *formula, char text[FORMULA_SIZE]);
+const char *template_expand(const char *formula, word_writer *write, const void *about,
+                            char text[FORMULA_SIZE]);
 
 #endif

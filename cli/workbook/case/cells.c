@@ -50,8 +50,8 @@ const formula_template formula_templates[] = {
     {"when", "&IF($1,$2,\"\")"},
     {"give_one", "&IF(OR(rw_$1=\"\",rw_$2=\"\"),\"\",\"; $1 and $2: give one of the two\")"},
     {"one_of", "&IF(AND(rw_$1=\"\",rw_$2=\"\"),\"; $1 or $2 is missing\",\"\")give_one($1,$2)"},
-    /* so many significant digits, with the decimal sign of the program */
-    {"short", "ROUND($1,$2-1-INT(LOG10(MAX(1E-99,ABS($1)))))"},
+    /* so many significant digits of a text; spreadsheets round to 20 places at most */
+    {"short", "ROUND($1,MAX(-20,MIN(20,$2-1-INT(LOG10(MAX(1E-99,ABS($1)))))))"},
 
     /* a/b from x = theta a/(AP): Newton on a^2/(phi0 + a c0) = x, nearly a straight line; the
      * parabola that it starts from is exact at both ends */

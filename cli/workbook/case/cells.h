@@ -75,8 +75,8 @@ extern const formula_template formula_templates[];
  * value before a spreadsheet computes. */
 typedef struct {
     double number[RESULTS_END];
-    char branch[12];    /* the text of CELL_BRANCH */
-    char strength[400]; /* the sentence of the calculator */
+    char branch[12];                  /* the text of CELL_BRANCH */
+    char strength[400], figures[200]; /* of the calculator */
 } case_values;
 
 /* What an input must be, for the message and for the check of what is typed. */

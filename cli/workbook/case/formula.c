@@ -158,7 +158,7 @@ void cell_in_row(xlsx *book, int row, int cell, column_finder *column_of, const 
     char formula[FORMULA_SIZE];
     write_cell(book, row, column_of(cell), cell,
                formula_in_row(case_cells[cell].formula, row, column_of, formula), values,
-               case_cells[cell].style);
+               XLSX_PLAIN);
 }
 
 void name_triples(xlsx *book, int row, column_finder *column_of)

@@ -71,7 +71,7 @@ enum {
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
     RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
-    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_allow_error() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
@@ -398,7 +398,8 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
 
 /* From now on, loads that have no closed form are computed instead of refused, to an error of q
  * that is this part of f times the peak pressure. The closed form is used wherever it holds, to
- * the same bits, and again after full sliding or separation.                                    new
+ * the same bits, and again after full sliding, after separation, and, if P and M have not changed
+ * since, after a load that slips past all that was computed.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
  * A load may then fail with RWEDGE_ENOCONV, the contact as before: go there in two loads. Of a flat
  * pad and a profile: RWEDGE_EDOMAIN unless it is 0.

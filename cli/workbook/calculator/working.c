@@ -179,8 +179,8 @@ static void write_sketch(xlsx *book)
     }
 }
 
-/* From 0 to the factor, and from there to the end; then the line at 1. Of the columns of heights one
- * is of a factor that is good, one of a bad one: what is not to be seen is above the picture. */
+/* From 0 to the factor, and from there to the end; then the line at 1. One column of heights is for
+ * a factor that is good, one for a bad one: what is not to be seen is above the picture. */
 static void write_bar(xlsx *book, const case_values *values)
 {
     static const char *const height[] = {"=IF(rwt_factor<1,9,0)", "=IF(rwt_factor<1,0,9)"};

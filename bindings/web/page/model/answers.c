@@ -130,10 +130,10 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
     const struct {
         const char *name;
         double value;
-    } numbers[] = {{"E1", setup->E1}, {"nu1", setup->nu1},     {"theta", setup->shape.theta},
-                   {"a", setup->shape.a},   {"P", setup->P},         {"M", setup->M},
-                   {"Q", setup->Q},   {"sigma", setup->sigma}, {"f", setup->f},
-                   {"k", setup->k},   {"A", setup->A}};
+    } numbers[] = {{"E1", setup->E1},     {"nu1", setup->nu1},     {"theta", setup->shape.theta},
+                   {"a", setup->shape.a}, {"P", setup->P},         {"M", setup->M},
+                   {"Q", setup->Q},       {"sigma", setup->sigma}, {"f", setup->f},
+                   {"k", setup->k},       {"A", setup->A}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         records_add("case");
         records_text(numbers[i].name);

@@ -374,6 +374,14 @@ close_to "the damage of the block" "$damage" "$(verdict swt_damage value)" 1e-9
 close_to "its life" "$(awk -v d="$damage" 'BEGIN { printf "%.17g", 1 / d }')" "$(verdict swt life)" 1e-9
 run fretting block.csv $shape --material no_limit.csv --criteria swt
 same "columns of damage" "swt_out_of_plane,swt_damage,swt_damage_angle,swt_damage_out_of_plane,swt_cycles" "$(head -n 1 out | cut -d , -f 12-)"
+# The shipped sets are read, and each life is that of its own constants.
+for metal in "$here"/../../../tables/materials/*.json; do
+    run fretting cycle.csv $shape --material "$metal" --criteria swt --at-worst
+    status_is 0
+    number() { sed -n "s/^ *\"$1\": \([-0-9.]*\),*$/\1/p" "$metal"; }
+    close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
+        -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
+done
 refuses "rwedge fretting: swt-damage: needs sf, b, ef, c of --material" fretting block.csv $specimen --criteria swt-damage
 refuses "rwedge fretting: --method line: needs --length, or dK_th and ds0 of --material" \
     fretting cycle.csv $specimen --at-worst --method line

@@ -77,8 +77,9 @@ static void describe(FILE *stream)
           "shear amplitude is the radius of the smallest circle around the path of the shear\n"
           "stress, that of sqrt(J2) of the smallest sphere. Nothing is a range but\n"
           "stress_range and slip_range.\n"
-          "\nWith the constants of a curve of life, damage is that of a pass of the loads, which\n"
-          "repeats. Its cycles are counted by rainflow (ASTM E1049). A life is so many passes.\n",
+          "\nWith the constants of a curve of life, damage is that of a pass of the loads,\n"
+          "which repeats. Its cycles are counted by rainflow (ASTM E1049). A life is a\n"
+          "number of passes.\n",
           stream);
 }
 

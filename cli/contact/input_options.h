@@ -7,16 +7,22 @@
 #include "options/arguments.h"
 
 /* The numbers of their options; those of a command that has them start after the last. */
-enum { OPTION_INPUT = OPTION_OWN, OPTION_AFTER_INPUTS = OPTION_INPUT + INPUT_COUNT };
+enum {
+    OPTION_INPUT = OPTION_OWN,
+    OPTION_EXACT = OPTION_INPUT + INPUT_COUNT,
+    OPTION_TOLERANCE,
+    OPTION_AFTER_INPUTS
+};
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength.
- * They are empty before the first call of input_options_prepare(). */
-extern struct poptOption input_option_table[], strength_option_table[];
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength;
+ * how loads without a closed form are taken. The first two are empty before the first call of
+ * input_options_prepare(). */
+extern struct poptOption input_option_table[], strength_option_table[], exactness_option_table[];
 
 /* Fills the tables with the words of the inputs. */
 void input_options_prepare(void);
 
-/* Those on a command line. */
+/* Those on a command line. An impossible tolerance is a mistake. */
 void input_texts_from_options(const arguments *line, input_texts *texts);
 
 #endif

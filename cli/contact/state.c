@@ -3,7 +3,6 @@
 
 #include "notices.h"
 #include "model/contact_case.h"
-#include "model/doubts.h"
 #include "text/message.h"
 #include "options/variable.h"
 
@@ -136,8 +135,10 @@ static void read_natural(const arguments *line, const input_texts *texts, contac
     const load to = read_natural_load(line, texts, alpha, f);
     check_status(rwedge_contact_create(NATURAL_THETA, alpha, NATURAL_A, f, &state->contact),
                  "the contact");
+    rwedge_contact_allow_error(state->contact, texts->tolerance);
     apply_natural(texts, f, to, state);
     measure_natural(to.M == 0, state);
+    doubts_say((doubts){.error = rwedge_contact_error(state->contact)}, "");
 }
 
 /* ---- Dimensional ---- */

@@ -7,6 +7,7 @@
 #include "figures_course.h"
 #include "figures_strength.h"
 #include "figures_traction.h"
+#include "contact/notices.h"
 #include "picture/gnuplot.h"
 #include "text/list.h"
 #include "text/memory.h"
@@ -311,6 +312,7 @@ static int write_command(const arguments *given)
     }
     output_options_spare(&how, given->value[OPTION_HISTORY]);
     output_options_write(&how, write_figure, &to_do);
+    doubts_say((doubts){.error = to_do.whole.error}, "");
     return STATUS_DONE;
 }
 

@@ -3,7 +3,6 @@
 
 #include "peak.h"
 
-#include "model/doubts.h"
 #include "text/message.h"
 #include "text/pi.h"
 
@@ -29,6 +28,7 @@ const after_load_kind after_load_kinds[AFTER_COUNT] = {
     [AFTER_YIELD_X] = {"yield_x", "where that is"},
     [AFTER_YIELD_Y] = {"yield_y", "and how deep"},
     [AFTER_WARNINGS] = {"warnings", "what makes these numbers doubtful"},
+    [AFTER_ERROR] = {"error", "estimated, of q over f p0, where it is computed; 0 is exact"},
 };
 
 /* A contact and its edges. */
@@ -154,4 +154,5 @@ void after_load_compute(const contact_case *setup, const rwedge_contact *contact
     row->warnings[0] = '\0';
     doubts_write(row->doubts, row->warnings, sizeof row->warnings);
     row->value[AFTER_WARNINGS] = cell_text(row->warnings);
+    row->value[AFTER_ERROR] = cell_number(row->doubts.error);
 }

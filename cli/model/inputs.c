@@ -48,6 +48,8 @@ const input_kind input_kinds[INPUT_COUNT] = {
                             "stress", "the yield stress", ABOVE_0},
 };
 
+const double usual_tolerance = 1e-4;
+
 const char *input_column(int input, char name[INPUT_NAME_SIZE])
 {
     snprintf(name, INPUT_NAME_SIZE, "%s", input_kinds[input].option);

@@ -43,7 +43,12 @@ typedef struct {
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;
+    /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
+    double tolerance;
 } input_texts;
+
+/* The tolerance where none is given. */
+extern const double usual_tolerance;
 
 /* What is wrong with the inputs: the line of a message, or the error of a row. */
 enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };

@@ -41,7 +41,7 @@ static int32_t tension(const rwedge_contact *contact, const double edge[2], cell
     return status;
 }
 
-int32_t results_of_state(const contact_case *setup, cell row[])
+int32_t results_of_state(const contact_case *setup, cell row[], double *error)
 {
     rwedge_contact *contact = NULL;
     double edge[2];
@@ -58,6 +58,7 @@ int32_t results_of_state(const contact_case *setup, cell row[])
         friction(setup, contact, b, row);
         if (!isnan(setup->k))
             row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
+        *error = rwedge_contact_error(contact);
         status = tension(contact, edge, row);
     }
     rwedge_contact_destroy(contact);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "doubts.h"
 #include "present_state.h"
 #include "text/list.h"
 
@@ -171,13 +170,15 @@ static bool yield_factor(const contact_case *setup, results *answer, char compla
     return true;
 }
 
-static bool compute(const contact_case *setup, double b, cell row[], char complaint[COMPLAINT_SIZE])
+static bool compute(const contact_case *setup, double b, results *answer,
+                    char complaint[COMPLAINT_SIZE])
 {
+    cell *row = answer->value;
     const bool centred = setup->M == 0 && setup->sigma == 0;
     geometry(setup, b, row);
     if (centred && setup->after == NULL)
         return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
-    const int32_t status = results_of_state(setup, row);
+    const int32_t status = results_of_state(setup, row, &answer->doubts.error);
     if (status != RWEDGE_OK)
         return not_computed("left", rwedge_strerror(status), complaint);
     return !centred || strength(setup, b, row, complaint);
@@ -191,11 +192,12 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     const double b = rwedge_half_width(setup->theta, setup->a, setup->A, setup->P);
     if (!isnormal(b) || !isfinite(setup->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
-    if (!compute(setup, b, answer->value, complaint) ||
+    answer->doubts = (doubts){0, 0};
+    if (!compute(setup, b, answer, complaint) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    answer->doubts = doubts_of(setup, answer->value[RESULT_B].number, safety);
+    answer->doubts.bits = doubts_of(setup, answer->value[RESULT_B].number, safety);
     answer->warnings[0] = '\0';
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))

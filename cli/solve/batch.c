@@ -29,7 +29,7 @@ typedef struct {
     bool unused[HEADER_COLUMNS]; /* columns with numbers in any row that are not used */
     records *rows;
     int64_t count, failed;
-    int32_t doubts; /* of any row */
+    doubts doubts; /* of any row */
     csv_row *held;
     int64_t held_count;
 } run;
@@ -127,7 +127,8 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
         header_note_unused(&r->table.names, row->cell, r->unused);
     r->count++;
     r->failed += solution->solved ? 0 : 1;
-    r->doubts |= solution->solved ? solution->results.doubts : 0;
+    if (solution->solved)
+        doubts_add(&r->doubts, solution->results.doubts);
     progress_step();
 }
 

@@ -90,7 +90,6 @@ static void assert_same_results(const results *expected, const results *actual)
 
 static void threads_give_the_bits_of_one(void **state)
 {
-    (void)state;
     results alone, r[THREADS_MAX];
     count_most();
     run_threads(1, &alone);

@@ -210,7 +210,7 @@ static void mutants_are_refused_or_usable(void **state)
     uint64_t seed = 3;
     int usable = 0;
     const char *more = getenv("RWEDGE_MUTANTS");
-    const int mutants = more ? atoi(more) : 400;
+    const int mutants = more ? atoi(more) : 150;
     for (int number = 0; number < mutants; number++) {
         const size_t n = worn_state(number % 60, numbers);
         assert_true(number >= 60 || is_usable(n, numbers));

@@ -13,7 +13,6 @@ static double example(double b)
  * it lies between the lives for b = -0.0775 and b = -0.0785, which are both printed as -0.078. */
 static void the_worked_example_lives_277_cycles_to_the_digits_of_its_constants(void **state)
 {
-    (void)state;
     assert_close(example(-0.078), 278.02483705, 1e-10);
     assert_true(example(-0.0785) < 277 && 277 < example(-0.0775));
 }
@@ -30,7 +29,6 @@ static double shear_strain(double N)
 
 static void lives_are_where_the_curves_have_the_value(void **state)
 {
-    (void)state;
     for (double N = 0.5; N < 1e12; N *= 3.7) {
         assert_close(rwedge_smith_watson_topper_life(strain_energy(N), 162000, 475.4, -0.078, 0.612,
                                                      -0.62, 0),
@@ -42,7 +40,6 @@ static void lives_are_where_the_curves_have_the_value(void **state)
 
 static void run_outs_are_infinite(void **state)
 {
-    (void)state;
     assert_true(isinf(rwedge_smith_watson_topper_life(0, 162000, 475, -0.08, 0.6, -0.6, 0)));
     assert_true(isinf(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.31)));
     assert_true(isfinite(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.3)));
@@ -52,7 +49,6 @@ static void run_outs_are_infinite(void **state)
 
 static void what_is_outside_the_domain_has_no_life(void **state)
 {
-    (void)state;
     assert_nan(rwedge_smith_watson_topper_life(-1, 162000, 475, -0.08, 0.6, -0.6, 0));
     assert_nan(rwedge_smith_watson_topper_life(NAN, 162000, 475, -0.08, 0.6, -0.6, 0));
     assert_nan(rwedge_smith_watson_topper_life(1, 0, 475, -0.08, 0.6, -0.6, 0));

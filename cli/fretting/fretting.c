@@ -18,7 +18,8 @@ enum {
     OPTION_AT_WORST,
     OPTION_MATERIAL,
     OPTION_LENGTH,
-    OPTION_METHOD
+    OPTION_METHOD,
+    OPTION_ANGLE
 };
 
 static const struct poptOption options[] = {
@@ -40,6 +41,8 @@ static const struct poptOption options[] = {
     {"method", '\0', POPT_ARG_STRING, NULL, OPTION_METHOD,
      "At half the length below the surface, or the mean over twice of it (default point)",
      "point|line"},
+    {"angle", '\0', POPT_ARG_STRING, NULL, OPTION_ANGLE,
+     "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {THREADS_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
@@ -168,14 +171,19 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
 static distance read_distance(const arguments *given, const material *constants)
 {
     const char *text = given->value[OPTION_LENGTH], *method = given->value[OPTION_METHOD];
-    distance below = {NAN, method != NULL && strcmp(method, "line") == 0};
+    const char *angle = given->value[OPTION_ANGLE];
+    distance below = {NAN, 0, method != NULL && strcmp(method, "line") == 0};
     if (method != NULL && !below.is_line && strcmp(method, "point") != 0)
         usage_error("--method %s: must be point or line", method);
     if (text != NULL &&
         !(number_read(text, &below.length) && below.length >= 1e-60 && below.length <= 1e60))
         usage_error("--length %s: must be a number from 1e-60 to 1e60", text);
-    if (text == NULL && method != NULL)
+    if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
+        usage_error("--angle %s: must be a number from -85 to 85", angle);
+    if (text == NULL && (method != NULL || angle != NULL))
         below.length = material_length(constants);
+    if (angle != NULL && isnan(below.length))
+        usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))
         usage_error("--method %s: needs --length, or dK_th and ds0 of --material", method);
     if (!isnan(below.length) && given->value[OPTION_AT_WORST] == NULL &&

@@ -400,6 +400,20 @@ refuses "rwedge fretting: --kappa -1: must be a number, 0 or 1e-60 to 1e60" fret
 refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
     fretting cycle.csv $specimen --criteria swt,fs
 
+# Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.
+run fretting cycle.csv $specimen --archard 1e-5
+column wear_depth out >worn
+column energy_per_area out | paste -d ' ' worn - | awk '$1 != "-" { printf "%.17g %s\n", $2 * 1e-5, $1 }' >both
+close_rows "wear" 1e-14 0
+close_to "worst wear" "$(awk -v e="$(worst energy_per_area | cut -d ' ' -f 2)" 'BEGIN { printf "%.17g", e * 1e-5 }')" "$(worst wear_depth | cut -d ' ' -f 2)" 1e-5
+run fretting cycle.csv $specimen --at-worst --length 0.02 --angle 30
+x=$(verdict swt x)
+at_length=$(verdict swt at_length)
+run fretting cycle.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
+close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
+refuses "rwedge fretting: --angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
+refuses "rwedge fretting: --angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
+
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
 cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen

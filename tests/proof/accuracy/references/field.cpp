@@ -30,11 +30,6 @@ tensor stresses_at(const traction &t, const complex_ball &z)
 namespace
 {
 
-/* A potential and its derivatives. */
-struct jet {
-    complex_ball G, d, dd, ddd;
-};
-
 /* G'' and G''' of one patch, which are algebraic; over the half-width, X = sqrt(z^2-1), q = z^2
  * - alpha^2:
  *     G''  =  (2/pi) [c0/(X q) + (phi0/alpha)/X^3],
@@ -51,6 +46,8 @@ void set_bends(jet *of_patch, const patch &p, const complex_ball &point)
     of_patch->ddd = -z * ((per_X2 + 2 * per_q) * corner + 3 * edge * per_X2) * (factor / half);
 }
 
+} // namespace
+
 jet jet_of(const patch &p, const complex_ball &z, int order)
 {
     jet j = {p.potential(z), p.slope(z), {}, {}};
@@ -58,6 +55,9 @@ jet jet_of(const patch &p, const complex_ball &z, int order)
         set_bends(&j, p, z);
     return j;
 }
+
+namespace
+{
 
 void add(jet *sum, const ball &weight, const jet &j)
 {

@@ -65,6 +65,13 @@ struct traction {
     const patch &whole() const { return parts.back().shape; }
 };
 
+/* A potential and its derivatives; those of the second and third order where order > 0. */
+struct jet {
+    complex_ball G, d, dd, ddd;
+};
+
+jet jet_of(const patch &p, const complex_ball &z, int order);
+
 struct tensor {
     ball xx, yy, xy;
 };

@@ -360,7 +360,7 @@ class Reader:
             self.refuse(line, f"rwedge_{name}() is declared twice")
         if not listed:
             self.refuse(line, f"rwedge_{name}() has no parameters, which is not (void)")
-        parameters = [self.parameter(p, line) for p in listed.split(", ") if p != "void"]
+        parameters = [self.parameter(p, line) for p in listed.strip().split(", ") if p != "void"]
         function = Function(name, returns, "", parameters, self.section, self.dimensional, line, self.comment, self.alone)
         if returns.startswith("const") and function.of("created", "changed", "out array"):
             self.refuse(line, f"rwedge_{name}() returns a text: it may only read")

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "model/doubts.h"
 #include "model/tensor.h"
 #include "text/message.h"
 
@@ -35,7 +34,7 @@ static void note_load(const rwedge_contact *contact, size_t i, last_cycle *cycle
 {
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
     note_edges(contact, cycle);
-    cycle->doubts |= doubts_of_state(cycle->setup, contact);
+    doubts_add(&cycle->doubts, doubts_of_state(cycle->setup, contact));
 }
 
 static void keep(const rwedge_contact *contact, last_cycle *cycle)
@@ -54,7 +53,7 @@ static void look_before(const course *whole, last_cycle *cycle)
         return;
     for (size_t i = 0; i < whole->before.count; i++)
         if (load_table_apply(&whole->before, i, whole->what.f, contact, complaint))
-            cycle->doubts |= doubts_of_state(cycle->setup, contact);
+            doubts_add(&cycle->doubts, doubts_of_state(cycle->setup, contact));
     rwedge_contact_destroy(contact);
 }
 
@@ -197,7 +196,7 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
     return status;
 }
 
-/* Infinite at the apex of the sharp wedge: another point stands for it. */
+/* Infinite at a sharp edge: another point stands for it. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[])
 {
@@ -206,7 +205,7 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
         return RWEDGE_ENOMEM;
     double *depth = room + 5 * n;
     for (size_t i = 0; i < n; i++) {
-        depth[i] = cycle->setup->a == 0 && x[i] == 0 && y[i] == 0 ? 1 : y[i];
+        depth[i] = y[i] == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : y[i];
         forget(&at[i]);
     }
     int32_t status = fatigue(cycle, n, x, depth, at);

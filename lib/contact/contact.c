@@ -68,12 +68,13 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     copied->memory = (rw_memory){0};
     copied->origins = (rw_slip_origins){0};
     copied->numerical = NULL;
+    copied->exact = NULL;
     if (contact->geometry.pad)
         copied->geometry.pad = rw_pad_copy(contact->geometry.pad);
     if ((contact->geometry.pad && !copied->geometry.pad) ||
         !rw_memory_copy(&contact->memory, &copied->memory) ||
         !rw_slip_origins_copy(&contact->origins, &copied->origins) ||
-        !rw_numerical_take_over(copied, contact->numerical)) {
+        !rw_numerical_take_over(copied, contact)) {
         rwedge_contact_destroy(copied);
         return RWEDGE_ENOMEM;
     }

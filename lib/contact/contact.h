@@ -31,6 +31,7 @@ struct rwedge_contact {
     rw_slip_origins origins;
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
+    rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
 };
 
 /* Without load; the contact takes the geometry's pad over. RWEDGE_ENOMEM. */

@@ -140,6 +140,15 @@ static bool is_tilt_possible(const rw_step *step)
     return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
+/* The step to the loads, if they are allowed. */
+static int32_t prepare(const rwedge_contact *contact, rw_loads to, rw_step *step)
+{
+    int32_t status = check(contact, to);
+    if (status == RWEDGE_OK)
+        status = make_step(contact, to, step);
+    return status != RWEDGE_OK || is_tilt_possible(step) ? status : RWEDGE_EDOMAIN;
+}
+
 /* Whether slip reaches all of the path. */
 static bool slides(const rw_departure *departure)
 {
@@ -294,14 +303,10 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
 
 static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
 {
-    int32_t status = check(contact, to);
     rw_step step;
-    if (status == RWEDGE_OK)
-        status = make_step(contact, to, &step);
+    const int32_t status = prepare(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
-    if (!is_tilt_possible(&step))
-        return RWEDGE_EDOMAIN;
     if (to.P > 0 && !has_width(step.patch))
         return RWEDGE_ERANGE;
     if (contact->numerical && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
@@ -314,14 +319,10 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
 /* In a straight line that has a closed form as it is. */
 static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 {
-    int32_t status = check(contact, to);
     rw_step step;
-    if (status == RWEDGE_OK)
-        status = make_step(contact, to, &step);
+    const int32_t status = prepare(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
-    if (!is_tilt_possible(&step))
-        return RWEDGE_EDOMAIN;
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
@@ -369,10 +370,35 @@ static void take_over(rwedge_contact *contact, rwedge_contact *other)
     *other = before;
 }
 
+/* Where all that has slipped since slips in the straight line from the last closed form to these
+ * loads too, and to the same fronts, both ways have the same end: what sticks has never moved. */
+static void return_to_closed_form(rwedge_contact *contact)
+{
+    rwedge_contact *exact;
+    if (!rw_numerical_is_passed(contact) ||
+        rwedge_contact_copy(contact->exact, &exact) != RWEDGE_OK)
+        return;
+    exact->tolerance = contact->tolerance;
+    if (apply_whole(exact, contact->loads) == RWEDGE_OK && rw_numerical_agrees(contact, exact)) {
+        exact->energy = contact->energy;
+        exact->energy_carry = contact->energy_carry;
+        take_over(contact, exact);
+    }
+    rwedge_contact_destroy(exact);
+}
+
+static int32_t apply_to_numerical(rwedge_contact *contact, rw_loads to)
+{
+    const int32_t status = apply_numerically(contact, to);
+    if (status == RWEDGE_OK)
+        return_to_closed_form(contact);
+    return status;
+}
+
 static int32_t apply(rwedge_contact *contact, rw_loads to)
 {
     if (contact->numerical)
-        return apply_numerically(contact, to);
+        return apply_to_numerical(contact, to);
     const int32_t status = apply_whole(contact, to);
     if (status != RWEDGE_EPATH)
         return status;
@@ -404,8 +430,7 @@ rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)
 {
     rw_step step;
     rw_departure departure;
-    if (contact->f == 0 || check(contact, to) != RWEDGE_OK ||
-        make_step(contact, to, &step) != RWEDGE_OK || !is_tilt_possible(&step))
+    if (contact->f == 0 || prepare(contact, to, &step) != RWEDGE_OK)
         return RW_NO_OBSTACLE;
     return rw_path_departure(&step, &departure);
 }

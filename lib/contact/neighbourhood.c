@@ -143,7 +143,7 @@ rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
 void rw_neighbourhood_fields(const rwedge_contact *contact, const rw_neighbourhood *n, int count,
                              const double x[], const double y[], rw_contact_fields *fields)
 {
-    rw_contact_fields_at(contact, n->first, n->last, (size_t)count, x, y, fields);
+    rw_contact_fields_at(contact, n->first, n->last, count, x, y, fields);
     if (isinf(n->radius))
         return;
     const double unit = INTERVAL * n->radius;

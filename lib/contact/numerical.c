@@ -255,33 +255,52 @@ static void forget_shear(rwedge_contact *c, const rw_step *step)
     c->memory.shared = 0;
 }
 
+static void discard(rw_numerical *n)
+{
+    if (n)
+        rw_numerical_destroy(n);
+    free(n);
+}
+
+/* As it is before the step; NULL where memory is short. */
+static rw_numerical *start(const rwedge_contact *c, const rw_step *step)
+{
+    rw_numerical *n = malloc(sizeof *n);
+    if (n &&
+        (c->numerical ? rw_numerical_copy(c->numerical, n)
+         : c->memory.count == 1
+             ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch), n)
+             : begin(c, n)))
+        return n;
+    free(n);
+    return NULL;
+}
+
+/* Before the closed form is lost. */
+static bool keep_exact(rwedge_contact *c)
+{
+    return c->numerical || c->memory.count == 1 || rwedge_contact_copy(c, &c->exact) == RWEDGE_OK;
+}
+
 int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 {
     const rw_frame frame = frame_of(c);
-    const bool touches = c->memory.count == 1;
-    rw_numerical *next = malloc(sizeof *next);
+    rw_numerical *next = start(c, step);
     if (!next || !rw_memory_reserve(&c->memory, 2)) {
-        free(next);
-        return RWEDGE_ENOMEM;
-    }
-    const bool is_begun =
-        c->numerical ? rw_numerical_copy(c->numerical, next)
-        : touches
-            ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch), next)
-            : begin(c, next);
-    if (!is_begun) {
-        free(next);
+        discard(next);
         return RWEDGE_ENOMEM;
     }
     const double before = next->now.energy;
-    const int32_t status = status_of(advance(next, &frame, destination(c, step, next), touches));
+    int32_t status =
+        status_of(advance(next, &frame, destination(c, step, next), c->memory.count == 1));
+    if (status == RWEDGE_OK && !keep_exact(c))
+        status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
-        rw_numerical_destroy(next);
-        free(next);
+        discard(next);
         return status;
     }
     *energy = c->geometry.theta * rw_unit_stress(&c->geometry) * (next->now.energy - before);
-    rw_numerical_end(c);
+    discard(c->numerical);
     c->numerical = next;
     forget_shear(c, step);
     return RWEDGE_OK;
@@ -302,25 +321,47 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
     return is_done ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
 }
 
-bool rw_numerical_take_over(rwedge_contact *c, const rw_numerical *other)
+bool rw_numerical_is_passed(const rwedge_contact *c)
 {
-    if (!other)
+    if (!c->numerical || !c->exact)
+        return false;
+    const rw_numerical *n = c->numerical;
+    const rw_zones *z = &n->now.shear.zones;
+    const rw_patch before = rw_memory_end(&c->exact->memory)->patch, now = n->now.contact;
+    return n->now.is_still && before.left == now.left && before.right == now.right &&
+           z->count == 3 && z->zone[1].label == 0 && z->zone[0].label == z->zone[2].label &&
+           z->zone[1].left >= n->now.unslipped.left && z->zone[1].right <= n->now.unslipped.right;
+}
+
+bool rw_numerical_agrees(const rwedge_contact *c, const rwedge_contact *exact)
+{
+    const rw_zones *z = &c->numerical->now.shear.zones;
+    rw_zones other;
+    note_zones(exact, &other);
+    const double slack = c->tolerance * (z->zone[2].right - z->zone[0].left);
+    return other.count == 3 && other.zone[0].label == z->zone[0].label &&
+           fabs(other.zone[1].left - z->zone[1].left) < slack &&
+           fabs(other.zone[1].right - z->zone[1].right) < slack;
+}
+
+bool rw_numerical_take_over(rwedge_contact *c, const rwedge_contact *other)
+{
+    if (!other->numerical)
         return true;
     rw_numerical *copy = malloc(sizeof *copy);
-    if (!copy || !rw_numerical_copy(other, copy)) {
+    if (!copy || !rw_numerical_copy(other->numerical, copy)) {
         free(copy);
         return false;
     }
     c->numerical = copy;
-    return true;
+    return !other->exact || rwedge_contact_copy(other->exact, &c->exact) == RWEDGE_OK;
 }
 
 void rw_numerical_end(rwedge_contact *c)
 {
-    if (!c->numerical)
-        return;
-    rw_numerical_destroy(c->numerical);
-    free(c->numerical);
+    rwedge_contact_destroy(c->exact);
+    discard(c->numerical);
+    c->exact = NULL;
     c->numerical = NULL;
 }
 

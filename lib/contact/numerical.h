@@ -14,8 +14,15 @@ int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *en
 /* What is dissipated on the way to separation; NaN where that is not known. */
 double rw_numerical_energy_to_separation(const rwedge_contact *contact);
 
+/* Whether the pressing is that of the last closed form, and one zone sticks, which has not slipped
+ * since, between two that slip the same way. */
+bool rw_numerical_is_passed(const rwedge_contact *contact);
+
+/* Whether a contact in closed form sticks and slips where this one does. */
+bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
+
 /* A copy of another contact's, where there is one. false where memory is short. */
-bool rw_numerical_take_over(rwedge_contact *contact, const rw_numerical *other);
+bool rw_numerical_take_over(rwedge_contact *contact, const rwedge_contact *other);
 
 /* Ends the numerical state, after which the contact is without shear. */
 void rw_numerical_end(rwedge_contact *contact);

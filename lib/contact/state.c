@@ -22,6 +22,7 @@ typedef struct {
     double version;
     const rw_geometry *geometry;
     bool is_sound, is_short; /* of memory */
+    bool is_inner;           /* in a contact that another one keeps */
 } tape;
 
 static void pass(tape *t, double *value)
@@ -174,6 +175,7 @@ static bool is_contact_sound(const rwedge_contact *c)
            rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
            !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
            are_loads_sound(c) && is_share_sound(c) && is_shear_sound(c) &&
+           (!c->exact || is_contact_sound(c->exact)) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 
@@ -320,9 +322,10 @@ static void pass_errors(tape *t, rw_numerical *n)
 static void pass_shear(tape *t, rw_numerical *n)
 {
     rw_stance *s = &n->now;
-    double *const finite[] = {&s->at.P,       &s->at.M,         &s->at.shear,
-                              &s->at.stretch, &s->contact.left, &s->contact.right,
-                              &s->move,       &s->energy,       &s->error};
+    double *const finite[] = {&s->at.P,           &s->at.M,           &s->at.shear,
+                              &s->at.stretch,     &s->contact.left,   &s->contact.right,
+                              &s->move,           &s->energy,         &s->error,
+                              &s->unslipped.left, &s->unslipped.right};
     pass_finite(t, sizeof finite / sizeof *finite, finite);
     pass_zones(t, &s->shear.zones);
     s->shear.kinks = (int)pass_count(t, (size_t)s->shear.kinks, RW_MOST_KINKS);
@@ -332,22 +335,40 @@ static void pass_shear(tape *t, rw_numerical *n)
     }
     pass_elements(t, &s->shear.traction);
     n->has_origin = pass_count(t, n->has_origin, 1) == 1;
+    s->is_still = pass_count(t, s->is_still, 1) == 1;
     pass_elements(t, &n->origin);
     pass_errors(t, n);
+}
+
+static void pass_contact(tape *t, rwedge_contact *c);
+
+/* The contact when it last had a closed form. */
+static void pass_exact(tape *t, rwedge_contact *c)
+{
+    const bool has_exact = pass_count(t, c->exact != NULL, 1) == 1;
+    if (!has_exact || !t->is_sound || t->is_short)
+        return;
+    if (t->in)
+        c->exact = calloc(1, sizeof *c->exact);
+    t->is_short = !c->exact;
+    t->is_inner = true;
+    if (!t->is_short)
+        pass_contact(t, c->exact);
 }
 
 static void pass_numerical(tape *t, rwedge_contact *c)
 {
     pass(t, &c->tolerance);
-    const bool has_shear = pass_count(t, c->numerical != NULL, 1) == 1;
+    const bool has_shear = pass_count(t, c->numerical != NULL, t->is_inner ? 0 : 1) == 1;
     if (!has_shear || !t->is_sound || t->is_short)
         return;
     if (t->in)
         c->numerical = calloc(1, sizeof *c->numerical);
-    if (c->numerical)
-        pass_shear(t, c->numerical);
-    else
-        t->is_short = true;
+    t->is_short = !c->numerical;
+    if (t->is_short)
+        return;
+    pass_shear(t, c->numerical);
+    pass_exact(t, c);
 }
 
 static bool is_arc_sound(const rw_pad *pad, rw_arc arc, double weight)

@@ -50,6 +50,8 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_stance 
                         rw_function slip, const void *context)
 {
     *n = (rw_numerical){.now = *now, .has_origin = slip != NULL};
+    n->now.is_still = true;
+    n->now.unslipped = now->contact;
     if (!slip)
         return true;
     double at[4];

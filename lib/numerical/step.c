@@ -226,6 +226,19 @@ static void set_problem(const rw_frame *frame, const rw_stance *from, rw_course 
     p->allowed = ALLOWED * frame->tolerance;
 }
 
+/* What is left of a patch, of several parts the widest. */
+static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
+{
+    rw_patch widest = {patch.left, patch.left};
+    for (int i = 0; i < zones->count; i++) {
+        const rw_patch part = {fmax(patch.left, zones->zone[i].left),
+                               fmin(patch.right, zones->zone[i].right)};
+        if (zones->zone[i].label == 0 && part.right - part.left > widest.right - widest.left)
+            widest = part;
+    }
+    return widest;
+}
+
 bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
                       rw_stance *there)
 {
@@ -239,6 +252,8 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
     *there = (rw_stance){.shear = outcome.state,
                          .contact = contact,
                          .at = to,
+                         .is_still = from->is_still && p.is_still,
+                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
                          .error = outcome.violation};

@@ -22,6 +22,8 @@ typedef struct {
     rw_shear_state shear;
     rw_patch contact;
     rw_course at;
+    bool is_still;       /* the contact is as it was at the beginning */
+    rw_patch unslipped;  /* what has not slipped since; of several parts the widest */
     double move, energy; /* summed */
     double error;        /* of the step that led here */
 } rw_stance;

@@ -174,7 +174,8 @@ static bool try(sample *s, const entry *call, void *object, void **made)
 
 static bool goes_through_loads(const entry *call)
 {
-    return call->sizes > 0 && strcmp(call->size[0].name, "loads") == 0;
+    return strcmp(call->name, "contact_obstacle") == 0 ||
+           (call->sizes > 0 && strcmp(call->size[0].name, "loads") == 0);
 }
 
 static bool has_its_turn(const sample *s, const entry *call)

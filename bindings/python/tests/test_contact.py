@@ -183,16 +183,37 @@ def test_a_pickled_contact_goes_on_to_the_same_bits():
 
 
 def test_a_path_without_closed_form_is_refused_and_explained():
-    contact = rwedge.Contact(0.1, 0.4, 0.5, 0.5)
+    contact = rwedge.Contact(0.1, 0.4, 0.5, 0.5, tolerance=0)
     contact.apply(0.5, 0.1, 0, 0)
-    with pytest.raises(ValueError, match="no closed form"):
+    with pytest.raises(rwedge.PathError, match=r"no closed form: .*; or have it computed: Contact\(..., tolerance=1e-4\)$"):
         contact.apply(0.5, 0.1, 0, 1)
     assert "opposite directions" in contact.obstacle(0.5, 0.1, 0, 1)
     assert contact.obstacle(0.5, 0.1, 0.1, 0) == ""
 
 
+def test_a_path_without_closed_form_is_computed_unless_that_is_refused():
+    loads = [(0.5, 0.1, 0, 0), (0.5, 0.1, 0, 1), (0.52, 0.1, 0.1, 0.5)]
+    coarse, fine = (rwedge.Contact(0.1, 0.4, 0.5, 0.5, **given) for given in ({}, {"tolerance": 1e-6}))
+    x = np.linspace(-0.4, 0.4, 41)
+    for contact in (coarse, fine):
+        contact.apply(*loads[0])
+        assert contact.error == 0
+        contact.apply(*loads[1])
+        assert contact.error > 0
+    cycle = coarse.cycle(loads[2:], x, 0.1)
+    fine.apply(*loads[2])
+    p, q = fine.tractions(x)
+    np.testing.assert_allclose(coarse.tractions(x)[1], q, rtol=0, atol=1e-4 * 0.5 * -p.min())
+    np.testing.assert_allclose(cycle.stress[0], np.stack(fine.stresses(x, 0.1), -1), rtol=0, atol=4e-4 * 0.5 * -p.min())
+    assert copy.copy(coarse).error == pickle.loads(pickle.dumps(coarse)).error == coarse.error
+    for wrong in (-1, 1e-7, 0.1, np.nan):
+        with pytest.raises(rwedge.Error, match="tolerance = .*1e-6 to 1e-2"):
+            rwedge.Contact(0.1, 0.4, 0.5, 0.5, tolerance=wrong)
+
+
 def test_what_a_history_of_stresses_refuses_is_named(contact):
     good = {"P": [2000, 2000], "M": [0, 0], "Q": [-600, 300], "sigma": [0, 0], "x": [0.1], "y": [0.2]}
+    contact.allow_error(0)
     before = contact.state()
     for change, words in (({"Q": [-600, 3000]}, r"P\[1\] = 2000.0, .*Q\[1\] = 3000.0.*friction"),
                           ({"P": [2000, np.nan]}, r"P\[1\] = nan"), ({"sigma": [0, 1e5]}, r"sigma\[1\] = 100000.0.*: no closed form: "),

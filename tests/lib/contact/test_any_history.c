@@ -170,6 +170,29 @@ static void full_sliding_and_separation_end_it(void **state)
     rwedge_contact_destroy(fresh);
 }
 
+/* Q alone, farther than all that was computed: the way there is forgotten. */
+static void a_load_that_slips_past_all_that_was_computed_ends_it(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = computed(), *direct = allowing(0);
+    apply(contact, 4, 0, -0.4, -0.6);
+    assert_true(rwedge_contact_error(contact) > 0);
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    apply(contact, 4, 0, 1.7, 0.3);
+    apply(direct, 4, 0, 0, 0);
+    apply(direct, 4, 0, 1.7, 0.3);
+    assert_true(rwedge_contact_error(contact) == 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) > energy);
+    for (int i = -9; i <= 9; i++) {
+        assert_true(shear(contact, i / 5.0) == shear(direct, i / 5.0));
+        assert_true(slip(contact, i / 5.0) == slip(direct, i / 5.0));
+    }
+    apply(contact, 4, 0, 1.6, 0.9); /* and it is lost again */
+    assert_true(rwedge_contact_error(contact) > 0);
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(direct);
+}
+
 static void a_copy_and_a_restored_contact_go_on_to_the_same_bits(void **state)
 {
     (void)state;
@@ -353,6 +376,7 @@ int main(void)
         cmocka_unit_test(zones_cover_the_contact),
         cmocka_unit_test(zones_of_a_closed_form),
         cmocka_unit_test(full_sliding_and_separation_end_it),
+        cmocka_unit_test(a_load_that_slips_past_all_that_was_computed_ends_it),
         cmocka_unit_test(a_copy_and_a_restored_contact_go_on_to_the_same_bits),
         cmocka_unit_test(a_stress_history_is_that_of_its_loads),
         cmocka_unit_test(yield_is_found_and_the_energy_grows),

@@ -81,6 +81,20 @@ static void the_field_of_hertz_is_its_potential(void **state)
     rw_traction_destroy(&t);
 }
 
+/* The edges of slip zones may lie so close together: a point was not moved off such an edge. */
+static void the_slope_at_the_ends_of_a_narrow_element_is_finite(void **state)
+{
+    (void)state;
+    for (double width = 1e-6; width > 1e-10; width /= 10) {
+        const double breaks[] = {-1, 0.38, 0.38 + width, 1};
+        rw_traction t = {0};
+        assert_true(rw_traction_fit(&t, hertz, NULL, 4, breaks, 1e-12));
+        for (size_t i = 0; i < t.count; i++)
+            assert_within(rw_traction_slope(&t, t.elements[i].low), -t.elements[i].low, 1e-5);
+        rw_traction_destroy(&t);
+    }
+}
+
 static void an_element_made_of_coefficients_is_the_same(void **state)
 {
     (void)state;
@@ -101,6 +115,7 @@ int main(void)
         cmocka_unit_test(the_slope_of_hertz_is_a_line_inside_and_falls_off_outside),
         cmocka_unit_test(the_displacement_of_hertz_is_a_parabola),
         cmocka_unit_test(the_field_of_hertz_is_its_potential),
+        cmocka_unit_test(the_slope_at_the_ends_of_a_narrow_element_is_finite),
         cmocka_unit_test(an_element_made_of_coefficients_is_the_same),
     };
     return RUN_CLAIMS("transform", tests);

@@ -3,7 +3,7 @@
 #ifndef BALL_MATRIX_HPP
 #define BALL_MATRIX_HPP
 
-#include "references/ball.hpp"
+#include "balls/ball.hpp"
 #ifdef BALLS_IN_FLINT
 #include <flint/arb_mat.h>
 #else

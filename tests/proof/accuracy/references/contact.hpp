@@ -3,7 +3,7 @@
 #ifndef CONTACT_HPP
 #define CONTACT_HPP
 
-#include "references/ball.hpp"
+#include "balls/ball.hpp"
 
 /* phi0 and c0 = cos(phi0), sin(phi0) = min(a/b, 1). */
 struct angle {

@@ -30,34 +30,21 @@ tensor stresses_at(const traction &t, const complex_ball &z)
 namespace
 {
 
-/* G'' and G''' of one patch, which are algebraic; over the half-width, X = sqrt(z^2-1), q = z^2
- * - alpha^2:
- *     G''  =  (2/pi) [c0/(X q) + (phi0/alpha)/X^3],
- *     G''' = -(2/pi) z [c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5]. */
-void set_bends(jet *of_patch, const patch &p, const complex_ball &point)
-{
-    const ball half = p.half_width(), alpha = p.alpha();
-    const complex_ball z = point / half, per_X = inv(root(z - 1) * root(z + 1));
-    const complex_ball per_X2 = sqr(per_X), per_q = inv((z - alpha) * (z + alpha));
-    const complex_ball corner = p.c0() * per_q,
-                       edge = (is_zero(alpha) ? 1 : p.phi0() / alpha) * per_X2;
-    const complex_ball factor = 2 / pi() / sqr(half) * per_X;
-    of_patch->dd = (corner + edge) * factor;
-    of_patch->ddd = -z * ((per_X2 + 2 * per_q) * corner + 3 * edge * per_X2) * (factor / half);
-}
-
-} // namespace
+/* A potential and its derivatives. */
+struct jet {
+    complex_ball G, d, dd, ddd;
+};
 
 jet jet_of(const patch &p, const complex_ball &z, int order)
 {
     jet j = {p.potential(z), p.slope(z), {}, {}};
-    if (order > 0)
-        set_bends(&j, p, z);
+    if (order > 0) {
+        const higher_derivatives bends = p.bends(z);
+        j.dd = bends.second;
+        j.ddd = bends.third;
+    }
     return j;
 }
-
-namespace
-{
 
 void add(jet *sum, const ball &weight, const jet &j)
 {

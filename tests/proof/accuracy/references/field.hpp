@@ -6,39 +6,7 @@
 
 #include <deque>
 
-#include "references/complex_ball.hpp"
-
-/* A rounded wedge pressed to a half-width: G, G' and y G' of ball_potential.h. */
-class patch
-{
-    ball_patch v;
-
-  public:
-    patch(const ball &a, const ball &c) { ball_patch_init(&v, a.arb(), c.arb(), bits); }
-    ~patch() { ball_patch_clear(&v); }
-    patch(const patch &) = delete;
-    patch &operator=(const patch &) = delete;
-
-    ball half_width() const { return ball::copy(v.half_width); }
-    ball alpha() const { return ball::copy(v.alpha); }
-    ball c0() const { return ball::copy(v.c0); }
-    ball phi0() const { return ball::copy(v.phi0); }
-
-    complex_ball potential(const complex_ball &z) const { return at(ball_potential, z); }
-    complex_ball slope(const complex_ball &z) const { return at(ball_potential_slope, z); }
-    complex_ball depth_slope(const complex_ball &z) const
-    {
-        return at(ball_potential_slope_by_depth, z);
-    }
-
-  private:
-    template <typename Function> complex_ball at(Function f, const complex_ball &z) const
-    {
-        complex_ball result;
-        f(result.acb(), &v, z.acb(), bits);
-        return result;
-    }
-};
+#include "balls/patch.hpp"
 
 /* The last patch is the contact; f times the weights times the patches' pressures make the shear
  * traction. */
@@ -64,13 +32,6 @@ struct traction {
     }
     const patch &whole() const { return parts.back().shape; }
 };
-
-/* A potential and its derivatives; those of the second and third order where order > 0. */
-struct jet {
-    complex_ball G, d, dd, ddd;
-};
-
-jet jet_of(const patch &p, const complex_ball &z, int order);
 
 struct tensor {
     ball xx, yy, xy;

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "references/ball.hpp"
+#include "balls/ball.hpp"
 
 /* ratio is the slope D of the path from the corner before. */
 struct corner {

@@ -3,7 +3,7 @@
 #ifndef ROOT_HPP
 #define ROOT_HPP
 
-#include "references/ball.hpp"
+#include "balls/ball.hpp"
 
 struct value_slope {
     ball value, slope;

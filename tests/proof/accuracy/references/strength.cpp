@@ -31,7 +31,7 @@ ball surface_J2(const traction &t, const ball &u, const ball &at)
  * ln((s + c0 u)/v)], s = sqrt(1-x^2), and its derivative by psi, or by t: dpsi = (v/u) dt. */
 struct surface {
     const traction &t;
-    const ball phi0 = t.whole().phi0(), c0 = t.whole().c0();
+    const ball phi0 = t.whole().phi0, c0 = t.whole().c0;
     bool at_corner = false;
 
     explicit surface(const traction &of_contact) : t(of_contact) {}
@@ -117,7 +117,7 @@ extremum hertz_maximum(const traction &t)
 
 bool find_surface_maximum(extremum *at, const traction &t, double guess)
 {
-    if (is_zero(t.whole().c0())) {
+    if (is_zero(t.whole().c0)) {
         *at = hertz_maximum(t);
         return true;
     }

@@ -100,9 +100,9 @@ ball J2_by_alpha_below(const traction &t, const complex_ball &z)
 {
     const patch &p = t.whole();
     const complex_ball G = p.potential(z), dG = p.slope(z), X = root(z - 1) * root(z + 1);
-    const ball y = im(z), q = 2 * p.phi0() / t.a / pi();
+    const ball y = im(z), q = 2 * p.phi0 / t.a / pi();
     const complex_ball punch = q * inv(X * X * X),
-                       K = 2 * p.c0() / pi() * inv((z - t.a) * (z + t.a) * X) + punch; /* G'' */
+                       K = 2 * p.c0 / pi() * inv((z - t.a) * (z + t.a) * X) + punch; /* G'' */
     const complex_ball Ga = -(q * inv(X) + z * dG), Ha = y * ((punch - K) * z - dG);
     /* D = f G + mu y G', mu = -1 + i f; s = Im G - f Re G */
     const complex_ball mu(-1, t.f), D = mu * (y * dG) + t.f * G, Da = mu * Ha + t.f * Ga;
@@ -115,8 +115,7 @@ ball J2_by_alpha_below(const traction &t, const complex_ball &z)
 ball J2_by_alpha_at_surface(const traction &t, const ball &x)
 {
     const ball p = pressure(t.a, 1, x);
-    const ball q =
-        4 * t.whole().phi0() / (pi() * angle_of(x, 1).c0 * t.a); /* twice for the square */
+    const ball q = 4 * t.whole().phi0 / (pi() * angle_of(x, 1).c0 * t.a); /* twice for the square */
     return q * (sqr(t.f) * p + t.kappa * (p - x / t.a * t.f));
 }
 

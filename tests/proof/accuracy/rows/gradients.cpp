@@ -37,7 +37,7 @@ change operator-(const change &a, const change &b)
 /* y G'', 0 on the surface. */
 complex_ball depth_bend(const patch &p, const complex_ball &z)
 {
-    return is_zero(im(z)) ? complex_ball() : im(z) * jet_of(p, z, 1).dd;
+    return is_zero(im(z)) ? complex_ball() : im(z) * p.bends(z).second;
 }
 
 change by_x(const patch &p, const complex_ball &z)

@@ -14,10 +14,6 @@
 #include <acb.h>
 #endif
 
-extern "C" {
-#include "ball_potential.h"
-}
-
 inline thread_local slong bits = 128;
 
 /* Other bits, to the end of the scope. */

@@ -3,7 +3,7 @@
 #ifndef COMPLEX_BALL_HPP
 #define COMPLEX_BALL_HPP
 
-#include "references/ball.hpp"
+#include "balls/ball.hpp"
 
 class complex_ball
 {
@@ -79,10 +79,22 @@ class complex_ball
         return result;
     }
 
-    friend complex_ball operator+(complex_ball x, const complex_ball &y) { return x += y; }
-    friend complex_ball operator-(complex_ball x, const complex_ball &y) { return x -= y; }
-    friend complex_ball operator*(complex_ball x, const complex_ball &y) { return x *= y; }
-    friend complex_ball operator/(complex_ball x, const complex_ball &y) { return x /= y; }
+    friend complex_ball operator+(complex_ball x, const complex_ball &y)
+    {
+        return std::move(x += y);
+    }
+    friend complex_ball operator-(complex_ball x, const complex_ball &y)
+    {
+        return std::move(x -= y);
+    }
+    friend complex_ball operator*(complex_ball x, const complex_ball &y)
+    {
+        return std::move(x *= y);
+    }
+    friend complex_ball operator/(complex_ball x, const complex_ball &y)
+    {
+        return std::move(x /= y);
+    }
     friend complex_ball operator*(complex_ball x, const ball &y) { return x *= y; }
     friend complex_ball operator*(const ball &x, complex_ball y) { return y *= x; }
     friend complex_ball operator/(complex_ball x, const ball &y) { return x /= y; }
@@ -96,8 +108,14 @@ class complex_ball
     friend complex_ball inv(const complex_ball &z) { return rounded(acb_inv, z); }
     friend complex_ball sqr(const complex_ball &z) { return rounded(acb_sqr, z); }
     friend complex_ball midpoint(const complex_ball &z) { return exactly(acb_get_mid, z); }
-    /* continuous over the closed upper half-plane but for 0 */
-    friend complex_ball root(const complex_ball &z) { return rounded(ball_root, z); }
+    friend complex_ball conj(const complex_ball &z) { return exactly(acb_conj, z); }
+    friend complex_ball sqrt(const complex_ball &z) { return rounded(acb_sqrt, z); }
+    /* exp(i pi/4) sqrt(-i z): continuous over the closed upper half-plane but for 0, cut
+     * downwards */
+    friend complex_ball root(const complex_ball &z)
+    {
+        return sqrt(over_i(z)) * sqrt(complex_ball(0, 1));
+    }
     friend complex_ball i_over_pi(const complex_ball &z) { return times_i(z) / pi(); }
 
     friend ball re(const complex_ball &z) { return ball::copy(acb_realref(z.v)); }

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The potential in balls, compared with the reference stresses, and with its own derivative and
+ * limits. */
+#include "balls/patch.hpp"
+
+extern "C" {
+#include "claims.h"
+}
+
+struct field {
+    complex_ball G, H;
+};
+
+static field field_at(double a, double c, const complex_ball &z)
+{
+    const patch p(a, c);
+    return {p.potential(z), p.depth_slope(z)};
+}
+
+/* From the field N of the pressure and T of the shear traction over f: s, D of the
+ * superposition, against sxx, syy, txy. */
+static void assert_stress(const field &N, const field &T, double f, const complex_ball &z,
+                          const double expected[3])
+{
+    const ball s = im(N.G) - f * re(T.G);
+    const complex_ball D = f * (T.G + times_i(T.H)) - N.H;
+    assert_true(arb_rel_accuracy_bits(s.arb()) > 60 || middle(s) == 0 ||
+                arb_contains_zero(s.arb()));
+    const double mean = middle(s), half = middle(re(D));
+    const double largest = hypot(hypot(expected[0], expected[1]), expected[2]);
+    const double norm = fmax(largest, 1 / (1 + middle(abs(z))));
+    assert_within(mean - half, expected[0], 1e-15 * norm);
+    assert_within(mean + half, expected[1], 1e-15 * norm);
+    assert_within(middle(im(D)), expected[2], 1e-15 * norm);
+}
+
+static void stresses_in_full_sliding_are_the_reference_values(void **)
+{
+    const precision here(400);
+    reference table = reference_open("stress_sliding.csv");
+    while (reference_next(&table)) {
+        const double *c = table.cell;
+        const complex_ball z(c[2], c[3]);
+        const field N = field_at(c[0], 1, z);
+        assert_stress(N, N, c[1], z, c + 4);
+    }
+}
+
+static void stresses_in_partial_slip_are_the_reference_values(void **)
+{
+    const precision here(400);
+    reference table = reference_open("stress_partial_slip.csv");
+    while (reference_next(&table)) {
+        const double *c = table.cell;
+        const complex_ball z(c[3], c[4]);
+        const field N = field_at(c[0], 1, z), stick = field_at(c[0], c[2], z);
+        assert_stress(N, {N.G - stick.G, N.H - stick.H}, c[1], z, c + 6);
+    }
+}
+
+/* Whether what a wide ball gives is finite, or contains what thin balls within it give. */
+static void assert_contains(const complex_ball &wide, const complex_ball &thin,
+                            bool may_be_infinite)
+{
+    assert_true(acb_is_finite(wide.acb()) || may_be_infinite);
+    if (acb_is_finite(thin.acb()) && acb_is_finite(wide.acb()))
+        assert_true(acb_overlaps(wide.acb(), thin.acb()));
+}
+
+static void wide_balls_contain_thin_ones(const patch &p, double centre, double r)
+{
+    const complex_ball square(widened(centre, r), widened(r, r));
+    const complex_ball G = p.potential(square), H = p.depth_slope(square);
+    const bool may_be_infinite = r > 1e-3 || (p.is_sharp() && centre == 0); /* at its apex */
+    for (int m = 0; m < 25; m++) {
+        const complex_ball z(centre + r * (m % 5 - 2) / 2, r * (m / 5) / 2);
+        assert_contains(G, p.potential(z), may_be_infinite);
+        assert_contains(H, p.depth_slope(z), may_be_infinite);
+    }
+}
+
+/* Small ones are finite at the special points too. */
+static void wide_balls_contain_thin_ones_and_small_ones_are_finite(void **)
+{
+    for (const double alpha : {0.0, 0.01, 0.3, 0.99, 1.0, 2.0})
+        for (const double centre : {-1.0, -0.3, 0.0, 0.01, 0.3, 0.7, 0.99, 1.0, 1.5})
+            for (int k = 2; k < 40; k += 3)
+                wide_balls_contain_thin_ones(patch(alpha, 1), centre, ldexp(1, -k));
+}
+
+/* (G(z+h) - G(z-h))/2h, h = 2^-40, is G'(z) to 2^-60 or so. */
+static void the_slope_is_the_derivative(void **)
+{
+    const precision here(400);
+    const ball h = ldexp(1, -40);
+    for (const double alpha : {0.0, 0.01, 0.3, 0.99, 1.0, 2.0})
+        for (int k = 0; k < 20; k++) {
+            const patch p(alpha, 0.75);
+            const complex_ball z(-1.27 + 0.13 * k, 0.05 + 0.1 * (k % 7)), slope = p.slope(z);
+            const complex_ball secant = (p.potential(z + h) - p.potential(z - h)) / (2 * h);
+            assert_within(middle(re(secant)), middle(re(slope)), 1e-14);
+            assert_within(middle(im(secant)), middle(im(slope)), 1e-14);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stresses_in_full_sliding_are_the_reference_values),
+        cmocka_unit_test(stresses_in_partial_slip_are_the_reference_values),
+        cmocka_unit_test(wide_balls_contain_thin_ones_and_small_ones_are_finite),
+        cmocka_unit_test(the_slope_is_the_derivative),
+    };
+    return RUN_CLAIMS("ball_potential", tests);
+}

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "entry.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <math.h>
+#include <sstream>
+#include <stdexcept>
+#include <stdio.h>
+#include <string.h>
+
+static const char HEADER[] = "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,";
+
+static bool complain(const char *file, size_t line, const char *fault)
+{
+    fprintf(stderr, "certificate: %s:%zu: %s\n", file, line, fault);
+    return false;
+}
+
+/* The cell up to the next comma; a line that has none left is no entry. */
+static std::string next_cell(std::istringstream &line)
+{
+    std::string cell;
+    if (!std::getline(line, cell, ',') || line.eof())
+        throw std::invalid_argument("too few cells");
+    return cell;
+}
+
+static ball decimal(const std::string &text)
+{
+    ball number;
+    if (text.empty() || arb_set_str(number.arb(), text.c_str(), bits) != 0 || !is_finite(number))
+        throw std::invalid_argument("not a number");
+    return number;
+}
+
+static entry entry_of(std::istringstream line)
+{
+    entry e = {};
+    e.a_over_b = next_cell(line);
+    e.alpha = decimal(e.a_over_b);
+    e.f = decimal(next_cell(line));
+    e.kappa = sqr(2 * decimal(next_cell(line)) - 1) / 3;
+    e.limit = decimal(next_cell(line));
+    const ball x = decimal(next_cell(line)), y = decimal(next_cell(line));
+    e.place = complex_ball(x, y);
+    const std::string branch = next_cell(line);
+    e.at_surface = branch == "surface";
+    if (!(e.alpha > 0) || e.f < 0 || !(e.limit > 0) || y < 0 ||
+        !(e.at_surface || branch == "subsurface"))
+        throw std::invalid_argument("outside the domain");
+    return e;
+}
+
+bool read_entries(std::vector<entry> *entries, const char *file)
+{
+    std::ifstream stream(file);
+    if (!stream)
+        return complain(file, 0, "cannot be read");
+    std::string text;
+    if (!std::getline(stream, text) || text.compare(0, strlen(HEADER), HEADER) != 0)
+        return complain(file, 1, "not a table of elastic limits");
+    for (size_t number = 2; std::getline(stream, text); number++)
+        try {
+            entries->push_back(entry_of(std::istringstream(text)));
+            entries->back().file = file;
+            entries->back().line = number;
+        } catch (const std::invalid_argument &) {
+            return complain(file, number, "not an entry");
+        }
+    return true;
+}
+
+static bool comes_before(const entry &a, const entry &b)
+{
+    const int by_alpha = arf_cmp(arb_midref(a.alpha.arb()), arb_midref(b.alpha.arb()));
+    if (by_alpha)
+        return by_alpha < 0;
+    const int by_file = strcmp(a.file, b.file);
+    return by_file ? by_file < 0 : a.line < b.line;
+}
+
+void sort_entries(std::vector<entry> *entries)
+{
+    std::sort(entries->begin(), entries->end(), comes_before);
+}
+
+double distance_of(const entry &e)
+{
+    const double stated = lower_bound(e.limit);
+    return fmax(fabs(lower_bound(e.most) - stated), fabs(lower_bound(e.least) - stated)) / stated;
+}
+
+bool is_rounded(const entry &e)
+{
+    enum { DIGITS = 10 };
+    const auto unit = DIGITS - 1 - (ulong)floor(log10(lower_bound(e.limit)));
+    ball power = 10;
+    arb_pow_ui(power.arb(), power.arb(), unit, bits);
+    const ball half_unit = scaled(1 / power, -1);
+    return e.most <= e.limit + half_unit && e.least >= e.limit - half_unit;
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* In full sliding, G_T = f G and H = y G',
+ *
+ *     J2 = |f (G + iH) - H|^2 + kappa (Im G - f Re G)^2
+ *
+ * is a quadratic polynomial in f and linear in kappa. Its coefficients are six functions of the
+ * place alone. They are enclosed once for a square, and serve all entries of one a/b. A square is
+ * split in four as long as there is an entry that it might exceed. */
+#include "search.hpp"
+
+#include <math.h>
+
+/* Half the width of what is searched, and its depth; beyond is the far field. */
+enum { REACH = 4 };
+
+/* Squares are split down to 2^-49 and no further. */
+enum { DEEPEST = 50, MOST_SQUARES = 20 * 1000 * 1000 };
+
+void enclose_terms(model term[TERMS], const field &over)
+{
+    static const double plus[2] = {1, 1}, minus[2] = {1, -1}, twice[2] = {-2, -2};
+    const model &u = over.u, &v = over.v, &p = over.p, &q = over.q;
+    const model p2_q2[2] = {model_product(p, p), model_product(q, q)};
+    const model pu_qv[2] = {model_product(p, u), model_product(q, v)};
+    const model u_q[2] = {u, q}, v_p[2] = {v, p};
+    const model re = model_combination(2, minus, u_q), im = model_combination(2, plus, v_p);
+    const model re2_im2[2] = {model_product(re, re), model_product(im, im)};
+    const model uv = model_product(u, v);
+    term[0] = model_combination(2, plus, p2_q2);
+    term[1] = model_combination(2, twice, pu_qv);
+    term[2] = model_combination(2, plus, re2_im2);
+    term[3] = model_product(v, v);
+    term[4] = model_combination(1, twice, &uv);
+    term[5] = model_product(u, u);
+}
+
+namespace
+{
+
+/* An entry that is not done with yet. */
+struct candidate {
+    entry *judged;
+    double weight[TERMS];
+
+    /* f and kappa rounded to doubles are as good as exact: the combination allows for more
+     * roundings than these. */
+    explicit candidate(entry *e) : judged(e)
+    {
+        const double f = lower_bound(e->f), kappa = lower_bound(e->kappa);
+        const double weights[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
+        for (int i = 0; i < TERMS; i++)
+            weight[i] = weights[i];
+    }
+};
+
+/* Refutes the entry where the highest point of the square is above the ceiling for sure. */
+void try_to_refute(const contact &c, entry *e, square s, const model &J2)
+{
+    const summit top = model_summit(J2);
+    if (!(top.value - J2.rest > e->ceiling))
+        return;
+    const double x = s.x + s.half * top.xi, y = fmax(0, s.y + s.half * top.eta);
+    if (J2_at(c, complex_ball(x, y), e->f, e->kappa) > e->ceiling) {
+        e->is = EXCEEDED;
+        e->beyond_x = x;
+        e->beyond_y = y;
+    }
+}
+
+/* True where the square is done with for this candidate. */
+bool settles(const contact &c, const candidate &open, square s, const model term[TERMS])
+{
+    entry *e = open.judged;
+    if (e->is != PROVED)
+        return true;
+    const model J2 = model_combination(TERMS, open.weight, term);
+    if (model_maximum(J2) <= e->ceiling)
+        return true;
+    try_to_refute(c, e, s, J2);
+    return e->is != PROVED;
+}
+
+struct tree {
+    const contact c;
+    size_t squares = 0;
+    double covered = 0; /* the area of those done with */
+
+    /* For the candidates that the square might exceed. */
+    void examine(square s, int depth, const std::vector<const candidate *> &listed)
+    {
+        std::vector<const candidate *> left;
+        model term[TERMS];
+        squares++;
+        enclose_terms(term, field_over(c, s));
+        for (const candidate *open : listed)
+            if (!settles(c, *open, s, term))
+                left.push_back(open);
+        if (!left.empty() && depth < DEEPEST && squares < MOST_SQUARES) {
+            examine_quarters(s, depth + 1, left);
+            return;
+        }
+        covered += 4 * s.half * s.half;
+        for (const candidate *open : left)
+            open->judged->is = OPEN;
+    }
+
+  private:
+    void examine_quarters(square s, int depth, const std::vector<const candidate *> &listed)
+    {
+        const double half = s.half / 2;
+        for (const double y : {s.y - half, s.y + half})
+            for (const double x : {s.x - half, s.x + half})
+                examine({x, y, half}, depth, listed);
+    }
+};
+
+/* All around the squares. */
+void examine_far_field(const contact &c, entry *e)
+{
+    if (!(far_J2(c, REACH - 1, e->f, e->kappa) <= e->ceiling))
+        e->is = OPEN;
+}
+
+verdict verdict_of_place(const entry &e, double tolerance)
+{
+    if (is_zero(im(e.place)) != e.at_surface)
+        return MISNAMED;
+    if (!(e.most <= e.limit * (ball(tolerance) + 1)))
+        return NOT_REACHED;
+    return e.least >= e.limit * (ball(-tolerance) + 1) ? PROVED : EXCEEDED;
+}
+
+/* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the
+ * ceiling J2 (1+gap)^2, it is no less than that over 1+gap. */
+void examine_place(const contact &c, entry *e, allowance allowed)
+{
+    const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(allowed.gap) + 1;
+    e->most = c.load / sqrt(J2);
+    e->least = e->most / over;
+    e->ceiling = lower_bound(J2 * over * over);
+    e->is = verdict_of_place(*e, allowed.tolerance);
+    e->beyond_x = lower_bound(re(e->place));
+    e->beyond_y = lower_bound(im(e->place));
+}
+
+} // namespace
+
+size_t search(entry *entries, size_t count, allowance allowed)
+{
+    tree t = {contact(entries[0].alpha)};
+    std::vector<candidate> candidates;
+    std::vector<const candidate *> all;
+    candidates.reserve(count); /* for they are pointed to */
+    for (entry *e = entries; e < entries + count; e++) {
+        examine_place(t.c, e, allowed);
+        candidates.emplace_back(e);
+        all.push_back(&candidates.back());
+    }
+    const double half = REACH / 2.0;
+    for (const double x : {-half, half})
+        t.examine({x, half, half}, 0, all);
+    const bool all_covered = fabs(t.covered - 2 * REACH * REACH) < 1e-9;
+    for (entry *e = entries; e < entries + count; e++)
+        if (e->is == PROVED) {
+            e->is = all_covered ? PROVED : OPEN;
+            examine_far_field(t.c, e);
+        }
+    return t.squares;
+}

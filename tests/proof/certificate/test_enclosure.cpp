@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The steps of the certificate: each enclosure contains what it must, and is sharp enough to be
+ * useful. */
+#include "search.hpp"
+
+#include <float.h>
+
+extern "C" {
+#include "claims.h"
+}
+
+static double random_between(uint64_t *seed, double low, double high)
+{
+    return low + (high - low) * random_fraction(seed);
+}
+
+static double random_sign(uint64_t *seed)
+{
+    return random_fraction(seed) < 0.5 ? -1 : 1;
+}
+
+static model random_model(uint64_t *seed, double rest)
+{
+    double k[6];
+    for (int i = 0; i < 6; i++)
+        k[i] = random_between(seed, -1, 1) * pow(10, random_between(seed, -3, 0));
+    return {k[0], k[1], k[2], k[3], k[4], k[5], rest};
+}
+
+static double maximum_on_grid(const model &m)
+{
+    enum { GRID = 50 };
+    double best = -HUGE_VAL;
+    for (int i = -GRID; i <= GRID; i++)
+        for (int j = -GRID; j <= GRID; j++)
+            best = fmax(best, m.at((double)i / GRID, (double)j / GRID));
+    return best;
+}
+
+static void the_maximum_of_a_polynomial_is_bounded_sharply(void **)
+{
+    uint64_t seed = 1;
+    for (int i = 0; i < 2000; i++) {
+        model m = random_model(&seed, 0);
+        if (i % 2) /* the concave ones are rare */
+            m.xx = -fabs(m.xx), m.yy = -fabs(m.yy),
+            m.xy = random_between(&seed, -2, 2) * sqrt(m.xx * m.yy);
+        const double bound = model_maximum(m);
+        const summit top = model_summit(m);
+        assert_true(bound >= maximum_on_grid(m));
+        assert_true(fabs(top.xi) <= 1 && fabs(top.eta) <= 1);
+        assert_within(bound, m.at(top.xi, top.eta), 1e-11); /* so that it is attained */
+    }
+}
+
+static void nothing_bounds_what_is_not_finite(void **)
+{
+    for (int i = 0; i < 7; i++)
+        for (int j = 0; j < (i == 6 ? 2 : 3); j++) { /* the rest is not negative */
+            double k[7] = {0.1, 0.2, -0.3, 0.4, -0.5, 0.6, 0};
+            k[i] = j == 0 ? NAN : j == 1 ? HUGE_VAL : -HUGE_VAL;
+            const model m = {k[0], k[1], k[2], k[3], k[4], k[5], k[6]};
+            assert_true(model_maximum(m) == HUGE_VAL);
+        }
+}
+
+static void products_and_sums_contain_those_of_the_values(void **)
+{
+    uint64_t seed = 2;
+    for (int i = 0; i < 2000; i++) {
+        const model a = random_model(&seed, i % 3 ? 0.1 : 0),
+                    b = random_model(&seed, i % 5 ? 0.01 : 0);
+        const model both[2] = {a, b};
+        const double weight[2] = {random_between(&seed, -2, 2), random_between(&seed, -2, 2)};
+        const model product = model_product(a, b), sum = model_combination(2, weight, both);
+        for (int j = 0; j < 20; j++) { /* at the corners, the rests at their ends */
+            const double xi = random_sign(&seed), eta = random_sign(&seed);
+            const double va = a.at(xi, eta) + a.rest * random_sign(&seed);
+            const double vb = b.at(xi, eta) + b.rest * random_sign(&seed);
+            assert_within(va * vb, product.at(xi, eta), product.rest);
+            assert_within(weight[0] * va + weight[1] * vb, sum.at(xi, eta), sum.rest);
+        }
+    }
+}
+
+/* Of G' over the spacing 2^-14. */
+static higher_derivatives differences(const patch &p, const complex_ball &z)
+{
+    complex_ball slope[5];
+    for (int i = 0; i < 5; i++)
+        slope[i] = p.slope(z + ldexp(i - 2, -14));
+    const complex_ball near = slope[3] - slope[1], far = slope[4] - slope[0];
+    return {near * ldexp(1, 14 - 1), (slope[3] + slope[1] - 2 * slope[2]) * ldexp(1, 2 * 14),
+            (far - 2 * near) * ldexp(1, 3 * 14 - 1)};
+}
+
+static void assert_near(const complex_ball &difference, const complex_ball &derivative)
+{
+    const double x = middle(re(derivative)), y = middle(im(derivative));
+    assert_within(middle(re(difference)), x, 1e-5 * hypot(x, y));
+    assert_within(middle(im(difference)), y, 1e-5 * hypot(x, y));
+}
+
+static void the_higher_derivatives_are_those_of_the_slope(void **)
+{
+    for (const double alpha : {0.05, 0.3, 0.99, 1.0, 2.0})
+        for (const double half_width : {1.0, 0.75})
+            for (int j = 0; j < 20; j++) {
+                const patch p(alpha * half_width, half_width);
+                const complex_ball z(-1.27 + 0.13 * j, 0.1 + 0.1 * (j % 7));
+                const higher_derivatives exact = p.bends(z), approximate = differences(p, z);
+                assert_near(approximate.second, exact.second);
+                assert_near(approximate.third, exact.third);
+                assert_near(approximate.fourth, exact.fourth);
+            }
+}
+
+/* A square of any size down to 1e-7, next to the surface or one of the special places as often
+ * as not. */
+static square random_square(uint64_t *seed, double alpha)
+{
+    const double half = pow(10, random_between(seed, -7, 0)),
+                 by = pow(10, random_between(seed, -1, 1.5)) * half;
+    const double around[] = {0, alpha, 1, random_between(seed, 0, 3)};
+    const double x = around[(int)(4 * random_fraction(seed))] + by * random_between(seed, -1, 1);
+    const double y = half + (random_fraction(seed) < 0.5 ? 0 : by);
+    return {random_sign(seed) * x, y, half};
+}
+
+static void assert_contains(const model &m, double xi, double eta, const ball &value)
+{
+    const double v = middle(value);
+    assert_within(v, m.at(xi, eta), m.rest + 4 * DBL_EPSILON * (fabs(v) + model_bound(m)));
+}
+
+struct tally {
+    long enclosed;
+    double tightest; /* least of: largest error seen in a square, over the rest that is allowed */
+};
+
+static void check_square(const contact &c, square s, uint64_t *seed, tally *count)
+{
+    const field over = field_over(c, s);
+    const double f = random_fraction(seed), kappa = random_fraction(seed) / 3;
+    if (!(over.u.rest + over.v.rest + over.p.rest + over.q.rest < HUGE_VAL))
+        return;
+    model term[TERMS];
+    enclose_terms(term, over);
+    const double weight[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
+    const model J2_over = model_combination(TERMS, weight, term);
+    count->enclosed++;
+    for (int i = 0; i < 6; i++) {
+        const double xi = i < 4 ? (i % 2 ? 1 : -1) : random_between(seed, -1, 1);
+        const double eta = i < 4 ? (i / 2 ? 1 : -1) : random_between(seed, -1, 1);
+        const complex_ball z(s.x + s.half * xi, fmax(0, s.y + s.half * eta));
+        const complex_ball G = c.shape.potential(z), H = c.shape.depth_slope(z);
+        const ball J2 = J2_at(c, z, f, kappa);
+        assert_contains(over.u, xi, eta, re(G));
+        assert_contains(over.v, xi, eta, im(G));
+        assert_contains(over.p, xi, eta, re(H));
+        assert_contains(over.q, xi, eta, im(H));
+        assert_contains(J2_over, xi, eta, J2);
+        assert_true(middle(J2) <= model_maximum(J2_over));
+        const double error = fabs(middle(im(H)) - over.q.at(xi, eta)) / over.q.rest;
+        count->tightest = fmax(count->tightest, error);
+    }
+}
+
+/* The largest error seen, over the rest that bounds it, says how much of the bound is needed. */
+static void squares_contain_what_points_in_them_give(void **)
+{
+    uint64_t seed = 3;
+    tally count = {};
+    for (const double alpha : {0.01, 0.1, 0.5, 0.9, 0.99, 1.0, 3.0}) {
+        const contact c(alpha);
+        for (int j = 0; j < 2000; j++)
+            check_square(c, random_square(&seed, alpha), &seed, &count);
+    }
+    assert_true(count.enclosed > 10000);
+    assert_true(count.tightest > 0.5);
+}
+
+/* The certificate finishes because the rest falls like the cube of the square's size: by 8 when
+ * that is halved. */
+static void the_rest_falls_with_the_cube(void **)
+{
+    const contact c(0.3);
+    double before = 0;
+    for (double half = ldexp(1, -10); half > 1e-5; half /= 2) {
+        const field over = field_over(c, {0.1, 0.2, half});
+        if (before > 0)
+            assert_close(over.q.rest / before, 0.125, 0.1);
+        before = over.q.rest;
+    }
+}
+
+/* A point of the curve at the distance from the contact. */
+static complex_ball random_point_at(double distance, uint64_t *seed)
+{
+    const double angle = random_between(seed, 0, 3.14159265), end = random_between(seed, -1, 1);
+    if (fabs(cos(angle)) <= 0.5)
+        return complex_ball(end, distance);
+    return complex_ball(distance * cos(angle) + (cos(angle) > 0 ? 1 : -1), distance * sin(angle));
+}
+
+static void far_away_J2_is_below_its_bound(void **)
+{
+    enum { DISTANCE = 3 };
+    uint64_t seed = 4;
+    double nearest = 0;
+    for (int i = 0; i < 2000; i++) {
+        const contact c(random_between(&seed, 0.01, 1.2));
+        const double f = random_fraction(&seed), kappa = random_fraction(&seed) / 3;
+        const ball J2 = J2_at(c, random_point_at(DISTANCE, &seed), f, kappa);
+        const ball bound = far_J2(c, DISTANCE, f, kappa);
+        assert_true(J2 < bound);
+        nearest = fmax(nearest, middle(J2 / bound));
+    }
+    assert_true(nearest > 0.3);
+}
+
+/* The other route to J2, load and limit. */
+static void the_reference_limits_are_those_of_their_places(void **)
+{
+    reference table = reference_open("elastic_limit.csv");
+    size_t checked = 0;
+    while (reference_next(&table)) {
+        const double *cell = table.cell;
+        if (cell[0] < 1e-3)
+            continue;
+        const contact c(cell[0]);
+        const double kappa = (1 - 2 * cell[2]) * (1 - 2 * cell[2]) / 3;
+        const ball J2 = J2_at(c, complex_ball(cell[4], cell[5]), cell[1], kappa);
+        assert_close(middle(c.load / sqrt(J2)), cell[3], 1e-13);
+        checked++;
+    }
+    assert_true(checked > 50);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_maximum_of_a_polynomial_is_bounded_sharply),
+        cmocka_unit_test(nothing_bounds_what_is_not_finite),
+        cmocka_unit_test(products_and_sums_contain_those_of_the_values),
+        cmocka_unit_test(the_higher_derivatives_are_those_of_the_slope),
+        cmocka_unit_test(squares_contain_what_points_in_them_give),
+        cmocka_unit_test(the_rest_falls_with_the_cube),
+        cmocka_unit_test(far_away_J2_is_below_its_bound),
+        cmocka_unit_test(the_reference_limits_are_those_of_their_places),
+    };
+    return RUN_CLAIMS("enclosure", tests);
+}

@@ -54,8 +54,8 @@ change by_y(const patch &p, const complex_ball &z)
 /* c d/dc; the points are over c in X. */
 change by_half_width(const patch &p, const complex_ball &point)
 {
-    const complex_ball z = point / p.half_width(), X = root(z - 1) * root(z + 1);
-    const ball edge = is_zero(p.alpha()) ? ball(1) : p.phi0() / p.alpha();
+    const complex_ball z = point / p.half_width, X = root(z - 1) * root(z + 1);
+    const ball edge = is_zero(p.alpha) ? ball(1) : p.phi0 / p.alpha;
     const ball factor = 2 / pi() * edge;
     return {factor * inv(X), -im(z) * factor * (z * inv(X) * inv(X) * inv(X))};
 }

@@ -83,8 +83,7 @@ ball J2_by_friction(const traction &t, const complex_ball &z)
 /* alpha d/dalpha of J2 at a place that keeps its x/a, y/a: dG is -(2/pi) (phi0/alpha)/X. */
 ball J2_by_rounding(const traction &t, const complex_ball &z)
 {
-    const complex_ball X = root(z - 1) * root(z + 1),
-                       W = -2 / pi() * t.whole().phi0() / t.a * inv(X),
+    const complex_ball X = root(z - 1) * root(z + 1), W = -2 / pi() * t.whole().phi0 / t.a * inv(X),
                        V = -im(z) * (z * W * inv(X) * inv(X)), G = t.whole().potential(z),
                        H = t.whole().depth_slope(z);
     const complex_ball D = t.f * G + times_i(t.f * H) - H, Da = t.f * W + times_i(t.f * V) - V;

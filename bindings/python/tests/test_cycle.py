@@ -150,39 +150,6 @@ contact.cycle({{"P": [2000]}}, 0, 1).{call}"""
     assert f"needs {package}, which is not installed: pip install {package}" in done.stderr
 
 
-def normal_range_times_peak(sxx, syy, txy, angle):
-    """(1+nu)/E times it is twice Smith, Watson and Topper's product, on planes of normal (sin, cos); Hooke's law."""
-    s, c = np.sin(angle), np.cos(angle)
-    normal = s * s * sxx[:, None] + c * c * syy[:, None] + 2 * s * c * txy[:, None]
-    strain = normal - NU * (sxx + syy)[:, None]
-    return np.maximum(normal.max(axis=0), 0) * np.ptp(strain, axis=0)
-
-
-def brute_force(sxx, syy, txy):
-    """The largest over all planes: a scan of 20000, and golden sections beside the five best."""
-    angle = np.linspace(-np.pi / 2, np.pi / 2, 20001)
-    best = angle[np.argsort(normal_range_times_peak(sxx, syy, txy, angle))[-5:]]
-    ratio, low, high = (np.sqrt(5) - 1) / 2, best - 2e-4, best + 2e-4
-    for _ in range(40):
-        inner = np.stack([high - ratio * (high - low), low + ratio * (high - low)])
-        left, right = (normal_range_times_peak(sxx, syy, txy, one) for one in inner)
-        low, high = np.where(left < right, inner[0], low), np.where(left < right, high, inner[1])
-    return normal_range_times_peak(sxx, syy, txy, (low + high) / 2).max() * (1 + NU) / E / 2
-
-
-def test_smith_watson_topper_is_that_of_all_planes(pad):
-    x = pad.half_width * np.array([-1.2, -1, -0.999, -0.9, -0.5, 0.3, 0.95, 1, 1.1])
-    cycle = pad.cycle({"Q": 900 * np.cos(np.linspace(0, 2 * np.pi, 24))}, x[:, None], [0, 0.05])
-    value, angle = rwedge.smith_watson_topper(*cycle, E, NU, axis=0)
-    assert value.shape == angle.shape == (9, 2)
-    for place in np.ndindex(value.shape):
-        components = [component[(slice(None), *place)] for component in cycle]
-        expected = brute_force(*components)
-        assert abs(value[place] - expected) <= 1e-9 * expected
-        at = normal_range_times_peak(*components, np.array([angle[place]]))[0] * (1 + NU) / E / 2
-        assert abs(value[place] - at) <= 1e-12 * value[place]
-
-
 def test_parameters_of_cycles_broadcast(pad):
     cycle = pad.cycle({"Q": Q}, X, Y)
     last = [np.moveaxis(component, 0, -1).copy() for component in cycle]

@@ -72,4 +72,31 @@ run table elastic-limit --a-over-b 0.01 --friction 0 --nu 0.5
 same "surface branch" - "$(column P_over_bk_surface out)"
 same "branch" subsurface "$(column branch out)"
 
+# A flat pad with rounded edges: Hertz less a rounded wedge; Hertz itself for a = 0; one of its contacts.
+run table contact-law --a-over-b 0.5
+p0=$(column peak_pressure out)
+run table contact-law --pad flat --a-over-b 0,0.5,0.99
+column APR_over_b2 out >got
+awk 'BEGIN { pi = 3.141592653589793
+    for (i = 0; i < 3; i++) { a = i == 0 ? 0 : i == 1 ? 0.5 : 0.99; s = sqrt(1 - a * a); printf "%.17g\n", atan2(s, a) - a * s } }' |
+    paste -d ' ' - got >both
+close_rows "load of a flat pad" 1e-12 0
+echo "1 $(sed -n 2p out | cut -d , -f 4)
+1 $(sed -n 2p out | cut -d , -f 5)
+$(awk -v p="$p0" 'BEGIN { printf "%.17g", 1 - 0.5 * p }') $(sed -n 3p out | cut -d , -f 5)" >both
+close_rows "pressures of a flat pad" 1e-13 0
+run table elastic-limit --a-over-b 1 --friction 0,0.1,0.5
+column P_over_bk out >hertz
+run table elastic-limit --pad flat --a-over-b 0 --friction 0,0.1,0.5
+column P_over_bk out | paste -d ' ' hertz - >both
+close_rows "a flat of no width is a cylinder" 1e-12 0
+run table elastic-limit --pad flat --a-over-b 0.5 --friction 0,0.3 --digits 9
+same "without friction on the right" yes "$(awk -F, 'NR == 2 && $5 > 0.8 && $6 > 0.2 { print "yes" }' out)"
+limit=$(sed -n 3p out | cut -d , -f 4)
+run solve --E1 4e5 --nu1 0.3 --flat 1 --radius 100 --P "$(awk 'BEGIN { printf "%.17g", 4e5 / 91 * (atan2(sqrt(0.75), 0.5) - sqrt(0.75) / 2) }')" --f 0.3 --Q 0
+close_to "limit of one contact" "$(value P_over_bk)" "$limit" 1e-8
+refuses "rwedge table: --pad flat: not for max-tension; allowed: elastic-limit, contact-law" table max-tension --pad flat
+refuses "rwedge table: --pad square: unknown pad; allowed: wedge, flat" table contact-law --pad square
+refuses "rwedge table: --a-over-b 1: a/b of a flat pad must be a number from 0 to 0.999" table contact-law --pad flat --a-over-b 1
+
 finish

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
+#include "paraview.h"
 #include "worst.h"
 
 #include "contact/notices.h"
@@ -20,6 +21,12 @@ enum {
     OPTION_LENGTH,
     OPTION_METHOD,
     OPTION_ANGLE
+};
+
+static struct poptOption fretting_output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
 };
 
 static const struct poptOption options[] = {
@@ -44,7 +51,7 @@ static const struct poptOption options[] = {
     {"angle", '\0', POPT_ARG_STRING, NULL, OPTION_ANGLE,
      "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, fretting_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -193,10 +200,19 @@ static distance read_distance(const arguments *given, const material *constants)
     return below;
 }
 
+static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
+
+static bool is_for_paraview(const output_options *how)
+{
+    return how->format == NULL;
+}
+
 static void read_plan(arguments *given, plan *job, output_options *how)
 {
     criteria asked;
-    output_options_read(given, how);
+    output_options_read_of(given, formats, "", how);
+    if (is_for_paraview(how) && given->value[OPTION_AT_WORST] != NULL)
+        usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     places_spare_files(given, how);
     job->threads = threads_read(given);
     material_read(given->value[OPTION_MATERIAL], given, &job->constants);
@@ -244,6 +260,8 @@ static void write_output(const arguments *given, const output_options *how, plan
     verdict.is_verdict = true;
     if (given->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdict);
+    else if (is_for_paraview(how))
+        output_options_write(how, paraview_write, &(measured_columns){&job->all, &job->last.asked});
     else
         output_options_write(how, write_rows, job);
 }
@@ -259,7 +277,7 @@ static int fretting(const arguments *line)
     compute(&job);
     worst_find(&job.all, &job.worst);
     worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
-    if (job.all.line > 0 && given.value[OPTION_X] == NULL)
+    if (job.all.line > 0 && given.value[OPTION_X] == NULL && !is_for_paraview(&how))
         worst_add_places(&job.worst, &job.all);
     write_output(&given, &how, &job);
     if (how_worst.path != NULL)

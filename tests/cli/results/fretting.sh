@@ -414,6 +414,20 @@ close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
 refuses "rwedge fretting: --angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
 refuses "rwedge fretting: --angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
 
+# For ParaView: a grid of the places of the rows, with each column; points otherwise.
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
+cp out rows
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt --format vtk
+same "the grid" "DIMENSIONS 7 2 1 POINT_DATA 14" "$(grep -E '^(DIMENSIONS|POINT_DATA)' out | paste -s -d ' ' -)"
+same "its columns" "$(head -n 1 rows | tr , '\n' | sed '1,2d' | paste -s -d ' ' -)" "$(awk '/^SCALARS/ { print $2 }' out | paste -s -d ' ' -)"
+awk '/^SCALARS/ { on = $2 == "swt"; next } on && !/^LOOKUP/ { for (i = 1; i <= NF; i++) print $i }' out >swt
+cp rows out
+same "its numbers" "$(column swt out)" "$(cat swt)"
+run fretting cycle.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
+same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | paste -s -d ' ' -)"
+same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
+refuses "rwedge fretting: --at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
+
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
 cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen

@@ -220,8 +220,9 @@ static double difference(double scale, const rw_stance *one, const rw_stance *ot
     enum { POINTS = 121 };
     double at[POINTS], apart[POINTS], most = 0;
     for (int i = 0; i < POINTS; i++) {
-        const double x = at[i] = rw_patch_middle(one->contact) -
-                                 rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
+        const double x = at[i] =
+            rw_patch_middle(one->contact) -
+            rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
         apart[i] = is_at_front(one, x) || is_at_front(other, x)
                        ? 0
                        : fabs(rw_traction_at(&one->shear.traction, x) -

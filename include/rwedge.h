@@ -71,7 +71,7 @@ enum {
     RWEDGE_ESLIDING = 6, /* |Q| exceeds f P: no equilibrium */
     RWEDGE_ERANK = 7,    /* the samples do not determine that many coefficients */
     RWEDGE_EABSENT = 8,  /* what was asked for does not exist for these arguments */
-    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_obstacle() */
+    RWEDGE_EPATH = 9     /* no closed form on this path of loads: rwedge_contact_allow_error() */
 };
 
 /* The library's version, "MAJOR.MINOR.PATCH"; RWEDGE_VERSION is that of the header. Static text. */
@@ -103,6 +103,10 @@ RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double n
  * Hertz.                                                                  Eq. (7), (11), (13), (15)
  * NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b(). */
 RWEDGE_API double rwedge_load(double alpha);
+
+/* Derivative of rwedge_load() by alpha, 0 for the sharp wedge.                                  new
+ * NaN outside the domain of alpha. Relative error below 1e-14. */
+RWEDGE_API double rwedge_load_derivative(double alpha);
 
 /* The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
  * (a/b >= 1) included.                                                       Eq. (7), (11), inverse
@@ -166,12 +170,42 @@ RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, dou
 RWEDGE_API int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[],
                                    const double y[], double sxx[], double syy[], double txy[]);
 
+/* How the stresses change with the place: d/dx and d/dy of them, in theta/(A b); closed form.   new
+ *   x, y                 in b, finite, y >= 0; not on the surface at an edge, where |x| is 1, c or
+ *                        alpha, nor the apex of the sharp wedge: there one of them is infinite
+ *   sxx_x, syy_x, txy_x  d/dx, each receives one number
+ *   sxx_y, syy_y, txy_y  d/dy, each receives one number
+ * RWEDGE_EDOMAIN where x is such an edge and y is 0; RWEDGE_ENULL. Error below 1e-12 of the
+ * parts that add up: lib/README.md, "Accuracy". */
+RWEDGE_API int32_t rwedge_stress_gradient(double alpha, double f, double c, double x, double y,
+                                          double *sxx_x, double *syy_x, double *txy_x,
+                                          double *sxx_y, double *syy_y, double *txy_y);
+
+/* How the stresses change with the contact: d/dalpha, d/df and d/dc of them at a place of which x
+ * and y, in b, stay, in theta/A; closed form.                                                   new
+ *   x, y                             as in rwedge_stress_gradient()
+ *   sxx_alpha, syy_alpha, txy_alpha  d/dalpha, each receives one number; 0 for the sharp wedge
+ *   sxx_f, syy_f, txy_f              d/df, each receives one number
+ *   sxx_c, syy_c, txy_c              d/dc, each receives one number; that of a growing c for c = 0
+ * RWEDGE_EDOMAIN where x is such an edge and y is 0; RWEDGE_ENULL. Error as that of
+ * rwedge_stress_gradient(). */
+RWEDGE_API int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, double y,
+                                             double *sxx_alpha, double *syy_alpha,
+                                             double *txy_alpha, double *sxx_f, double *syy_f,
+                                             double *txy_f, double *sxx_c, double *syy_c,
+                                             double *txy_c);
+
 /* ---- Strength -------------------------------------------------------------------------------- */
 
 /* Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi
  * for Hertz.                                                                          Eq. (38); new
  * NaN outside the domain. Relative error below 1e-14. */
 RWEDGE_API double rwedge_max_tension(double alpha);
+
+/* Derivative of rwedge_max_tension() by alpha. At alpha = 1 it jumps from 4/pi to 0, which it is
+ * there.                                                                                        new
+ * NaN outside the domain. Relative error below 1e-14. */
+RWEDGE_API double rwedge_max_tension_derivative(double alpha);
 
 /* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
  * under a normal load (f = 0).                                                         Figs. 3 to 5
@@ -184,6 +218,19 @@ RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
 /* The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain. */
 RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[],
                                          double nu, double limit[]);
+
+/* How the elastic limit changes with alpha, f and nu, and on which branch it is. At the critical
+ * friction the gradient jumps. At alpha = 1 d_alpha does, to 0: beyond, the limit is constant.
+ *                                                                                               new
+ *   alpha       at least 1e-14
+ *   d_alpha     d/dalpha of the limit
+ *   d_f         d/df, 0 for f = 0
+ *   d_nu        d/dnu
+ *   at_surface  1 where it yields at the surface, 0 where below it
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error below 1e-11 of the larger of the derivative and the limit,
+ * for d_alpha over alpha, where the maximum is not flat and f <= 100. */
+RWEDGE_API int32_t rwedge_elastic_limit_gradient(double alpha, double f, double nu, double *d_alpha,
+                                                 double *d_f, double *d_nu, double *at_surface);
 
 /* The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
  *   alpha  0, or at least 1e-14
@@ -1004,6 +1051,82 @@ RWEDGE_API double rwedge_smith_watson_topper_life(double swt, double E, double s
  * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
 RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double tf, double b,
                                            double gf, double c, double limit);
+
+/* The cycles of a history by rainflow. A history that repeats is counted from its largest value to
+ * the same again: nothing is left over. Of any other what is left over counts half.
+ *                                                                       ASTM E1049-85 (2017); new
+ *   n        number of values, >= 1
+ *   value    of at most 1e60 in magnitude: n numbers
+ *   repeats  0 <= repeats <= 1: 0 where it happens once (5.4.4), 1 where it repeats (5.4.5)
+ *   range    receives n numbers: the largest less the smallest value of the cycle that begins with
+ *            the value of this place; 0 where none begins
+ *   mean     receives n numbers: the mean of these two
+ *   count    receives n numbers: 1, 1/2 for what is left over, 0 where no cycle begins
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. A value between its
+ * neighbours is no turn; of equal ones in a row the first is. */
+RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double range[],
+                                   double mean[], double count[]);
+
+/* Damage of a block of stresses that repeats, by Smith, Watson and Topper's parameter: Miner's sum
+ * on the plane where it is largest, of all planes. 1/value blocks are the life.
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
+ * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
+ * repeats. Each has the largest normal stress between its first load and the one at which it
+ * closes. One of the parameter P adds 1/N(P).
+ *   n       number of loads of the block, >= 1, in their order; stresses change straight between
+ *   sf, b, ef, c, limit         as in rwedge_smith_watson_topper_life()
+ *   value, cycles               each receives one number: the sum; how many cycles there are
+ *   angle, out_of_plane         each receives one number
+ *   others                      as in rwedge_smith_watson_topper_planes()
+ * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. The sum itself errs by 1e-11 and 1e-13 of the criterion over its slope. Damage is
+ * not smooth over the planes: they are a grid of 5 degrees, refined around the worst. In no random
+ * block of the tests another plane had a damage larger by 1e-4. With a limit, a cycle that is at
+ * the limit may be missed. A block of one cycle has the plane of the criterion. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_damage(size_t n, const double sxx[],
+                                                     const double syy[], const double txy[],
+                                                     double E, double nu, int32_t plane_stress,
+                                                     double sf, double b, double ef, double c,
+                                                     double limit, double *value, double *cycles,
+                                                     double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the block, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, cycles, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_smith_watson_topper_damage_field(
+    size_t loads, size_t n, const double sxx[], const double syy[], const double txy[], double E,
+    double nu, int32_t plane_stress, double sf, double b, double ef, double c, double limit,
+    double value[], double cycles[], double angle[], double out_of_plane[]);
+
+/* Damage of a block of stresses that repeats, by Fatemi and Socie's parameter. The cycles are those
+ * of the plane's shear strain in one direction, the direction of the largest sum.
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
+ *   n                     number of loads of the block, >= 1, in their order
+ *   k_over_sy             as in rwedge_fatemi_socie()
+ *   G, tf, b, gf, c, limit  as in rwedge_fatemi_socie_life()
+ *   value, cycles         each receives one number: the sum; how many cycles there are
+ *   angle, out_of_plane   each receives one number
+ *   others                as in rwedge_fatemi_socie_planes()
+ * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. Accuracy as of rwedge_smith_watson_topper_damage(). */
+RWEDGE_API int32_t rwedge_fatemi_socie_damage(size_t n, const double sxx[], const double syy[],
+                                              const double txy[], double E, double nu,
+                                              int32_t plane_stress, double k_over_sy, double G,
+                                              double tf, double b, double gf, double c,
+                                              double limit, double *value, double *cycles,
+                                              double *angle, double *out_of_plane);
+
+/* The same at n points.
+ *   loads          number of loads of the block, >= 1
+ *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
+ *   value, cycles, angle, out_of_plane  each receives n numbers
+ * Nothing is written unless every stress is in the domain. */
+RWEDGE_API int32_t rwedge_fatemi_socie_damage_field(
+    size_t loads, size_t n, const double sxx[], const double syy[], const double txy[], double E,
+    double nu, int32_t plane_stress, double k_over_sy, double G, double tf, double b, double gf,
+    double c, double limit, double value[], double cycles[], double angle[], double out_of_plane[]);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

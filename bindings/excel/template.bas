@@ -67,14 +67,16 @@ Private Function text_at(ByVal address As LongPtr) As String
     text_at = StrConv(bytes, vbUnicode)
 End Function
 
-Private Function failure(ByVal status As Long) As Variant
+' The reason is that of a path without a closed form.
+Private Function failure(ByVal status As Long, Optional ByVal reason As String = "") As Variant
     Select Case status
         Case LIBRARY_MISSING
             failure = CVErr(xlErrName)
         Case NOT_A_COLUMN
             failure = CVErr(xlErrValue)
         Case Else
-            Debug.Print "rwedge: " & text_at(c_strerror(status))
+            If status = RWEDGE_EPATH And reason <> "" Then reason = ": " & reason Else reason = ""
+            Debug.Print "rwedge: " & text_at(c_strerror(status)) & reason
             If status = RWEDGE_EABSENT Then failure = CVErr(xlErrNA) Else failure = CVErr(xlErrNum)
     End Select
 End Function

@@ -23,17 +23,19 @@ def name_of(p: Parameter) -> str:
 
 def folded(line: str, indent: int) -> str:
     """A statement over as many lines as it takes, broken at ", ", outside of texts where it can be."""
-    margin, lines = " " * indent, []
+    margin, lines, in_text = " " * indent, [], False
     while len(margin) + len(line) > WIDTH:
-        quoted, best = False, 0
+        quoted, places = in_text, {True: 0, False: 0}
         for i, letter in enumerate(line[:WIDTH - len(margin) - 2]):
             quoted ^= letter == "'"
-            if not quoted and line[i - 1:i + 1] == ", ":
-                best = i + 1
+            if line[i - 1:i + 1] == ", ":
+                places[quoted] = i + 1
+        in_text = places[False] == 0
+        best = places[in_text]
         if best == 0:
             sys.exit(f"write_fortran.py: no place to break the line {line}")
         lines.append(margin + line[:best] + "&")
-        line, margin = line[best:], " " * (indent + 4)
+        line, margin = "&" * in_text + line[best:], " " * (indent + 4)
     return "\n".join([*lines, margin + line])
 
 

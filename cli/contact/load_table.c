@@ -19,6 +19,7 @@ struct poptOption load_option_table[] = {
      "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
      "FILE"},
     {ENCODING_OPTION},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, exactness_option_table, 0, NULL, NULL},
     POPT_TABLEEND,
 };
 

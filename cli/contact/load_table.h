@@ -9,7 +9,8 @@
 #include "input_options.h"
 #include "model/loads.h"
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding. */
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding, and how
+ * exact they are. */
 enum {
     OPTION_HISTORY = OPTION_AFTER_INPUTS,
     OPTION_LOAD, /* may be repeated */

@@ -3,9 +3,9 @@
 #ifndef CLI_NOTICES_H
 #define CLI_NOTICES_H
 
-#include <stdint.h>
+#include "model/doubts.h"
 
-/* A line for each bit of model/doubts.h, after a word on where, or "". */
-void doubts_say(int32_t doubts, const char *where);
+/* A line for each, after a word on where, or "". */
+void doubts_say(doubts all, const char *where);
 
 #endif

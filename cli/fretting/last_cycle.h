@@ -5,6 +5,7 @@
 
 #include "criteria.h"
 #include "history/course.h"
+#include "model/doubts.h"
 
 /* Of one place; NAN where there is none. */
 typedef struct {
@@ -21,7 +22,7 @@ typedef struct {
     size_t edge_count;
     double left, right; /* the outermost; NAN where there is no contact */
     bool slip_known;    /* it has a closed form after every load */
-    int32_t doubts;     /* of all states after loads, those before the cycle included */
+    doubts doubts;      /* of all states after loads, those before the cycle included */
 } last_cycle;
 
 /* Goes through the course. */

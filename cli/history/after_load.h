@@ -3,7 +3,7 @@
 #ifndef CLI_AFTER_LOAD_H
 #define CLI_AFTER_LOAD_H
 
-#include "model/contact_case.h"
+#include "model/doubts.h"
 #include "rows/records.h"
 
 enum {
@@ -26,6 +26,7 @@ enum {
     AFTER_YIELD_X,
     AFTER_YIELD_Y,
     AFTER_WARNINGS,
+    AFTER_ERROR,
     AFTER_COUNT
 };
 
@@ -36,8 +37,8 @@ extern const after_load_kind after_load_kinds[AFTER_COUNT];
 
 typedef struct {
     cell value[AFTER_COUNT];
-    char warnings[512]; /* the text of the last cell */
-    int32_t doubts;     /* its bits */
+    char warnings[512]; /* the text of their cell */
+    doubts doubts;
 } after_load;
 
 /* Of the load with that number. */

@@ -5,13 +5,14 @@
 #include "text/number.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 struct poptOption course_option_table[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
     {"cycles", '\0', POPT_ARG_STRING, NULL, OPTION_CYCLES,
      "Go through the loads N times, one after the other (default: see below)", "N"},
     {"until", '\0', POPT_ARG_NONE, NULL, OPTION_UNTIL,
-     "Where a load has no closed form, or cannot be, go as far as the loads before it", NULL},
+     "Where a load cannot be applied, go as far as the loads before it", NULL},
     POPT_TABLEEND,
 };
 
@@ -106,8 +107,10 @@ static void try_loads(course *whole, bool until)
 {
     const size_t wanted = whole->loads.count * (size_t)whole->cycles;
     rwedge_contact *contact = course_begin(whole);
-    while (whole->steps < wanted && try_load(whole, whole->steps, until, contact))
+    while (whole->steps < wanted && try_load(whole, whole->steps, until, contact)) {
         whole->steps++;
+        whole->error = fmax(whole->error, rwedge_contact_error(contact));
+    }
     rwedge_contact_destroy(contact);
 }
 
@@ -118,6 +121,7 @@ void course_read(const arguments *given, char decimal_sign, course_usage usage, 
     char complaint[COMPLAINT_SIZE];
     *whole = (course){0};
     input_texts_from_options(given, &texts);
+    input_options_check_hull(given);
     find_loads(given, &texts, &from, &before);
     read_cycles(given, usage.cycles);
     if (!case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))

@@ -24,6 +24,7 @@ typedef struct {
     int64_t cycles; /* how often the table is gone through */
     size_t steps;   /* how many loads are applied: all, or with --until those before the first that
                        cannot be */
+    double error;   /* the largest rwedge_contact_error() after any of them */
 } course;
 
 /* Reads the options, and a file that stands in place of --history, and tries every load: a load

@@ -42,8 +42,8 @@ static void describe(FILE *stream)
           "szz, txy, s1, s2, von_mises, tau_max. With -o NAME.vtk.series a file for each\n"
           "load, for ParaView: NAME_0001.vtk and so on, or NAME_b0001.vtk where the series\n"
           "that is replaced has those names. Its files are then removed.\n"
-          "\nA history that leaves the closed form is an error that names the line; nothing is\n"
-          "then written, unless --until is given.\n",
+          "\nLoads that have no closed form are computed. With --exact they are an error that\n"
+          "names the line; nothing is then written, unless --until is given.\n",
           stream);
 }
 
@@ -51,7 +51,7 @@ static void describe(FILE *stream)
 typedef struct {
     course whole;
     places at;
-    int32_t doubts;   /* of any load */
+    doubts doubts;    /* of any load */
     double energy[2]; /* at the end, and a cycle before */
 } plan;
 
@@ -61,7 +61,7 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
     after_load_compute(&job->whole.what, contact, step + 1, &row);
     load_table_write_unused(&job->whole.loads, course_row(&job->whole, step), row.warnings,
                             sizeof row.warnings);
-    job->doubts |= row.doubts;
+    doubts_add(&job->doubts, row.doubts);
     passed_cells(&job->whole.loads, course_row(&job->whole, step), rows);
     for (int i = 0; i < AFTER_COUNT; i++)
         rows->format->value(rows, after_load_kinds[i].column, row.value[i]);
@@ -146,7 +146,9 @@ static void say_what_is_doubtful(const plan *job)
     char where[LOAD_PLACE_SIZE];
     snprintf(where, sizeof where, "%.250s, in some rows: ",
              job->whole.loads.name != NULL ? job->whole.loads.name : "--load");
-    doubts_say(job->doubts, where);
+    doubts all = job->doubts;
+    doubts_add(&all, (doubts){.error = job->whole.error}); /* with points no row says it */
+    doubts_say(all, where);
     load_table_say_unused(&job->whole.loads);
     if (job->whole.cycles > 1 && job->at.count == 0)
         notice("dissipated in the last cycle: %.6g", job->energy[1] - job->energy[0]);

@@ -4,13 +4,16 @@
 #define CLI_CONTACT_CASE_H
 
 #include "loads.h"
+#include "pad/pad.h"
 
 typedef struct {
     double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
-    double theta, a, P, M, Q, sigma, f;
-    double k;    /* NAN where not given */
-    double A;    /* composite compliance */
-    double beta; /* Dundurs' second constant */
+    pad shape;
+    double P, M, Q, sigma, f;
+    double k;         /* NAN where not given */
+    double A;         /* composite compliance */
+    double beta;      /* Dundurs' second constant */
+    double tolerance; /* as the texts have it */
     /* the contact that a history has brought to these loads; NULL: the loads came as
      * loads_apply_monotonic() has them */
     const rwedge_contact *after;

@@ -71,6 +71,17 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     return fault;
 }
 
+/* Whether it is refused only because nothing may be computed. */
+static bool is_computable(load to, const rwedge_contact *contact)
+{
+    rwedge_contact *trial = NULL;
+    const bool is_answered = rwedge_contact_copy(contact, &trial) == RWEDGE_OK &&
+                             rwedge_contact_allow_error(trial, usual_tolerance) == RWEDGE_OK &&
+                             apply(to, trial) == RWEDGE_OK;
+    rwedge_contact_destroy(trial);
+    return is_answered;
+}
+
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
     load last;
@@ -84,6 +95,8 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
         number_write(most, 6, '.', limit);
         list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %s with this Q", limit);
     }
+    if (is_computable(to, contact))
+        list_add(fault.why, sizeof fault.why, "; ", "without --exact it is computed");
     return fault;
 }
 
@@ -102,7 +115,8 @@ static load_fault fault_of(int32_t status, load to, double f, const rwedge_conta
         return fault;
     }
     fault.input = INPUT_COUNT;
-    snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(status));
+    snprintf(fault.why, sizeof fault.why, "%s%s", rwedge_strerror(status),
+             status == RWEDGE_ENOCONV ? ": go there in two loads" : "");
     return fault;
 }
 

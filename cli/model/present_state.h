@@ -7,7 +7,7 @@
 #include "results.h"
 
 /* Goes over the results of the geometry without moment; those that hold no longer become empty.
- * Returns the library's status. */
-int32_t results_of_state(const contact_case *setup, cell row[]);
+ * Returns the library's status, and rwedge_contact_error(). */
+int32_t results_of_state(const contact_case *setup, cell row[], double *error);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef CLI_RESULTS_H
 #define CLI_RESULTS_H
 
-#include "contact_case.h"
+#include "doubts.h"
 #include "text/cell.h"
 
 enum {
@@ -49,13 +49,13 @@ typedef struct {
 } results_wanted;
 bool results_include(results_wanted wanted, int result);
 
-/* One contact's results; the warnings' text is kept in them, and the bits of those that are the
- * library's. */
+/* One contact's results; the warnings' text is kept in them, and which of them
+ * are doubts of the contact. */
 typedef struct {
     cell value[RESULT_COUNT];
     double hardest_x, hardest_y; /* the place of the yield factor, where that is known */
     char warnings[512], bound[32];
-    int32_t doubts;
+    doubts doubts;
 } results;
 
 /* False, with the complaint, where one cannot be computed. */

@@ -34,7 +34,7 @@ static void write_about(xlsx *book)
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
         xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
     xlsx_width(book, 0, 0, 100);
-    xlsx_print(book, (xlsx_page){7, 0, -1, true, 1});
+    xlsx_print(book, (xlsx_page){7, 0, -1, true, NULL});
 }
 
 static void begin_columns(xlsx *book)
@@ -180,7 +180,7 @@ static void end_header(records *rows)
 static void end_sheet(records *rows)
 {
     xlsx_print(rows->book,
-               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, 1});
+               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, NULL});
 }
 
 void spreadsheet_next_sheet(records *rows)
@@ -199,7 +199,7 @@ static void end(records *rows)
     end_sheet(rows);
     if (rows->kinds != NULL) {
         xlsx_turn_to(rows->book, sheet_of_columns(rows));
-        xlsx_print(rows->book, (xlsx_page){rows->described, 2, -1, false, 1});
+        xlsx_print(rows->book, (xlsx_page){rows->described, 2, -1, false, NULL});
     }
     rows->problem = xlsx_finish(rows->book, rows->out);
     rows->book = NULL;

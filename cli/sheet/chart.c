@@ -10,6 +10,7 @@
 static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
 {
     static const lxw_color_t shades[] = {LXW_COLOR_BLACK, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
+    static const lxw_color_t bars[] = {0xE0E0E0, 0x2E8B57, 0xC0392B};
     static const uint8_t dashes[] = {LXW_CHART_LINE_DASH_SOLID, LXW_CHART_LINE_DASH_DASH};
     lxw_chart_line line = {
         .color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
@@ -21,6 +22,8 @@ static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
             .color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
     else if (drawing == XLSX_OUTLINE)
         line = (lxw_chart_line){.color = LXW_COLOR_BLACK, .width = 1.5F};
+    else if (drawing >= XLSX_BAR_GROUND && drawing <= XLSX_BAR_BAD)
+        line = (lxw_chart_line){.color = bars[drawing - XLSX_BAR_GROUND], .width = 14};
     else if (drawing == XLSX_MARK || drawing == XLSX_LABEL)
         line = (lxw_chart_line){.none = LXW_TRUE};
     chart_series_set_line(series, &line);
@@ -72,10 +75,12 @@ static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
     chart_axis_set_major_unit(drawn->x_axis, chart->x_step);
     chart_axis_set_min(drawn->y_axis, chart->y_min);
     chart_axis_set_max(drawn->y_axis, chart->y_max);
-    chart_axis_set_num_format(drawn->x_axis, "0.0");
+    chart_axis_set_num_format(drawn->x_axis, chart->x_format != NULL ? chart->x_format : "0.0");
     chart_axis_set_num_format(drawn->y_axis, "General");
     if (chart->bare) {
-        chart_axis_off(drawn->x_axis);
+        if (chart->x_format == NULL)
+            chart_axis_off(drawn->x_axis);
+        chart_axis_major_gridlines_set_visible(drawn->x_axis, LXW_FALSE);
         chart_axis_off(drawn->y_axis);
         chart_axis_major_gridlines_set_visible(drawn->y_axis, LXW_FALSE);
         return;

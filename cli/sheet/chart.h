@@ -11,8 +11,11 @@ typedef enum {
     XLSX_THICK_LINE,
     XLSX_DASHED_LINE,
     XLSX_MARK,
-    XLSX_OUTLINE, /* black */
-    XLSX_LABEL    /* the name, at an invisible point */
+    XLSX_OUTLINE,    /* black */
+    XLSX_BAR_GROUND, /* wide lines */
+    XLSX_BAR_GOOD,
+    XLSX_BAR_BAD,
+    XLSX_LABEL /* the name, at an invisible point */
 } xlsx_drawing;
 typedef struct {
     const char *name;  /* in the legend, or a cell that has it, "='Sheet'!$A$1"; NULL for none */
@@ -25,6 +28,8 @@ typedef struct {
     int width, height; /* pixels */
     int right, down;   /* pixels from the corner of the cell */
     bool bare;         /* no axes, no legend */
+    const char
+        *x_format; /* of the numbers along x: a bare picture has them too; NULL for the usual */
     xlsx_series series[XLSX_SERIES_MAX];
     int series_count;
 } xlsx_chart;

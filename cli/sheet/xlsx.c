@@ -263,18 +263,27 @@ void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
                         &what));
 }
 
+static void set_print_area(xlsx *book, const xlsx_page *page)
+{
+    char name[NAME_MAX_LENGTH + 20];
+    if (page->area == NULL) {
+        xlsx_keep(book, worksheet_print_area(book->current, 0, 0, row_of(page->last_row),
+                                             column_of(page->last_column)));
+        return;
+    }
+    snprintf(name, sizeof name, "%s!_xlnm.Print_Area", book->sheet_name[book->current_index]);
+    xlsx_keep(book, workbook_define_name(book->workbook, name, page->area));
+}
+
 void xlsx_print(xlsx *book, xlsx_page page)
 {
-    xlsx_keep(book, worksheet_print_area(book->current, 0, 0, row_of(page.last_row),
-                                         column_of(page.last_column)));
-    worksheet_fit_to_pages(book->current, (uint16_t)page.wide, (uint16_t)(page.header_row < 0));
-    if (page.wide > 1)
-        xlsx_keep(book, worksheet_repeat_columns(book->current, 0, 0));
+    set_print_area(book, &page);
+    worksheet_fit_to_pages(book->current, 1, (uint16_t)(page.header_row < 0));
     if (page.header_row >= 0)
         xlsx_keep(book, worksheet_repeat_rows(book->current, 0, row_of(page.header_row)));
     if (page.landscape)
         worksheet_set_landscape(book->current);
-    worksheet_set_margins(book->current, 0.5, 0.5, 0.6, 0.6);
+    worksheet_set_margins(book->current, 0.4, 0.4, 0.6, 0.6);
     xlsx_keep(book,
               worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
 }

@@ -15,9 +15,11 @@ typedef enum {
     XLSX_TITLE,
     XLSX_HEADING,
     XLSX_HEADER,  /* of a table's column: bold, a line below, wrapped */
+    XLSX_UPRIGHT, /* the same, read from below: the column may be narrow */
     XLSX_NOTE,    /* small print */
     XLSX_WRAPPED, /* a paragraph */
     XLSX_INPUT,   /* a cell to type into */
+    XLSX_BARE,    /* the same without a frame: xlsx_colour_when() shows where it is */
     XLSX_RESULT,  /* about six significant digits */
     XLSX_SIGNED,  /* the same where it may be below 0 */
     XLSX_STATUS,  /* a text that matters */
@@ -90,7 +92,14 @@ typedef struct {
 void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style);
 
 /* The area has the colour where the formula, written for its first cell, is true. */
-typedef enum { XLSX_GREEN, XLSX_AMBER, XLSX_RED, XLSX_COLOUR_COUNT } xlsx_colour;
+typedef enum {
+    XLSX_GREEN,
+    XLSX_AMBER,
+    XLSX_RED,
+    XLSX_YELLOW, /* as XLSX_INPUT and XLSX_RESULT */
+    XLSX_BLUE,
+    XLSX_COLOUR_COUNT
+} xlsx_colour;
 void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_colour colour);
 
 /* What is typed into the area must make the formula true, or is refused with the message; the hint
@@ -100,13 +109,13 @@ typedef struct {
 } xlsx_rule;
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule);
 
-/* What is printed: the cells up to this one; one page high, or as many as it
- * takes, with the header on each. */
+/* What is printed, one page wide: the cells up to this one; one page high, or as many as it takes,
+ * with the header on each. */
 typedef struct {
     int last_row, last_column;
     int header_row; /* -1: one page */
     bool landscape;
-    int wide; /* so many pages, with the first column on each */
+    const char *area; /* the cells instead, as a formula; or NULL */
 } xlsx_page;
 void xlsx_print(xlsx *book, xlsx_page page);
 

@@ -110,5 +110,5 @@ void sheet_about(xlsx *book)
         xlsx_lines(book, row, heading ? 1 : lines_of(lines[i]));
         xlsx_text(book, row++, 0, lines[i] + heading, heading ? XLSX_HEADING : XLSX_WRAPPED);
     }
-    xlsx_print(book, (xlsx_page){row - 1, 0, -1, false, 1});
+    xlsx_print(book, (xlsx_page){row - 1, 0, -1, false, NULL});
 }

@@ -21,27 +21,25 @@ static int column_of(int cell)
 static void write_header(xlsx *book)
 {
     xlsx_text(book, HEADER_ROW, CASE_COLUMN, "case", XLSX_HEADER);
-    for (int cell = 0; cell < CELL_COUNT; cell++)
+    for (int cell = 0; cell < case_cell_count; cell++)
         xlsx_text(book, HEADER_ROW, column_of(cell),
                   cell < RESULTS_END ? case_cells[cell].column : case_cells[cell].name,
-                  XLSX_HEADER);
+                  cell < CELL_WARNINGS ? XLSX_UPRIGHT : XLSX_HEADER);
 }
 
-/* A name is not broken. */
+/* Narrow: all of it is printed on one page. */
 static void set_widths(xlsx *book)
 {
-    xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 24);
-    for (int cell = 0; cell < RESULTS_END; cell++)
-        xlsx_width(book, column_of(cell), column_of(cell),
-                   fmax(12, (double)strlen(case_cells[cell].column) + 2));
-    xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 40);
+    xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 20);
+    xlsx_width(book, CELLS_COLUMN, column_of(CELL_WARNINGS) - 1, 9);
+    xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 30);
 }
 
 static void write_row(xlsx *book, int row, const case_values *values)
 {
     for (int cell = 0; cell < INPUT_CELLS; cell++)
-        xlsx_number(book, row, column_of(cell), values->number[cell], XLSX_INPUT);
-    for (int cell = INPUT_CELLS; cell < CELL_COUNT; cell++)
+        xlsx_number(book, row, column_of(cell), values->number[cell], XLSX_BARE);
+    for (int cell = INPUT_CELLS; cell < case_cell_count; cell++)
         cell_in_row(book, row, cell, column_of, values);
 }
 
@@ -63,24 +61,51 @@ static void check_typing(xlsx *book)
         char named[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
         const xlsx_rule rule = {
             formula_in_row(input_check(cell, named), FIRST_ROW, column_of, formula),
-            case_cells[cell].column, case_cells[cell].what, input_message(cell, message)};
+            case_cells[cell].column, case_cells[cell].label, input_message(cell, message)};
         xlsx_validate(book, (xlsx_area){FIRST_ROW, column_of(cell), BATCH_ROWS, 1}, &rule);
     }
 }
 
-/* A row with an error is red, one with warnings amber. */
+/* A row with an error, or that yields, is red, one with warnings amber. The cells to type into are
+ * yellow, and so are those of the next rows: unused rows further down are printed without. */
+#define NEXT_ROWS "ROW()<=rwt_used+20"
 static void colour_rows(xlsx *book)
 {
-    const xlsx_area all = {FIRST_ROW, CASE_COLUMN, BATCH_ROWS, 1};
-    char letters[4], formula[FORMULA_SIZE];
-    xlsx_colour_when(book, all,
-                     compose(formula, "=$%s%d<>\"\"",
-                             column_letters(column_of(CELL_ERROR), letters), FIRST_ROW + 1),
-                     XLSX_RED);
-    xlsx_colour_when(book, all,
-                     compose(formula, "=$%s%d<>\"\"",
-                             column_letters(column_of(CELL_WARNINGS), letters), FIRST_ROW + 1),
-                     XLSX_AMBER);
+    const xlsx_area cases = {FIRST_ROW, CASE_COLUMN, BATCH_ROWS, 1},
+                    inputs = {FIRST_ROW, CELLS_COLUMN, BATCH_ROWS, INPUT_CELLS},
+                    results = {FIRST_ROW, CELLS_COLUMN + INPUT_CELLS, BATCH_ROWS,
+                               RESULTS_END - INPUT_CELLS};
+    static const struct {
+        const char *condition;
+        xlsx_colour colour;
+    } rules[] = {{"OR(rw_error<>\"\",AND(ISNUMBER(rw_safety),rw_safety<1))", XLSX_RED},
+                 {"rw_remarks<>\"\"", XLSX_AMBER},
+                 {NEXT_ROWS, XLSX_YELLOW}};
+    char formula[FORMULA_SIZE];
+    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++)
+        xlsx_colour_when(book, cases,
+                         formula_in_row(rules[i].condition, FIRST_ROW, column_of, formula),
+                         rules[i].colour);
+    xlsx_colour_when(book, inputs, "=" NEXT_ROWS, XLSX_YELLOW);
+    xlsx_colour_when(book, results, "=ROW()<=rwt_used", XLSX_BLUE);
+}
+
+/* The last row that has an input, beside the hidden names. */
+static void write_used(xlsx *book)
+{
+    const int column = column_of(case_cell_count);
+    formula_cell(book, HEADER_ROW, column,
+                 "=MAX(1,SUMPRODUCT(MAX((Batch!$B$2:$N$10000<>\"\")*ROW(Batch!$B$2:$N$10000))))",
+                 FIRST_ROW + EXAMPLES, XLSX_PLAIN);
+    xlsx_name(book, "rwt_used", HEADER_ROW, column);
+}
+
+static void print_used_rows(xlsx *book)
+{
+    char last[4], area[FORMULA_SIZE];
+    column_letters(column_of(RESULTS_END) - 1, last);
+    compose(area, "=Batch!$A$1:INDEX(Batch!$%s$1:$%s$10000,rwt_used)", last, last);
+    xlsx_print(book, (xlsx_page){0, 0, HEADER_ROW, true, area});
 }
 
 void sheet_batch(xlsx *book)
@@ -93,15 +118,15 @@ void sheet_batch(xlsx *book)
         else
             shown_nothing(&values);
         xlsx_text(book, FIRST_ROW + i, CASE_COLUMN, i < EXAMPLES ? examples[i].name : "",
-                  XLSX_INPUT);
+                  XLSX_BARE);
         write_row(book, FIRST_ROW + i, &values);
     }
+    write_used(book);
     set_widths(book);
     xlsx_freeze(book, FIRST_ROW, 1);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + BATCH_ROWS - 1, column_of(RESULTS_END) - 1, HEADER_ROW,
-                                 true, 3});
+    print_used_rows(book);
     check_typing(book);
     colour_rows(book);
     xlsx_protect(book);
-    xlsx_hide_columns(book, column_of(RESULTS_END), column_of(CELL_COUNT) - 1);
+    xlsx_hide_columns(book, column_of(RESULTS_END), column_of(case_cell_count));
 }

@@ -29,7 +29,7 @@ const char *rwedge_strerror(int32_t status)
     case RWEDGE_EABSENT:
         return "what was asked for does not exist for these arguments";
     case RWEDGE_EPATH:
-        return "the loads lead where there is no closed form";
+        return "the loads lead where there is no closed form, see rwedge_contact_allow_error()";
     default:
         return "unknown status";
     }

@@ -4,7 +4,7 @@
 
 Private library_is_there As Long, contacts_alive As Long, loads As Long
 Private sum_of_P As Double, last_Q As Double, friction As Double
-Private claims As Long, failures As String
+Private claims As Long, failures As String, last_note As String
 
 ' ---- In place of Windows and the DLL -------------------------------------------------------------------------------------
 
@@ -21,7 +21,8 @@ Function text_length(ByVal text As Long) As Long
 End Function
 
 Sub note(ByVal text As String)
-    If text <> "rwedge: " Then failures = failures & " a note without its beginning;"
+    If Left(text, 8) <> "rwedge: " Then failures = failures & " a note without its beginning;"
+    last_note = text
 End Sub
 
 ' Stands for NaN: the double's upper half of bits.
@@ -95,6 +96,8 @@ End Function
 
 Function c_contact_slip(ByVal contact As Long, ByVal n As Long, x, slip) As Long
     Dim i As Long
+    If x(0) = 99 Then c_contact_slip = RWEDGE_EPATH
+    If x(0) = 98 Then c_contact_slip = RWEDGE_EDOMAIN
     For i = 0 To n - 1
         slip(i) = x(i) + sum_of_P
     Next i
@@ -157,6 +160,9 @@ Private Sub contacts()
     table = RWEDGE_CONTACT_SLIP(1, 2, 3, 4, Array(10, 20), Array(1, 2), Array(0.25, 0.5, 0.75))
     expect UBound(table, 1) = 3 And table(3, 1) = 30.75, "points of a contact"
     expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, Array(10, 20), Array(1, 2), "x"), 2015), "points that are none"
+    expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, 10, 1, 99), 2036), "a path without a closed form is #NUM!"
+    expect last_note Like "rwedge: : off the centre where *", "and the note says why"
+    expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, 10, 1, 98), 2036) And last_note = "rwedge: ", "which no other has"
     table = RWEDGE_CONTACT_HISTORY(1, 2, 3, 4, Array(10, 20, 30), Array(1, 2, 500))
     expect UBound(table, 1) = 3 And UBound(table, 2) = 3, "a history has a row for each load"
     expect table(1, 1) = 10 And table(2, 1) = 30 And table(2, 2) = 2 And table(2, 3) = 2, "each load in its row"

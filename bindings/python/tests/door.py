@@ -3,6 +3,7 @@
 hexadecimal digits, "nan" for every NaN, "error" where it is refused. Prints what tests/doors/door.c prints."""
 import struct
 import sys
+from functools import partial
 
 import numpy as np
 
@@ -10,7 +11,7 @@ import rwedge
 from rwedge._header import FUNCTIONS
 
 objects = {}  # one of a family at a time: what makes one begins the next
-MAKERS = {"contact_create": rwedge.Contact, "contact_create_flat": rwedge.Contact.flat,
+MAKERS = {"contact_create": partial(rwedge.Contact, tolerance=0), "contact_create_flat": rwedge.Contact.flat,
           "contact_create_profile": rwedge.Contact.profile, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
 # What has another name here.
 FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k],

@@ -11,7 +11,8 @@
 #include <string.h>
 
 enum { LABEL, NAME, VALUE, UNIT, HINT, SKETCH };
-enum { INPUT_ROW = 3, STATUS_ROW = 22, STATUS_LINES = 6, RESULT_ROW = 24 };
+enum { STRENGTH_ROW = 1, BAR_ROW, FIGURES_ROW, STATUS_ROW, INPUT_ROW = 7, RESULT_ROW = 24 };
+enum { STRENGTH_LINES = 3, BAR_LINES = 3, STATUS_LINES = 3 };
 
 /* Two steel bodies: a/b = 0.29, and yield at half as much load again. */
 static const double example[INPUT_CELLS] = {
@@ -23,41 +24,41 @@ static const double example[INPUT_CELLS] = {
 /* ---- Groups of cells ------------------------------------------------------------------------- */
 
 typedef struct {
-    int cell; /* or CELL_COUNT: a heading */
+    int cell; /* or RESULTS_END: a heading */
     const char *text;
 } line;
 
 static const line inputs[] = {
-    {CELL_COUNT, "Shape"}, {CELL_THETA, NULL},  {CELL_THETA_DEG, NULL},
-    {CELL_ROUNDING, NULL}, {CELL_RADIUS, NULL}, {CELL_COUNT, "Materials"},
-    {CELL_E1, NULL},       {CELL_NU1, NULL},    {CELL_E2, NULL},
-    {CELL_NU2, NULL},      {CELL_K, NULL},      {CELL_YIELD_STRESS, NULL},
-    {CELL_COUNT, "Loads"}, {CELL_LOAD, NULL},   {CELL_Q, NULL},
+    {RESULTS_END, "Shape"}, {CELL_THETA, NULL},  {CELL_THETA_DEG, NULL},
+    {CELL_ROUNDING, NULL},  {CELL_RADIUS, NULL}, {RESULTS_END, "Materials"},
+    {CELL_E1, NULL},        {CELL_NU1, NULL},    {CELL_E2, NULL},
+    {CELL_NU2, NULL},       {CELL_K, NULL},      {CELL_YIELD_STRESS, NULL},
+    {RESULTS_END, "Loads"}, {CELL_LOAD, NULL},   {CELL_Q, NULL},
     {CELL_F, NULL},
 };
 
 static const line results[] = {
-    {CELL_COUNT, "Safety"},
+    {RESULTS_END, "Safety"},
     {CELL_SAFETY, "P may grow by this factor: the contact grows with it"},
     {CELL_SAFETY_STRENGTH, "k or Y may fall by this factor under this P"},
-    {CELL_COUNT, "Geometry"},
+    {RESULTS_END, "Geometry"},
     {CELL_B, "the contact is |x| < b"},
     {CELL_A_OVER_B, "1 and more: Hertz' contact; 0: sharp"},
     {CELL_LOAD_NUMBER, "2 for a sharp wedge"},
     {CELL_COMPLIANCE, "2(1-nu1^2)/E1 + 2(1-nu2^2)/E2"},
     {CELL_BETA, "0 for elastically similar bodies"},
-    {CELL_COUNT, "Pressure"},
+    {RESULTS_END, "Pressure"},
     {CELL_P0, "infinite, so empty, for a sharp wedge"},
     {CELL_P_TRANSITION, "where rounding meets flank; 0 beyond b"},
     {CELL_P_MEAN, ""},
-    {CELL_COUNT, "Partial slip"},
+    {RESULTS_END, "Partial slip"},
     {CELL_Q_OVER_FP, "1 and more: it slides"},
     {CELL_C, "sticks in |x| < c, slips in c < |x| < b"},
     {CELL_C_OVER_B, ""},
-    {CELL_COUNT, "Tension at the trailing edge x = -b"},
+    {RESULTS_END, "Tension at the trailing edge x = -b"},
     {CELL_TENSION, "Q grown from 0 under constant P"},
     {CELL_TENSION_SLIDING, "Q = f P"},
-    {CELL_COUNT, "First yield, in full sliding"},
+    {RESULTS_END, "First yield, in full sliding"},
     {CELL_P_OVER_BK, "at this a/b: it yields above"},
     {CELL_LOAD_OVER_BK, "of the load given"},
     {CELL_P_YIELD, "with the contact that it makes"},
@@ -75,14 +76,14 @@ enum {
 
 static bool is_heading(xlsx *book, int row, const line *what)
 {
-    if (what->cell == CELL_COUNT)
+    if (what->cell == RESULTS_END)
         xlsx_text(book, row, LABEL, what->text, XLSX_HEADING);
-    return what->cell == CELL_COUNT;
+    return what->cell == RESULTS_END;
 }
 
 static void describe(xlsx *book, int row, int cell, const char *hint)
 {
-    xlsx_text(book, row, LABEL, case_cells[cell].what, XLSX_PLAIN);
+    xlsx_text(book, row, LABEL, case_cells[cell].label, XLSX_PLAIN);
     xlsx_text(book, row, NAME, case_cells[cell].name, XLSX_NOTE);
     xlsx_text(book, row, UNIT, case_cells[cell].unit, XLSX_UNIT);
     xlsx_text(book, row, HINT, hint, XLSX_NOTE);
@@ -92,9 +93,10 @@ static void describe(xlsx *book, int row, int cell, const char *hint)
 
 static void check_typing(xlsx *book, int row, int cell)
 {
-    char formula[FORMULA_SIZE], message[FORMULA_SIZE];
-    const xlsx_rule rule = {input_check(cell, formula), case_cells[cell].what,
-                            input_rules[cell].hint, input_message(cell, message)};
+    char check[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
+    const xlsx_rule rule = {formula_named(input_check(cell, check), formula),
+                            case_cells[cell].label, input_rules[cell].hint,
+                            input_message(cell, message)};
     xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);
 }
 
@@ -113,17 +115,33 @@ static void write_inputs(xlsx *book)
 
 /* ---- Verdict --------------------------------------------------------------------------------- */
 
+/* The sentence of the model's verdict, where full sliding decides. */
+static const char strength[] =
+    "IF(OR(rwt_ok=0,rwt_slides=1),\"No results: the status says why.\","
+    "IF(rwt_has_k=0,\"No yield stress is given, so nothing is known of its strength.\","
+    "IF(rwt_a=0,\"It yields: the stress at a sharp apex has no bound.\","
+    "IF(rw_safety=\"\",\"Its strength is outside the tables of this workbook.\","
+    "IF(ISNUMBER(rw_safety),IF(rw_safety<1,\"If it slid, it would yield: the factor on P is "
+    "\"&short(rw_safety,4),\"If it slid, it would be elastic with a factor of "
+    "\"&short(rw_safety,4)&\" on P\")&\"; it yields first at x = \"&short(rw_yield_x,2)&\", y = "
+    "\"&short(rw_yield_y,2)&\" mm, \"&IF(rw_yield_y>0,\"below\",\"at\")&\" the surface.\","
+    "\"If it slid, it would be elastic with a factor of \"&rw_safety&\" on P.\")))))";
+
+static const char figures[] =
+    "IF(rwt_ok=0,\"\",\"b = \"&short(rw_b,4)&\" mm, half-width of the contact\"&"
+    "IF(rwt_a>0,\";  p0 = \"&short(rw_p0,4)&\" MPa, peak pressure\",\"\")&"
+    "IF(ISNUMBER(rw_c_over_b),\";  c/b = \"&short(rw_c_over_b,4)&\" of the contact sticks\",\"\"))";
+
 /* What yields, then what is doubtful, as the model has it for full sliding. */
-static const char verdict[] =
-    "=IF(rwt_any=0,\"Type into the yellow cells.\",IF(rwt_bad<>\"\",\"CHECK THE INPUTS: \"&rwt_bad,"
+static const char status[] =
+    "IF(rwt_any=0,\"Type into the yellow cells.\",IF(rwt_bad<>\"\",\"CHECK THE INPUTS: \"&rwt_bad,"
     "IF(rwt_slides=1,\"SLIDES: Q is above f P, there is no equilibrium.\","
     "IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield. "
     "\",\"\")&IF(rw_remarks<>\"\",\"CAUTION: \"&rw_remarks,"
     "IF(rwt_has_k=0,\"CAUTION: no yield stress is given, so there is no safety\",\"OK\")))))";
 
-static void write_status(xlsx *book)
+static void colour_by_status(xlsx *book, xlsx_area area)
 {
-    const xlsx_area area = {STATUS_ROW, VALUE, 1, 3};
     char formula[FORMULA_SIZE];
     static const struct {
         const char *word;
@@ -133,17 +151,38 @@ static void write_status(xlsx *book)
                  {"CHECK", XLSX_RED},
                  {"YIELDS", XLSX_RED},
                  {"SLIDES", XLSX_RED}};
-    xlsx_text(book, STATUS_ROW, LABEL, "Status", XLSX_HEADING);
-    xlsx_text(book, STATUS_ROW, NAME, "rw_status", XLSX_NOTE);
-    xlsx_lines(book, STATUS_ROW, STATUS_LINES);
-    xlsx_merge(book, area, XLSX_VERDICT);
-    xlsx_text_formula(book, STATUS_ROW, VALUE, verdict, "OK", XLSX_VERDICT);
-    xlsx_name(book, "rw_status", STATUS_ROW, VALUE);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         xlsx_colour_when(book, area,
-                         compose(formula, "=LEFT($C$%d,%d)=\"%s\"", STATUS_ROW + 1,
+                         compose(formula, "=LEFT($A$%d,%d)=\"%s\"", STATUS_ROW + 1,
                                  (int)strlen(words[i].word), words[i].word),
                          words[i].colour);
+}
+
+/* A text over the columns, so many lines high, under its name. */
+static void write_wide(xlsx *book, int row, int lines, const char *formula, const char *shown,
+                       xlsx_style style)
+{
+    char text[FORMULA_SIZE];
+    const xlsx_area area = {row, LABEL, 1, HINT + 1 - LABEL};
+    xlsx_lines(book, row, lines);
+    xlsx_merge(book, area, style);
+    xlsx_text_formula(book, row, LABEL, formula_named(formula, text), shown, style);
+    colour_by_status(book, area);
+}
+
+static void write_verdict(xlsx *book, const case_values *values)
+{
+    write_wide(book, STRENGTH_ROW, STRENGTH_LINES, strength, values->strength, XLSX_VERDICT);
+    xlsx_lines(book, BAR_ROW, BAR_LINES);
+    draw_bar(book, BAR_ROW, LABEL);
+    write_wide(book, FIGURES_ROW, 1, figures, values->figures, XLSX_VERDICT);
+    write_wide(book, STATUS_ROW, STATUS_LINES, status, "OK", XLSX_WRAPPED);
+    xlsx_name(book, "rw_verdict", STRENGTH_ROW, LABEL);
+    xlsx_name(book, "rw_status", STATUS_ROW, LABEL);
+    xlsx_text(book, STATUS_ROW + 1, LABEL,
+              "rw_verdict, rw_status. The factor is of full sliding, Q = f P; for this Q itself "
+              "\"rwedge solve --yield-factor\" has one on the stress.",
+              XLSX_NOTE);
 }
 
 /* ---- Results --------------------------------------------------------------------------------- */
@@ -183,11 +222,11 @@ void sheet_calculator(xlsx *book, case_values *values)
     shown_values(example, values);
     xlsx_text(book, 0, LABEL, "Contact of a wedge with a rounded apex and a half-plane",
               XLSX_TITLE);
-    xlsx_text(book, 1, LABEL,
+    xlsx_text(book, INPUT_ROW - 1, LABEL,
               "Type into the yellow cells. Any consistent units do; those shown are mm, N, MPa.",
               XLSX_NOTE);
     write_inputs(book);
-    write_status(book);
+    write_verdict(book, values);
     write_results(book, values);
     write_notes(book);
     xlsx_width(book, LABEL, LABEL, 34);
@@ -197,8 +236,8 @@ void sheet_calculator(xlsx *book, case_values *values)
     xlsx_width(book, HINT, HINT, 40);
     draw_sketch(book, INPUT_ROW - 1, SKETCH);
     draw_figures(book, RESULT_ROW + LINES + NOTES + 1);
-    xlsx_freeze(book, 2, 0);
+    xlsx_freeze(book, STATUS_ROW, 0);
     xlsx_protect(book);
-    xlsx_print(book,
-               (xlsx_page){RESULT_ROW + LINES + NOTES + 1 + FIGURE_ROWS, SKETCH + 6, -1, false, 1});
+    xlsx_print(book, (xlsx_page){RESULT_ROW + LINES + NOTES + 1 + FIGURE_ROWS, SKETCH + 6, -1,
+                                 false, NULL});
 }

@@ -155,6 +155,37 @@ void draw_sketch(xlsx *book, int row, int column)
     xlsx_draw(book, row, column, &chart);
 }
 
+/* Two points of the bar, at the heights of a column. */
+static xlsx_series bar_part(ranges *kept, int first, int heights, xlsx_drawing drawing)
+{
+    const int row = CURVE_ROW + first;
+    return (xlsx_series){NULL, store(kept, WORKING_SHEET, BAR_COLUMN, row, 2),
+                         store(kept, WORKING_SHEET, BAR_COLUMN + heights, row, 2), drawing};
+}
+
+void draw_bar(xlsx *book, int row, int column)
+{
+    ranges kept = {.used = 0};
+    const xlsx_chart chart = {
+        .x_max = BAR_MOST,
+        .x_step = 1,
+        .x_format = "[=1]\"1: yields\";[=3]\"3 and more\";0",
+        .y_min = -0.6,
+        .y_max = 0.6,
+        .width = 800,
+        .height = 58,
+        .right = 4,
+        .down = 1,
+        .bare = true,
+        .series = {bar_part(&kept, BAR_FROM_FACTOR, 3, XLSX_BAR_GROUND),
+                   bar_part(&kept, BAR_FROM_0, 1, XLSX_BAR_GOOD),
+                   bar_part(&kept, BAR_FROM_0, 2, XLSX_BAR_BAD),
+                   bar_part(&kept, BAR_LIMIT, 3, XLSX_OUTLINE)},
+        .series_count = 4,
+    };
+    xlsx_draw(book, row, column, &chart);
+}
+
 void draw_figures(xlsx *book, int row)
 {
     draw_normal_load(book, row);

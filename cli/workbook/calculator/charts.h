@@ -11,6 +11,9 @@ enum { FIGURE_ROWS = 22 };
 /* The contact with the letters in it, as the inputs name them. */
 void draw_sketch(xlsx *book, int row, int column);
 
+/* The factor of the verdict as a bar, with a line where it yields. */
+void draw_bar(xlsx *book, int row, int column);
+
 /* The figures stand side by side, from the first column on. */
 void draw_figures(xlsx *book, int row);
 

@@ -27,12 +27,12 @@ static int column_of(int cell)
 
 static void write_case(xlsx *book, const case_values *values)
 {
-    for (int cell = CELL_WARNINGS; cell < CELL_COUNT; cell++) {
-        xlsx_text(book, LABEL_ROW, column_of(cell), case_cells[cell].what, XLSX_NOTE);
+    for (int cell = CELL_WARNINGS; cell < case_cell_count; cell++) {
+        xlsx_text(book, LABEL_ROW, column_of(cell), case_cells[cell].label, XLSX_NOTE);
         xlsx_text(book, NAME_ROW, column_of(cell), case_cells[cell].name, XLSX_NOTE);
         named_cell(book, VALUE_ROW, column_of(cell), cell, values, XLSX_PLAIN);
     }
-    name_groups(book, VALUE_ROW, column_of);
+    name_triples(book, VALUE_ROW, column_of);
 }
 
 /* ---- Nodes and tables ------------------------------------------------------------------------ */
@@ -179,6 +179,27 @@ static void write_sketch(xlsx *book)
     }
 }
 
+/* From 0 to the factor, and from there to the end; then the line at 1. One column of heights is for
+ * a factor that is good, one for a bad one: what is not to be seen is above the picture. */
+static void write_bar(xlsx *book, const case_values *values)
+{
+    static const char *const height[] = {"=IF(rwt_factor<1,9,0)", "=IF(rwt_factor<1,0,9)"};
+    static const double place[] = {0, NAN, BAR_MOST, 1, 1}, of_limit[] = {0, 0, 0, -0.45, 0.45};
+    const double factor = fmin(BAR_MOST, values->number[CELL_SAFETY]);
+    for (int i = 0; i < 5; i++) {
+        xlsx_number(book, CURVE_ROW + i, BAR_COLUMN, place[i], XLSX_PLAIN);
+        xlsx_number(book, CURVE_ROW + i, BAR_COLUMN + 3, of_limit[i], XLSX_PLAIN);
+    }
+    formula_cell(book, CURVE_ROW + BAR_FROM_FACTOR, BAR_COLUMN,
+                 "=IF(rw_safety=\"\",0,IF(ISNUMBER(rw_safety),MIN(3,rw_safety),3))", factor,
+                 XLSX_PLAIN);
+    xlsx_name(book, "rwt_factor", CURVE_ROW + BAR_FROM_FACTOR, BAR_COLUMN);
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            formula_cell(book, CURVE_ROW + j, BAR_COLUMN + 1 + i, height[i],
+                         (i == 0) == (factor < 1) ? 9 : 0, XLSX_PLAIN);
+}
+
 static void write_legend(xlsx *book)
 {
     static const char *const legend[LEGEND_END] = {"P/(bk), f = 0, nu = 0.3",
@@ -208,6 +229,7 @@ void sheet_working(xlsx *book, const yield_table *table, const case_values *valu
     write_nodes(book, table);
     write_curves(book, table, values);
     write_sketch(book);
+    write_bar(book, values);
     write_legend(book);
     write_branch(book, SURFACE_ROW, "rwt_surface",
                  "(A sqrt(J2)/theta)^2 on the surface: a row for each t, 16 blocks of nu, f across",

@@ -47,6 +47,15 @@ enum {
     LEGEND_COLUMN = CURVES_END + 2 * SKETCH_PARTS
 };
 
+/* The bar of the verdict: places in one column, heights of its parts in the next three. */
+enum {
+    BAR_COLUMN = LEGEND_COLUMN + 1,
+    BAR_FROM_0 = 0,
+    BAR_FROM_FACTOR,
+    BAR_LIMIT = 3,
+    BAR_MOST = 3
+};
+
 void sheet_working(xlsx *book, const yield_table *table, const case_values *values);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "rounded.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -32,21 +31,27 @@ const char *column_letters(int column, char text[4])
 
 /* ---- Formulas of a row ----------------------------------------------------------------------- */
 
-/* Names of several cells side by side. */
-static const struct {
-    const char *name;
-    int first, count;
-} groups[] = {{"rwt_wn", WORK_WEIGHT_NU, 3},
-              {"rwt_wf", WORK_WEIGHT_F, 3},
-              {"rwt_wt", WORK_WEIGHT_T, 3},
-              {"rwt_wp", WORK_WEIGHT_PLACE, 3},
-              {"rwt_s_ks", WORK_YIELD_S + YIELD_K, 3},
-              {"rwt_b_ks", WORK_YIELD_B + YIELD_K, 3}};
-enum { GROUPS = sizeof groups / sizeof groups[0] };
+/* Names of three cells side by side: rwt_wn of rwt_wn1 to rwt_wn3. */
+static const char *const triples[] = {"rwt_wn", "rwt_wf", "rwt_wt", "rwt_wp", "rwt_s_k", "rwt_b_k"};
+enum { TRIPLES = sizeof triples / sizeof triples[0] };
 
 static bool is_named(const char *name, size_t length, const char *cell)
 {
     return strncmp(name, cell, length) == 0 && cell[length] == '\0';
+}
+
+static int find_cell(const char *name, size_t length)
+{
+    int cell = 0;
+    while (cell < case_cell_count && !is_named(name, length, case_cells[cell].name))
+        cell++;
+    return cell;
+}
+
+static int first_of(const char *triple)
+{
+    char name[16];
+    return find_cell(name, (size_t)snprintf(name, sizeof name, "%s1", triple));
 }
 
 /* The cells that a name stands for: the first, and how many; 0 for a name that is none of a
@@ -55,79 +60,57 @@ static int find(const char *name, size_t length, int *first)
 {
     if (length < 4 || name[0] != 'r' || name[1] != 'w')
         return 0; /* most words of a formula are functions and numbers */
-    for (int i = 0; i < CELL_COUNT; i++)
-        if (is_named(name, length, case_cells[i].name)) {
-            *first = i;
-            return 1;
-        }
-    for (int i = 0; i < GROUPS; i++)
-        if (is_named(name, length, groups[i].name)) {
-            *first = groups[i].first;
-            return groups[i].count;
+    *first = find_cell(name, length);
+    if (*first < case_cell_count)
+        return 1;
+    for (int i = 0; i < TRIPLES; i++)
+        if (is_named(name, length, triples[i])) {
+            *first = first_of(triples[i]);
+            return 3;
         }
     return 0;
 }
 
-static size_t name_length(const char *text)
-{
-    size_t length = 0;
-    while (isalnum((unsigned char)text[length]) || text[length] == '_')
-        length++;
-    return length;
-}
-
-/* What a name becomes: writes it, and returns its end. */
+/* Where the cells of a row are. */
 typedef struct {
     int row;
-    column_finder *column_of; /* or NULL */
-    int number;               /* instead of rwt_i */
-} substitution;
+    column_finder *column_of;
+} row_cells;
 
-static char *put(char *end, const char *name, size_t length, const substitution *with)
+static char *write_in_row(char *end, const char *name, size_t length, const void *about)
 {
+    const row_cells *cells = about;
     char from[4], to[4];
     int first = 0;
-    if (is_named(name, length, "rwt_i"))
-        return end + sprintf(end, "%d", with->number);
-    const int count = with->column_of != NULL ? find(name, length, &first) : 0;
+    const int count = find(name, length, &first);
     if (count == 0)
-        return (char *)memcpy(end, name, length) + length;
-    column_letters(with->column_of(first), from);
-    end += sprintf(end, "$%s%d", from, with->row + 1);
-    column_letters(with->column_of(first) + count - 1, to);
-    return count == 1 ? end : end + sprintf(end, ":$%s%d", to, with->row + 1);
-}
-
-/* Outside of quotes. */
-static const char *substitute(const char *from, const substitution *with, char *text)
-{
-    char *end = text;
-    bool quoted = false;
-    while (*from != '\0') {
-        const size_t length = quoted ? 0 : name_length(from);
-        if (length > 0) {
-            end = put(end, from, length, with);
-            from += length;
-        } else {
-            quoted = quoted != (*from == '"');
-            *end++ = *from++;
-        }
-    }
-    *end = '\0';
-    return text;
+        return word_copy(end, name, length, NULL);
+    column_letters(cells->column_of(first), from);
+    end += sprintf(end, "$%s%d", from, cells->row + 1);
+    column_letters(cells->column_of(first) + count - 1, to);
+    return count == 1 ? end : end + sprintf(end, ":$%s%d", to, cells->row + 1);
 }
 
 const char *formula_in_row(const char *formula, int row, column_finder *column_of,
                            char text[FORMULA_SIZE])
 {
-    const substitution with = {row, column_of, 0};
-    return substitute(formula, &with, text);
+    return template_expand(formula, write_in_row, &(row_cells){row, column_of}, text);
+}
+
+static char *write_number(char *end, const char *name, size_t length, const void *number)
+{
+    return is_named(name, length, "rwt_i") ? end + sprintf(end, "%d", *(const int *)number)
+                                           : word_copy(end, name, length, NULL);
 }
 
 const char *formula_at(const char *formula, int number, char text[FORMULA_SIZE])
 {
-    const substitution with = {0, NULL, number};
-    return substitute(formula, &with, text);
+    return template_expand(formula, write_number, &number, text);
+}
+
+const char *formula_named(const char *formula, char text[FORMULA_SIZE])
+{
+    return template_expand(formula, word_copy, NULL, text);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
@@ -143,7 +126,7 @@ void formula_cell(xlsx *book, int row, int column, const char *formula, double v
 
 const char *input_check(int cell, char text[FORMULA_SIZE])
 {
-    return compose(text, "=NOT(%s)", input_rules[cell].wrong);
+    return compose(text, "NOT(%s)", input_rules[cell].wrong);
 }
 
 const char *input_message(int cell, char text[FORMULA_SIZE])
@@ -164,7 +147,9 @@ static void write_cell(xlsx *book, int row, int column, int cell, const char *fo
 void named_cell(xlsx *book, int row, int column, int cell, const case_values *values,
                 xlsx_style style)
 {
-    write_cell(book, row, column, cell, case_cells[cell].formula, values, style);
+    char formula[FORMULA_SIZE];
+    write_cell(book, row, column, cell, formula_named(case_cells[cell].formula, formula), values,
+               style);
     xlsx_name(book, case_cells[cell].name, row, column);
 }
 
@@ -173,11 +158,11 @@ void cell_in_row(xlsx *book, int row, int cell, column_finder *column_of, const 
     char formula[FORMULA_SIZE];
     write_cell(book, row, column_of(cell), cell,
                formula_in_row(case_cells[cell].formula, row, column_of, formula), values,
-               case_cells[cell].style);
+               XLSX_PLAIN);
 }
 
-void name_groups(xlsx *book, int row, column_finder *column_of)
+void name_triples(xlsx *book, int row, column_finder *column_of)
 {
-    for (int i = 0; i < GROUPS; i++)
-        xlsx_name_range(book, groups[i].name, row, column_of(groups[i].first), 1, groups[i].count);
+    for (int i = 0; i < TRIPLES; i++)
+        xlsx_name_range(book, triples[i], row, column_of(first_of(triples[i])), 1, 3);
 }

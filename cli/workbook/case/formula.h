@@ -5,10 +5,10 @@
 
 #include "cells.h"
 
+#include "template.h"
+
 #include "sheet/xlsx.h"
 #include "text/printf_like.h"
-
-enum { FORMULA_SIZE = 5000 };
 
 /* A formula or a text put together. */
 const char *compose(char text[], const char *format, ...) PRINTF_LIKE(2, 3);
@@ -19,15 +19,20 @@ const char *column_letters(int column, char text[4]);
 /* Where a row has the cells of a case. */
 typedef int column_finder(int cell);
 
-/* The formula in a row, the names of a case's cells replaced by the cells of the row. */
+/* The formula, a template, with the names of the calculator. */
+const char *formula_named(const char *formula, char text[FORMULA_SIZE]);
+
+/* The formula, a template, in a row: the names of a case's cells are replaced by those of the
+ * row. */
 const char *formula_in_row(const char *formula, int row, column_finder *column_of,
                            char text[FORMULA_SIZE]);
 
-/* The condition that what is typed into an input is sound, and the message where it is not. */
+/* The condition, a template, that what is typed into an input is sound, and the message where it is
+ * not. */
 const char *input_check(int cell, char text[FORMULA_SIZE]);
 const char *input_message(int cell, char text[FORMULA_SIZE]);
 
-/* The formula with a number instead of rwt_i. */
+/* The formula, a template, with a number instead of rwt_i. */
 const char *formula_at(const char *formula, int number, char text[FORMULA_SIZE]);
 
 /* A formula and its value, to ten digits; an empty text where there is no such number. */
@@ -40,7 +45,7 @@ void named_cell(xlsx *book, int row, int column, int cell, const case_values *va
 void cell_in_row(xlsx *book, int row, int cell, column_finder *column_of,
                  const case_values *values);
 
-/* The names of several cells side by side, in the row that has the calculator's. */
-void name_groups(xlsx *book, int row, column_finder *column_of);
+/* The names of three cells side by side, in the row that has the calculator's. */
+void name_triples(xlsx *book, int row, column_finder *column_of);
 
 #endif

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "shown.h"
 
-#include "model/results.h"
+#include "rounded.h"
+
+#include "model/verdict.h"
 #include "text/message.h"
+#include "text/number.h"
 #include "text/pi.h"
 
 #include <math.h>
@@ -22,12 +25,12 @@ static contact_case case_of(const double in[])
                           .nu1 = in[CELL_NU1],
                           .E2 = given_or(in[CELL_E2], in[CELL_E1]),
                           .nu2 = given_or(in[CELL_NU2], in[CELL_NU1]),
-                          .theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180),
                           .P = in[CELL_LOAD],
                           .Q = given_or(in[CELL_Q], 0),
                           .f = in[CELL_F],
                           .k = given_or(in[CELL_K], in[CELL_YIELD_STRESS] / sqrt(3))};
-    setup.a = given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * setup.theta);
+    const double theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180);
+    setup.shape = pad_wedge(theta, given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * theta));
     setup.A = rwedge_compliance(setup.E1, setup.nu1, setup.E2, setup.nu2);
     setup.beta = rwedge_dundurs_beta(setup.E1, setup.nu1, setup.E2, setup.nu2);
     return setup;
@@ -40,6 +43,28 @@ static double result_of(const results *answer, const char *column)
         if (strcmp(result_kinds[i].name, column) == 0)
             return answer->value[i].number;
     return NAN;
+}
+
+/* As many digits as the formulas have. */
+static const char *rounded_text(double value, char text[NUMBER_SIZE])
+{
+    number_write(value, 4, '.', text);
+    return text;
+}
+
+/* The table has the place to two digits. */
+static void write_sentences(results *answer, case_values *shown)
+{
+    char b[NUMBER_SIZE], p0[NUMBER_SIZE], c_over_b[NUMBER_SIZE];
+    for (int i = RESULT_YIELD_X; i <= RESULT_YIELD_Y; i++)
+        answer->value[i].number = rounded_to(answer->value[i].number, 2);
+    const verdict all = verdict_of(answer, (verdict_style){'.', "mm"});
+    snprintf(shown->strength, sizeof shown->strength, "%s", all.strength);
+    snprintf(shown->figures, sizeof shown->figures,
+             "b = %s mm, half-width of the contact;  p0 = %s MPa, peak pressure;  c/b = %s of the "
+             "contact sticks",
+             rounded_text(shown->number[CELL_B], b), rounded_text(shown->number[CELL_P0], p0),
+             rounded_text(shown->number[CELL_C_OVER_B], c_over_b));
 }
 
 void shown_nothing(case_values *shown)
@@ -66,4 +91,5 @@ void shown_values(const double input[INPUT_CELLS], case_values *shown)
     v[CELL_SAFETY_STRENGTH] = v[CELL_P_OVER_BK] / v[CELL_LOAD_OVER_BK];
     const char *branch = answer.value[RESULT_YIELD_BRANCH].text;
     snprintf(shown->branch, sizeof shown->branch, "%s", branch);
+    write_sentences(&answer, shown);
 }

@@ -96,5 +96,5 @@ void sheet_look_up(xlsx *book)
     xlsx_width(book, NOTE, NOTE, 60);
     xlsx_freeze(book, FIRST_ROW, 0);
     xlsx_protect(book);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + ROWS - 1, NOTE, -1, true, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + ROWS - 1, NOTE, -1, true, NULL});
 }

@@ -138,7 +138,7 @@ bool sheet_elastic_limit(xlsx *book)
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
     const bool done = write_grid(book) && write_normal_load(book) && write_branches(book);
     xlsx_freeze(book, FIRST_ROW, 0);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + NORMAL_TIPS - 1, NORMAL_COLUMN + 2, -1, false, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + NORMAL_TIPS - 1, NORMAL_COLUMN + 2, -1, false, NULL});
     return done;
 }
 
@@ -165,7 +165,7 @@ void sheet_max_tension(xlsx *book)
     xlsx_width(book, 1, 1, 13);
     xlsx_width(book, 2, 9, 10);
     xlsx_freeze(book, FIRST_ROW, 1);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + 100, 9, HEADER_ROW, false, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + 100, 9, HEADER_ROW, false, NULL});
 }
 
 void sheet_contact_law(xlsx *book)
@@ -190,7 +190,7 @@ void sheet_contact_law(xlsx *book)
     xlsx_width(book, 0, 0, 8);
     xlsx_width(book, 1, 4, 15);
     xlsx_freeze(book, FIRST_ROW, 1);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + 199, 5, HEADER_ROW, false, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + 199, 5, HEADER_ROW, false, NULL});
 }
 
 bool sheet_critical_friction(xlsx *book)
@@ -214,6 +214,6 @@ bool sheet_critical_friction(xlsx *book)
     }
     xlsx_width(book, 0, 13, 8);
     xlsx_freeze(book, FIRST_ROW, 1);
-    xlsx_print(book, (xlsx_page){FIRST_ROW + 99, 13, HEADER_ROW, false, 1});
+    xlsx_print(book, (xlsx_page){FIRST_ROW + 99, 13, HEADER_ROW, false, NULL});
     return done;
 }

@@ -56,6 +56,9 @@ unlike="--E1 10 --nu1 .5 --E2 inf --theta .1 --radius 100 --f .5"
 run solve $unlike --P 1 --Q .2 --sigma .04
 close_to "middle of the stick zone under a rigid body" 0.6 "$(echo "$(value stick_left) $(value stick_right)" | awk '{ print ($1 + $2) / 2 }')" 1e-6
 cp out rigid
+# With 0.05 the right edge slips the other way; the left one does as if nothing had happened: 0.75 - c, where A/4 has 0.375 - c.
+run solve $unlike --P 1 --Q .2 --sigma .05
+close_to "left edge of the stick zone" "$(awk 'BEGIN { b = sqrt(30 / 3.14159265358979); print 0.75 - b * sqrt(0.6) }')" "$(value stick_left)" 5e-4
 run solve $unlike --load 1,0,0,0 --load 1,0,.2,.04
 same "the same after a history" "$(grep stick_ rigid)" "$(grep stick_ out)"
 run profile $unlike --P 1 --Q .2 --sigma .04
@@ -169,13 +172,13 @@ case,P,M,Q,sigma
 4,135.75,10,50,10
 5,135.75,1e30,10,10
 CASES
-run solve -i cases.csv $specimen
+run solve -i cases.csv $specimen --exact
 status_is 0
 same "left edges" "-0.206698 -0.133033 - - -" \
     "$(column left out | awk '$1 == "-" { print; next } { printf "%.6f\n", $1 }' | paste -s -d ' ' -)"
 same "errors" "--
 --
-sigma 1000: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 238.697 with this Q
+sigma 1000: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 238.697 with this Q; without --exact it is computed
 Q 50: must not exceed f P = 40.725: there is no equilibrium
 M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
     "$(tail -n +2 out | sed 's/.*,"\{0,1\}\([sQM][^,"]*[^"]*\)"\{0,1\}$/\1/; /^[0-9]/s/.*/--/; s/below [0-9.e+]* in/below 6.4e+10 in/')"
@@ -191,14 +194,14 @@ refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a
 refuses "rwedge solve: --Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
 refuses "rwedge profile: --load 0,0,1e70,0: an argument is outside its domain" profile $specimen --load 0,0,1e70,0
 refuses "rwedge profile: --load 0,1,0,0: M 1: must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
-refuses "rwedge profile: --load 100,40,20,0: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q" \
-    profile $specimen --load 100,5,20,0 --load 100,40,20,0
+refuses "rwedge profile: --load 100,40,20,0: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
+    profile $specimen --load 100,5,20,0 --load 100,40,20,0 --exact
 refuses "rwedge profile: --sigma 3: given together with --load, which has the loads; allowed: one of the two" \
     profile $specimen --sigma 3 --load 100,0
 refuses "rwedge field: --c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
     field --a-over-b 0.5 --f 0.3 --c-over-b 0.5 --M 3
-refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 0.365399 with this Q" \
-    field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3
+refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 0.365399 with this Q; without --exact it is computed" \
+    field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3 --exact
 # The limit that the message names is the limit.
 run profile $specimen --load 10,1e20,0,0
 limit=$(sed -n 's/.*M 1e+20: must be below \([0-9.e+]*\) in magnitude: more lays a flank on the surface$/\1/p' err)
@@ -207,7 +210,7 @@ status_is 0
 run profile $specimen --load "10,$(awk "BEGIN { print $limit * 1.001 }"),0,0" --x 0
 status_is 2
 sigma_at() { # FACTOR: of the largest that goes with Q, 4 Q/(pi b) = 238.697
-    run solve $specimen --P 135.75 --Q 38.75 --sigma "$(awk "BEGIN { print 4 * 38.75 / (3.14159265358979 * 0.20669766) * $1 }")"
+    run solve $specimen --P 135.75 --Q 38.75 --exact --sigma "$(awk "BEGIN { print 4 * 38.75 / (3.14159265358979 * 0.20669766) * $1 }")"
 }
 sigma_at 0.9999
 status_is 0

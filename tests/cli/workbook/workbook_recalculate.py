@@ -132,6 +132,19 @@ def place_of(name):
     return int(row) - 1, column - 1
 
 
+NUMBER = re.compile(r"-?\d+(?:[.,]\d+)?(?:E-\d+)?")
+
+
+def numbers_in(text):
+    return [float(number.replace(",", ".")) for number in NUMBER.findall(text)]
+
+
+def alike(text, other):
+    """The same words; numbers within what the place of first yield errs by."""
+    return NUMBER.sub("", text) == NUMBER.sub("", other) and all(
+        abs(a - b) <= 2e-3 * (abs(a) + 1) for a, b in zip(numbers_in(text), numbers_in(other)))
+
+
 def check_stored(document, path):
     """The library's results in the file are those of the formulas, within the table's error."""
     count = 0
@@ -148,8 +161,8 @@ def check_stored(document, path):
             got = found[row][column]
             if value == "":
                 continue  # computed on opening
-            good = type(got) is type(value) and (got == value or not isinstance(value, str) and
-                                                 abs(got - value) <= 2e-3 * abs(value) + 1e-13)
+            good = type(got) is type(value) and (alike(got, value) if isinstance(value, str) else
+                                                 got == value or abs(got - value) <= 2e-3 * abs(value) + 1e-13)
             count += 1
             same("value stored in row %d, column %d of %s" % (row + 1, column + 1, name), good, (value, got))
     return count
@@ -177,8 +190,8 @@ def check_file(path):
     same("names that are no cells", not [name for name in lower if re.fullmatch(r"[a-z]{1,3}[0-9]+", name)], lower)
     same("working names are hidden", all((name.get("hidden") == "1") == name.get("name").startswith("rwt_") for name in names),
          [name.get("name") for name in names])
-    known = {"ABS", "AND", "ASIN", "ATAN", "ATAN2", "COSH", "COUNT", "COUNTA", "FORECAST", "IF", "IFERROR", "INDEX", "ISNUMBER", "ISTEXT", "LN", "MATCH",
-             "MAX", "MID", "MIN", "MMULT", "N", "NA", "NOT", "OR", "PI", "ROUNDDOWN", "SQRT", "SUMPRODUCT", "TANH"}
+    known = {"ABS", "AND", "ASIN", "ATAN", "ATAN2", "COSH", "COUNT", "COUNTA", "FORECAST", "IF", "IFERROR", "INDEX", "INT", "ISNUMBER", "ISTEXT", "LN", "LOG10",
+             "MATCH", "MAX", "MID", "MIN", "MMULT", "N", "NA", "NOT", "OR", "PI", "ROUND", "ROUNDDOWN", "ROW", "SQRT", "SUMPRODUCT", "TANH"}
     sheets = [(sheet.get("name"), sheet.get("state")) for sheet in book.iter(MAIN + "sheet")]
     longest = 0
     for number in range(1, len(sheets) + 1):
@@ -189,6 +202,8 @@ def check_file(path):
         longest = max([longest] + [len(formula) for formula in formulas])
     same("formulas that Excel takes", 0 < longest <= 8192, longest)
     same("sheets", sheets[:2] == [("Calculator", None), ("Batch", None)] and sheets[-1] == ("Working", "hidden"), sheets)
+    area = [name.text for name in book.iter(MAIN + "definedName") if name.text.startswith("Batch!$A$1:INDEX(")]
+    same("Batch prints its used rows", len(area) == 1 and area[0].endswith(",rwt_used)"), area)
     same("size", os.path.getsize(path) < 1000000, os.path.getsize(path))
     same("no macro, no link", not [n for n in archive.namelist() if "vba" in n or "externalLink" in n], archive.namelist())
 
@@ -306,6 +321,11 @@ class Batch:
         errors = self.sheet.getCellRangeByPosition(0, FIRST_ROW, 200, FIRST_ROW + ROWS).queryFormulaCells(FormulaResult.ERROR)
         same("no error in any cell", errors.Count == 0, errors.RangeAddressesAsString)
 
+    def last_printed(self):
+        """Of the formula that is the sheet's print area."""
+        place = self.document.NamedRanges.getByName("rwt_used").Content.split(".")[1].replace("$", "")
+        return self.sheet.getCellRangeByName(place).Value
+
     def result(self, row, column):
         return self.data[row][self.columns[column]]
 
@@ -382,6 +402,21 @@ def check_warnings(case, row, got):
     same("warnings", ours == theirs, (theirs, ours, case))
 
 
+def check_sentence(case, row, got):
+    """The calculator begins with the factor of full sliding, and says whether it yields."""
+    if "k" not in case and "yield_stress" not in case:
+        good = got.startswith("No yield stress is given")
+    elif float(row["a_over_b"]) == 0:
+        good = got == "It yields: the stress at a sharp apex has no bound."
+    elif "outside the tables" in got:
+        good = min(float(row["a_over_b"]), yield_tip(case, row)) < 1.03 * TIP_MIN
+    else:
+        safety, said = float(row["safety"].lstrip("> ")), numbers_in(got)[0]
+        good = ("it would yield" in got) == (said < 1) and (
+            said <= safety if "factor of > " in got else abs(said / safety - 1) <= 2e-3)
+    same("the sentence", good, (got, row["safety"], case))
+
+
 def check_cases(calculator, batch, count, beside, seed):
     """Random cases in Batch, and the first of them in Calculator too."""
     draw = random.Random(seed)
@@ -402,6 +437,8 @@ def check_cases(calculator, batch, count, beside, seed):
                                                  ("warnings", "rw_remarks", 0, 0), ("yield_branch", "rw_branch", 0, 0)]:
                 here, there = calculator.result(name), batch.result(i, column)
                 same("Calculator and Batch, " + column, here == there, (here, there, case))
+            check_sentence(case, row, calculator.result("rw_verdict"))
+    same("rows that are printed", batch.last_printed() == count + FIRST_ROW, (batch.last_printed(), count))
     same("rows without a case", batch.result(ROWS - 1, "error") == "" == batch.result(ROWS - 1, "b"), batch.result(ROWS - 1, "b"))
     print("%d cases; largest errors: %s" % (count, ", ".join("%s %.1e" % item for item in sorted(worst.items()))))
 
@@ -570,7 +607,7 @@ def check_legends(document):
         for series in diagram.CoordinateSystems[0].ChartTypes[0].DataSeries:
             label = series.DataSequences[0].Label
             names += [label.Data[0]] if label is not None and label.SourceRangeRepresentation else []
-    same("legends", charts.Count == 4 and len(names) == 18 and names.count("your case") == 3 and "0.1" in names, names)
+    same("legends", charts.Count == 5 and len(names) == 18 and names.count("your case") == 3 and "0.1" in names, names)
 
 
 def check_book(office):

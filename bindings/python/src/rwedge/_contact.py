@@ -80,7 +80,7 @@ _forks = _Forks()
 
 
 class Contact(ContactMethods, Handle):
-    """One contact and what it remembers of its loads (P, Q): exact for any history.
+    """One contact and what it remembers of its loads: exact where there is a closed form, computed where there is none.
 
     Any consistent set of units: x, y are lengths in the unit of a, stresses in that of 1/A, loads are forces per unit length;
     0 is the centre of the contact. Pressure is negative in compression.
@@ -97,6 +97,9 @@ class Contact(ContactMethods, Handle):
         coefficient of friction, 0 <= f <= 1e6
     beta : float, optional
         ``dundurs_beta(E1, nu1, E2, nu2)``, to be warned where dissimilar bodies have friction, as that coupling is neglected
+    tolerance : float, optional
+        of q over f times the peak pressure, 1e-6 to 1e-2: how exactly loads without a closed form are computed (``error``); 0
+        refuses them with ``PathError``. ``allow_error()`` changes it, and a copy and a restored contact have it too
 
     Raises
     ------
@@ -120,6 +123,8 @@ class Contact(ContactMethods, Handle):
     threads are safe, and wait for each other; to read one at the same time, give each thread a copy. ``os.fork`` waits for
     the calls that other threads are in.
 
+    Bodies of two materials under a bulk tension: ``set_strain((1 - nu1**2) / E1)`` before the first load, of the half-plane.
+
     Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
 
     Examples
@@ -128,15 +133,18 @@ class Contact(ContactMethods, Handle):
     >>> contact.load(P=2000)
     >>> contact.load(P=2000, Q=300)
     >>> p, q = contact.tractions([0.0, 1.0])
+    >>> contact.error
+    0.0
     """
 
     def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
-                 beta: SupportsFloat = math.nan) -> None:
+                 beta: SupportsFloat = math.nan, tolerance: SupportsFloat = 1e-4) -> None:
         self._is_wedge = True
         self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
         self._begin(handle)
+        self.allow_error(tolerance)
         warn(theta=self.theta, f=self.f, beta=real("beta", beta))
 
     @classmethod
@@ -300,10 +308,13 @@ class Contact(ContactMethods, Handle):
         SlidingError
             (a ValueError) where abs(Q) > f P: no equilibrium
         ValueError
-            outside the domain; where no closed form is shown, and the message says why (``obstacle``)
+            outside the domain
+        PathError
+            (a ValueError) where there is no closed form and the contact's ``tolerance`` is 0: the message says why
+            (``obstacle``)
 
         The contact is then as before. Exact without moment and under one sigma, and in the cases of the library's
-        lib/README.md, "Moment and bulk tension". Source: new.
+        lib/README.md, "Moment and bulk tension"; else computed, and ``error`` tells how exactly. Source: new.
         """
         if any(map(np.ndim, (P, M, Q, sigma))):  # type: ignore[arg-type]
             return self._load_all({"P": P, "M": M, "Q": Q, "sigma": sigma})
@@ -323,7 +334,8 @@ class Contact(ContactMethods, Handle):
         status = _apply(address, *loads)
         if status == EPATH:
             given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
-            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}", status)
+            computed = "; or have it computed: Contact(..., tolerance=1e-4)" if self._is_wedge else ""
+            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}{computed}", status)
         check("contact_apply", status, loads._asdict(), place)
 
     def _load_all(self, loads: dict[str, Any]) -> None:

@@ -89,7 +89,8 @@ class AbsentError(Error, AttributeError):
 
 
 class PathError(Error):
-    """There is no closed form on this path of loads; the message says why, and what to do instead.
+    """There is no closed form on this path of loads, and the contact may not compute it, as its ``tolerance`` is 0. The
+    message says why, and what to do instead.
 
     See Also
     --------
@@ -98,7 +99,7 @@ class PathError(Error):
     Examples
     --------
     >>> import rwedge
-    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
+    >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3, tolerance=0)
     >>> pad.apply(2000, 0, 300, 0)
     >>> try:
     ...     pad.apply(2500, 500, 100, 20)

@@ -20,7 +20,9 @@ static void take(char *line, input_texts *texts)
 /* Names and blanks are as those of cells. */
 input_texts field_texts(char *lines)
 {
-    input_texts texts = {.cell_decimal_sign = '.', .how_comma = "that separates no thousands"};
+    input_texts texts = {.cell_decimal_sign = '.',
+                         .how_comma = "that separates no thousands",
+                         .tolerance = usual_tolerance};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
     for (char *end = lines; end != NULL; lines = end + 1) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as a command and as a program: both give the numbers that are shown.
+import { criteria } from "./cycle/criteria.js";
 import { wholeNumber } from "./number.js";
 import { inputs } from "./words.js";
 
@@ -17,14 +18,26 @@ export function asCommand(model) {
 const ofLoad = ["P", "M", "Q", "sigma"];
 const SHOWN = 100; // loads
 
-/** The command for a cycle of loads of the case, from { loads }: printf ... | rwedge fretting ... P and M come first where no table was given. */
-export function asFretting(model, { loads }, cycles, hasTable) {
+/** The options of a criterion other than the usual one, and of what it needs. */
+function criterionOptions({ name, isPlaneStress, constants }) {
+    const values = criteria[name].needs.map(
+        (need) => `--${need.toLowerCase().replaceAll("_", "-")} ${constants[need]}`,
+    );
+    return [
+        isPlaneStress && "--plane-stress",
+        values.length > 0 && `--criteria ${name.replaceAll("_", "-")}`,
+        ...values,
+    ].filter(Boolean);
+}
+
+/** The command for a cycle of loads of the case, from { loads, criterion }: printf ... | rwedge fretting ... P and M come first where no table was given. */
+export function asFretting(model, { loads, criterion }, cycles, hasTable) {
     if (loads.length > SHOWN)
         return `More than ${SHOWN} loads: save them as a file and give it to \u201crwedge fretting\u201d.`;
     const rows = [ofLoad.join(), ...loads.map((load) => ofLoad.map((name) => wholeNumber(load[name])).join())];
     const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name));
     const before = hasTable ? "" : ` --load ${loads[0].P},${loads[0].M},0,0`;
-    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${options.map(asOption).join(" ")}`;
+    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...criterionOptions(criterion)].join(" ")}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);

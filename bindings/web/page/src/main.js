@@ -3,6 +3,7 @@
 import { readAddress, writeAddress } from "./address.js";
 import { rwedge } from "./library.js";
 import { asCommand, asPython } from "./export.js";
+import { criteria } from "./cycle/criteria.js";
 import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
 import { makeFinder } from "./left/find.js";
@@ -29,6 +30,9 @@ const settings = {
     probe_y: "0.05",
     loads: "",
     cycles: "3",
+    criterion: "swt",
+    plane: "",
+    material: "",
     batch: "",
 };
 const LONGEST = 20000; // characters of an address that every browser takes
@@ -47,6 +51,7 @@ function take(given) {
     for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
     if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
     if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
+    if (!Object.hasOwn(criteria, state.criterion)) state.criterion = settings.criterion;
     state.digits = [4, 6, 10, 14].includes(Number(state.digits)) ? Number(state.digits) : 4;
     state.sign = state.sign === "," ? "," : ".";
 }

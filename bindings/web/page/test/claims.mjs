@@ -2,8 +2,8 @@
 // What the page promises, in one browser: each claim throws with what it found.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { cpus, loadavg } from "node:os";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpus, loadavg, tmpdir } from "node:os";
 import { asAddress, chance, randomCase } from "./random_cases.mjs";
 import { enter, openPage, openTab, pause, reopen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
@@ -429,6 +429,66 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
         const command = await page.$eval("#as-fretting", (pre) => pre.textContent);
         assert.equal(run("sh", ["-c", command.replace("rwedge", `'${tool}'`)]).stderr, told.stderr, command);
     }
+    await page.close();
+}
+
+const material =
+    "swt_limit,0.05\nsf,1000\nb,-0.1\nef,0.5\nc,-0.6\nfindley_k,0.3\nfindley_limit,200\nt_A,150\nsu,800\ndang_van_alpha,0.3";
+
+/** A criterion that is chosen, in plane stress too: the worst value, the safety against its limit, the life. */
+export async function a_criterion_comes_to_what_the_tool_says({ session, file, tool }) {
+    const page = await openPage(session, file),
+        { P, Q, ...rest } = usual,
+        folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        path = `${folder}/material.csv`;
+    writeFileSync(path, material);
+    for (const [criterion, plane] of [
+        ["swt", "stress"],
+        ["findley", ""],
+        ["mcdiarmid", "stress"],
+        ["dang_van", ""],
+    ]) {
+        const loads = "P,Q\n190,20\n190,-20";
+        await reopen(page, file, asAddress(usual, { tab: "cycle", digits: "6", criterion, plane, loads, material }));
+        const args = ["fretting", "-", ...optionsOf(rest), "--material", path, "--at-worst", "--format", "json"];
+        const done = run(tool, [...args, ...(plane ? ["--plane-stress"] : [])], loads);
+        const told = JSON.parse(done.stdout).find((row) => row.measure === criterion);
+        const shown = await shownNumbers(page);
+        for (const [name, value] of [
+            [criterion, told.value],
+            ["cycle_safety", told.safety],
+            ["cycle_life", told.life],
+        ])
+            if (value === null || value === "") assert.ok(!(name in shown), `${criterion}: ${name} ${shown[name]}`);
+            else
+                assert.ok(
+                    Math.abs(Number(shown[name]) - value) <= 5e-6 * Math.abs(value),
+                    `${criterion}: ${name} ${shown[name]}, told ${value}`,
+                );
+        const command = await page.$eval("#as-fretting", (pre) => pre.textContent);
+        assert.equal(run("sh", ["-c", command.replace("rwedge", `'${tool}'`)]).status, 0, command);
+    }
+    rmSync(folder, { recursive: true });
+    await enter(page, { material: "sigma_f,1" });
+    assert.match(await remark(page), /sigma_f: no constant that is known/);
+    await enter(page, { material: "", criterion: "findley" });
+    assert.match(await remark(page), /Findley needs findley_k/);
+    await page.close();
+}
+
+const remark = async (page) => (await settled(page), page.$eval("#loads-note", (part) => part.textContent));
+
+/** A tension that lags behind Q has no closed form: it is computed, and its error is said. */
+export async function a_course_without_a_closed_form_is_computed({ session, file, tool }) {
+    const loads = "P\tQ\tsigma\n190\t20\t0\n190\t14\t100\n190\t-20\t0\n190\t-14\t-100";
+    const page = await openPage(session, file, asAddress(usual, { tab: "cycle", digits: "6", loads, cycles: "2" }));
+    const { P, Q, ...rest } = usual;
+    const told = run(tool, ["fretting", "-", "--cycles", "2", ...optionsOf(rest)], loads.replaceAll("\t", ","));
+    const value = Number(told.stderr.match(/swt (\S+) at/)[1]);
+    const { swt } = await shownNumbers(page);
+    assert.ok(Math.abs(Number(swt) / value - 1) <= 1e-4, `${swt}, told ${value}`);
+    assert.match(await remark(page), /Computed numerically: tractions to about \S+ of f p0/);
+    assert.match(told.stderr, /computed numerically/);
     await page.close();
 }
 

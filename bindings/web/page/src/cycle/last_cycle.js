@@ -10,16 +10,18 @@ function edgesOf(contact) {
     return [edges.left, edges.right, ...(zone ? [zone.left, zone.right] : [])];
 }
 
-/** { setup, before, loads, lists, edges, slipKnown }; lists: P, M, Q, sigma of all loads. The loads have been tried. */
+/** { setup, before, loads, lists, edges, slipKnown, error }; lists: P, M, Q, sigma of all loads, which have been tried; error: the largest of q over f p0. */
 export function lastCycle(setup, loads, before) {
     const going = before.copy(),
         edges = edgesOf(going);
+    let error = going.error();
     for (const { P, M, Q, sigma } of loads) {
         going.apply(P, M, Q, sigma);
         edges.push(...edgesOf(going));
+        error = Math.max(error, going.error());
     }
     going.free();
     const lists = ["P", "M", "Q", "sigma"].map((name) => Float64Array.from(loads, (load) => load[name]));
     const slipKnown = Boolean(status.orNull(() => before.cycle_friction(...lists, new Float64Array(0))));
-    return { setup, before, loads, lists, edges, slipKnown };
+    return { setup, before, loads, lists, edges, slipKnown, error };
 }

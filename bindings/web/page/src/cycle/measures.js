@@ -2,12 +2,12 @@
 // What the last cycle does to places of the surface, and where that is worst: the library's answers by the tool's names.
 import { rwedge, status } from "../library.js";
 import { isAngle, measureKinds } from "../words.js";
+import { constantsOf, criteria } from "./criteria.js";
 
 const kinds = measureKinds.filter((kind) => !isAngle(kind)).map(({ name }) => name); // in the library's order
 
 const degrees = (angles) => angles.map((v) => (v * 180) / Math.PI);
 const nowhere = (n) => new Float64Array(n).fill(NaN);
-const kOverSy = ({ k }) => (Number.isNaN(k) ? 0 : 1 / (Math.sqrt(3) * k));
 
 function stresses({ before, lists }, x) {
     const going = before.copy();
@@ -18,23 +18,35 @@ function stresses({ before, lists }, x) {
     }
 }
 
-function fatigue(of, x) {
-    const { E1, nu1, k } = of.setup,
-        { sxx, syy, txy } = stresses(of, x),
-        criterion = (kind, constant) =>
-            rwedge.criterion_field(kind, of.loads.length, sxx, syy, txy, E1, nu1, 0, constant, 1),
-        swt = criterion(1, 0),
-        fs = Number.isNaN(k) ? null : criterion(2, kOverSy(of.setup));
+/** E, nu, plane stress, and the constants of a criterion. */
+const settingsOf = ({ setup, criterion }, name) => [
+    setup.E1,
+    criterion.nu,
+    Number(criterion.isPlaneStress),
+    ...(name in criteria ? constantsOf(name, criterion.constants, setup.k) : [0, 1]),
+];
+
+function fatigue(cycle, x) {
+    const { sxx, syy, txy } = stresses(cycle, x),
+        { name: chosen } = cycle.criterion,
+        along = (name, measure) =>
+            rwedge.criterion_field(measure, cycle.loads.length, sxx, syy, txy, ...settingsOf(cycle, name)),
+        none = { value: nowhere(x.length), angle: nowhere(x.length) },
+        swt = along("swt", 1),
+        fs = Number.isNaN(cycle.setup.k) ? none : along("fatemi_socie", 2);
     return {
-        stress_range: criterion(0, 0).value,
+        stress_range: along("stress_range", 0).value,
         swt: swt.value,
         swt_angle: degrees(swt.angle),
-        fatemi_socie: fs?.value ?? nowhere(x.length),
-        fs_angle: fs ? degrees(fs.angle) : nowhere(x.length),
+        fatemi_socie: fs.value,
+        fs_angle: degrees(fs.angle),
+        ...(chosen === "swt" || chosen === "fatemi_socie"
+            ? {}
+            : { [chosen]: along(chosen, criteria[chosen].measure).value }),
     };
 }
 
-/** NaN where there is no contact, and where the slip has no closed form. */
+/** NaN where there is no contact, and where no slip is known. */
 function friction({ before, lists, edges, slipKnown }, x) {
     const left = Math.min(...edges),
         right = Math.max(...edges),
@@ -51,16 +63,22 @@ function friction({ before, lists, edges, slipKnown }, x) {
 }
 
 /** All measures at places x of the surface, by name. The apex of a sharp wedge is none of the places. */
-export const measure = (of, x) => ({ ...fatigue(of, x), ...friction(of, x) });
+export const measure = (cycle, x) => ({ ...fatigue(cycle, x), ...friction(cycle, x) });
 
-function worstOf({ setup, before, lists }, x, values, kind) {
-    const known = values.map((v) => v || 0); // NaN too
+function worstOf(cycle, x, values, name, kind) {
+    const known = values.map((v) => Math.max(v, 0) || 0); // NaN too
     if (!known.some((v) => v > 0)) return null;
-    const constants = [setup.E1, setup.nu1, 0, kOverSy(setup), 1];
-    const worst = status.orNull(() => before.cycle_worst(kind, ...lists, x, known, 0, ...constants));
+    const worst = status.orNull(() =>
+        cycle.before.cycle_worst(kind, ...cycle.lists, x, known, 0, ...settingsOf(cycle, name)),
+    );
     return worst && { x: worst.worst_x, value: worst.worst_value };
 }
 
 /** By name: { x, value }, or null where the measure is 0 or absent everywhere. */
-export const worstPlaces = (of, x, measured) =>
-    Object.fromEntries(kinds.map((name, kind) => [name, worstOf(of, x, measured[name], kind)]));
+export const worstPlaces = (cycle, x, measured) =>
+    Object.fromEntries(
+        [...new Set([...kinds, cycle.criterion.name])].map((name, kind) => [
+            name,
+            worstOf(cycle, x, measured[name], name, criteria[name]?.measure ?? kind),
+        ]),
+    );

@@ -2,26 +2,38 @@
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
 import { copyButton, element } from "../elements.js";
 import { Aside } from "../aside.js";
+import { allowable, criteria, lifeAt } from "../cycle/criteria.js";
 import { asFretting } from "../export.js";
 import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
+import { writeNumber } from "../number.js";
 import { measureKinds } from "../words.js";
 import { tableText } from "./table.js";
 
-const unitOf = (name, unit) => unit[measureKinds.find((kind) => kind.name === name).unit];
+const kindOf = (name) => measureKinds.find((kind) => kind.name === name) ?? { name, ...criteria[name] };
+const unitOf = (name, unit) => unit[kindOf(name).unit];
 
-/** A measure along the surface, and where it is worst. */
-function alongOf({ x, measured, worst }, { unit, write }, name, title) {
+/** A measure along the surface, where it is worst, and its limit. */
+function alongOf({ x, measured, worst }, { unit, write }, name, title, limit) {
     const top = worst[name];
     if (!top) return "";
+    const ends = [x[0], x.at(-1)];
     return {
         title,
-        curves: [{ name: title, style: "one", x, y: measured[name] }],
+        curves: [
+            { name: title, style: "one", x, y: measured[name] },
+            ...(limit === undefined ? [] : [{ name: "limit", style: "thin", x: ends, y: [limit, limit] }]),
+        ],
         points: [{ x: top.x, y: top.value, name: write(top.value) }],
         xLabel: withUnit("x", unit.length),
         yLabel: withUnit(name, unitOf(name, unit)),
     };
+}
+
+function fatigueOf(answer, model) {
+    const { name, constants } = answer.criterion;
+    return alongOf(answer, model, name, `${criteria[name].title} along the surface`, allowable(name, constants));
 }
 
 function loopOf({ loop }, { unit, write }) {
@@ -37,23 +49,43 @@ function loopOf({ loop }, { unit, write }) {
     };
 }
 
-function worstText({ worst }, { unit, write }) {
-    const there = measureKinds.filter(({ name }) => worst[name]);
-    const rows = there.map(({ name, meaning }) => ({
+/** What the chosen criterion comes to where it is worst. */
+function verdictRows({ worst, criterion: { name, constants } }, { inputs, write }) {
+    const value = worst[name]?.value ?? 0,
+        limit = allowable(name, constants),
+        life = lifeAt(name, value, inputs.E1, constants);
+    return [
+        {
+            name: "cycle_safety",
+            value: limit && value > 0 ? write(limit / value) : "",
+            meaning: `limit ${write(limit)} over the worst value`,
+        },
+        {
+            name: "cycle_life",
+            value: life === undefined ? "" : write(life),
+            meaning: "cycles to failure; inf below the limit",
+        },
+    ];
+}
+
+function worstText(answer, model) {
+    const { worst } = answer,
+        { unit, write } = model,
+        names = Object.keys(worst).filter((name) => worst[name]);
+    const rows = names.map((name) => ({
         name,
         value: write(worst[name].value),
         unit: unitOf(name, unit),
-        meaning: `at x = ${write(worst[name].x)}: ${meaning}`,
+        meaning: `at x = ${write(worst[name].x)}: ${kindOf(name).meaning ?? kindOf(name).title}`,
     }));
-    return tableText("The worst places", rows);
+    return tableText("The worst places", [...rows, ...verdictRows(answer, model)]);
 }
 
 function surfaceTable({ x, measured }, unit) {
-    const names = measureKinds.map((kind) => kind.name);
-    const units = [unit.length, ...measureKinds.map((kind) => unit[kind.unit])];
+    const names = Object.keys(measured);
     return {
         names: ["x", ...names],
-        units,
+        units: [unit.length, ...names.map((name) => unitOf(name, unit))],
         rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]),
     };
 }
@@ -62,65 +94,97 @@ function loopTable({ loop }) {
     return { names: [loop.xName.replaceAll(" ", "_"), loop.yName], rows: loop.x.map((v, i) => [v, loop.y[i]]) };
 }
 
-function remarkOf(found, state) {
-    if (found.complaint) return found.complaint;
+function remarkOf(answer, state) {
+    if (answer.complaint) return answer.complaint;
     const usual = "No table is given: P and M of the case come first, then its Q and \u03c3 go to and fro";
-    const slip = "The slip has no closed form after these loads";
-    return [!state.loads.trim() && usual, found.unused, !found.slipKnown && slip].filter(Boolean).join(". ");
+    const slip = "No slip is known after these loads";
+    const computed = `Computed numerically: tractions to about ${writeNumber(answer.error, 1, state.sign)} of f p0`;
+    return [!state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.error > 0 && computed]
+        .filter(Boolean)
+        .join(". ");
 }
 
-/** What is typed, and the remark on it. */
+const entry = (name, attributes) => element(name, { spellcheck: "false", ...attributes });
+
+/** What is typed and chosen, by the names of the state, the command, and the remark. */
 function makeEntries() {
+    const options = Object.entries(criteria).map(([value, { title }]) => element("option", { value }, title));
     return {
-        loads: element("textarea", {
-            id: "loads",
-            rows: 5,
-            spellcheck: "false",
-            placeholder: "P\tQ",
-            "aria-describedby": "loads-note",
-        }),
-        cycles: element("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
+        typed: {
+            loads: entry("textarea", { id: "loads", rows: 5, placeholder: "P\tQ", "aria-describedby": "loads-note" }),
+            cycles: entry("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
+            material: entry("textarea", { id: "material", rows: 3, placeholder: "swt_limit\t0.5" }),
+            criterion: element("select", { id: "criterion" }, ...options),
+            plane: element("input", { id: "plane", type: "checkbox" }),
+        },
         command: element("pre", { id: "as-fretting", tabindex: "0" }),
         note: element("p", { id: "loads-note", class: "note", "aria-live": "polite" }),
     };
 }
 
-function showEntries({ loads, cycles }, state) {
-    if (document.activeElement !== loads) loads.value = state.loads;
-    if (document.activeElement !== cycles) cycles.value = state.cycles;
+function showEntries({ typed }, state) {
+    for (const [name, part] of Object.entries(typed))
+        if (part.type === "checkbox") part.checked = state[name] === "stress";
+        else if (document.activeElement !== part) part.value = state[name];
 }
 
-function showCommand({ command }, state, found, model) {
+const typedIn = (part) => (part.type !== "checkbox" ? part.value : part.checked ? "stress" : "");
+
+function showCommand({ command }, state, answer, model) {
     const hasTable = state.loads.trim() !== "";
-    command.textContent = found.complaint ? "" : asFretting(model, found, state.cycles.trim(), hasTable);
+    command.textContent = answer.complaint ? "" : asFretting(model, answer, state.cycles.trim(), hasTable);
 }
 
-function showRemark({ loads, note }, state, found) {
-    loads.setAttribute("aria-invalid", Boolean(found.complaint));
-    note.className = found.complaint ? "note bad" : "note";
-    note.textContent = remarkOf(found, state);
+function showRemark({ typed, note }, state, answer) {
+    typed.loads.setAttribute("aria-invalid", Boolean(answer.complaint));
+    note.className = answer.complaint ? "note bad" : "note";
+    note.textContent = remarkOf(answer, state);
 }
 
 /** The worst places and the plots. show(found, model) draws none of them where there is a complaint. */
 function makeAnswers() {
-    let found, unit;
+    let answer, unit;
     const numbers = element("div", { class: "wide" });
-    const swt = curvePlot("swt", () => surfaceTable(found, unit));
-    const slip = curvePlot("slip", () => surfaceTable(found, unit));
-    const loop = curvePlot("loop", () => loopTable(found));
+    const fatigue = curvePlot("criterion", () => surfaceTable(answer, unit));
+    const slip = curvePlot("slip", () => surfaceTable(answer, unit));
+    const loop = curvePlot("loop", () => loopTable(answer));
     const show = (present, model) => {
-        found = present;
+        answer = present;
         unit = model.unit;
-        const none = Boolean(found.complaint);
-        numbers.innerHTML = none ? "" : worstText(found, model);
-        swt.draw(none ? "" : alongOf(found, model, "swt", "Smith\u2013Watson\u2013Topper along the surface"));
-        slip.draw(none ? "" : alongOf(found, model, "slip_range", "range of slip along the surface"));
-        loop.draw(none ? "" : loopOf(found, model));
+        const none = Boolean(answer.complaint);
+        numbers.innerHTML = none ? "" : worstText(answer, model);
+        fatigue.draw(none ? "" : fatigueOf(answer, model));
+        slip.draw(none ? "" : alongOf(answer, model, "slip_range", "range of slip along the surface"));
+        loop.draw(none ? "" : loopOf(answer, model));
     };
-    return { parts: [numbers, ...swt.parts, ...slip.parts, ...loop.parts], show };
+    return { parts: [numbers, ...fatigue.parts, ...slip.parts, ...loop.parts], show };
 }
 
-function panelOf({ loads, cycles, note, command }, answers) {
+/** Folded: the constants; the criterion and the switch stand in a line. */
+function criterionParts({ criterion, plane, material }) {
+    const names =
+        "Constants of the material, a name and a number a line, or JSON: as \u201crwedge fretting --material\u201d";
+    return [
+        element(
+            "p",
+            { class: "tools" },
+            element("label", { for: "criterion" }, "Criterion"),
+            criterion,
+            plane,
+            element("label", { for: "plane" }, "plane stress"),
+        ),
+        element(
+            "details",
+            { open: material.value !== "" },
+            element("summary", {}, "Constants of the material: limit and life"),
+            element("label", { for: "material" }, names),
+            material,
+        ),
+    ];
+}
+
+function panelOf({ typed, note, command }, answers) {
+    const { loads, cycles } = typed;
     const title = "Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma";
     const times = element("label", { for: "cycles" }, "gone through");
     return element(
@@ -129,6 +193,7 @@ function panelOf({ loads, cycles, note, command }, answers) {
         element("label", { for: "loads" }, title),
         loads,
         element("p", { class: "tools" }, times, cycles, "times; the last time counts"),
+        ...criterionParts(typed),
         note,
         element("h2", {}, "Worst places"),
         ...answers.parts,
@@ -142,27 +207,34 @@ function panelOf({ loads, cycles, note, command }, answers) {
     );
 }
 
+const chosenBy = ({ criterion, plane, material }, { inputs }) => ({
+    name: criterion,
+    isPlaneStress: plane === "stress",
+    material,
+    nu: inputs.nu1,
+});
+
 export function makeCycle(state, changed) {
     const entries = makeEntries(),
         answers = makeAnswers(),
         aside = new Aside("cycle");
     const panel = panelOf(entries, answers);
     let model;
-    const draw = (found) => {
+    const draw = (answer) => {
         panel.removeAttribute("aria-busy");
-        showRemark(entries, state, found);
-        showCommand(entries, state, found, model);
-        answers.show(found, model);
+        showRemark(entries, state, answer);
+        showCommand(entries, state, answer, model);
+        answers.show(answer, model);
     };
     const show = (present) => {
         model = present;
         showEntries(entries, state);
         panel.setAttribute("aria-busy", "true");
-        aside.ask([model.texts, state.loads, state.sign, state.cycles], draw);
+        aside.ask([model.texts, state.loads, state.sign, state.cycles, chosenBy(state, model)], draw);
     };
-    for (const name of ["loads", "cycles"])
-        entries[name].addEventListener("input", () => {
-            state[name] = entries[name].value;
+    for (const [name, part] of Object.entries(entries.typed))
+        part.addEventListener(part.tagName === "SELECT" ? "change" : "input", () => {
+            state[name] = typedIn(part);
             show(model);
             changed();
         });

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* ASTM E1049-85, 5.4.4 and, for a history that repeats, 5.4.5. The turns that wait are a stack, on
+ * which each value is laid in its turn: one that goes on in the direction of the last takes its
+ * place; a range that is not smaller than the one before it closes that one. */
+#include "life/rainflow.h"
+
+#include "base/domain.h"
+#include "rwedge.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    rw_turn *turn; /* the first that waits */
+    size_t count, cycles;
+    rw_counted *cycle;
+    bool repeats;
+} rainflow;
+
+static double range_of(const rw_turn *turn)
+{
+    return fabs(turn[1].value - turn[0].value);
+}
+
+/* From a turn to the next; highest is that of the whole cycle. */
+static void add_cycle(rainflow *r, const rw_turn *turn, double count, double highest)
+{
+    r->cycle[r->cycles++] =
+        (rw_counted){turn->at, range_of(turn), (turn[0].value + turn[1].value) / 2, count, highest};
+}
+
+/* The last turn goes; what is the highest since then is seen from the one before. */
+static void drop_last(rainflow *r)
+{
+    const rw_turn *last = &r->turn[--r->count];
+    if (r->count > 0)
+        r->turn[r->count - 1].highest = fmax(r->turn[r->count - 1].highest, last->highest);
+}
+
+static void add_half(rainflow *r)
+{
+    add_cycle(r, r->turn, 0.5, fmax(r->turn[0].highest, r->turn[1].own));
+    r->turn++;
+    r->count--;
+}
+
+static void close_last(rainflow *r)
+{
+    const rw_turn *from = &r->turn[r->count - 2];
+    add_cycle(r, from, 1, fmax(from[0].highest, from[1].highest));
+    drop_last(r);
+    drop_last(r);
+}
+
+static bool goes_on(const rainflow *r, double value)
+{
+    if (r->count < 2)
+        return false;
+    const double before = r->turn[r->count - 2].value, last = r->turn[r->count - 1].value;
+    return last > before ? value > last : value < last;
+}
+
+static void lay(rainflow *r, rw_turn next)
+{
+    if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
+        r->turn[r->count - 1].highest = fmax(r->turn[r->count - 1].highest, next.own);
+        return;
+    }
+    if (goes_on(r, next.value))
+        drop_last(r);
+    while (r->count >= 2 &&
+           fabs(next.value - r->turn[r->count - 1].value) >= range_of(&r->turn[r->count - 2])) {
+        if (r->count == 2 && !r->repeats)
+            add_half(r);
+        else
+            close_last(r);
+    }
+    r->turn[r->count++] = next;
+}
+
+static size_t largest(size_t n, const double value[])
+{
+    size_t best = 0;
+    for (size_t i = 1; i < n; i++)
+        best = value[i] > value[best] ? i : best;
+    return best;
+}
+
+size_t rw_rainflow(size_t n, const double value[], const double other[], bool repeats,
+                   rw_turn stack[], rw_counted cycles[])
+{
+    rainflow r = {stack, 0, 0, cycles, repeats};
+    const size_t start = repeats ? largest(n, value) : 0, last = start + n + (repeats ? 1 : 0);
+    for (size_t k = start; k < last; k++) {
+        const size_t i = k < n ? k : k - n;
+        lay(&r, (rw_turn){i, value[i], other[i], other[i]});
+    }
+    while (r.count >= 2)
+        add_half(&r);
+    return r.cycles;
+}
+
+static int32_t status_of(size_t n, const double value[], int32_t repeats)
+{
+    if (n == 0 || n > SIZE_MAX / (sizeof(rw_turn) + sizeof(rw_counted)) - 1)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++)
+        if (!rw_is_stress(value[i]))
+            return RWEDGE_EDOMAIN;
+    return repeats >= 0 && repeats <= 1 ? RWEDGE_OK : RWEDGE_EDOMAIN;
+}
+
+int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double range[],
+                        double mean[], double count[])
+{
+    if (!value || !range || !mean || !count)
+        return RWEDGE_ENULL;
+    const int32_t status = status_of(n, value, repeats);
+    if (status != RWEDGE_OK)
+        return status;
+    rw_turn *stack = malloc((n + 1) * sizeof *stack);
+    rw_counted *cycles = malloc(n * sizeof *cycles);
+    if (stack && cycles) {
+        const size_t counted = rw_rainflow(n, value, value, repeats != 0, stack, cycles);
+        for (size_t i = 0; i < n; i++)
+            range[i] = mean[i] = count[i] = 0;
+        for (size_t k = 0; k < counted; k++) {
+            const size_t i = cycles[k].from;
+            range[i] = cycles[k].range, mean[i] = cycles[k].mean, count[i] = cycles[k].count;
+        }
+    }
+    const bool has_room = stack && cycles;
+    free(stack);
+    free(cycles);
+    return has_room ? RWEDGE_OK : RWEDGE_ENOMEM;
+}

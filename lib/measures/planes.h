@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a criterion of planes is to the search, and the loads of a point of a field. */
+#ifndef RW_PLANES_H
+#define RW_PLANES_H
+
+#include "measures/field.h"
+#include "measures/worst_plane.h"
+
+/* What makes the criterion of the search; unit is that of the stresses in the search. */
+typedef struct rw_criterion rw_criterion;
+struct rw_criterion {
+    rw_severity severity; /* gain is per stress */
+    bool is_plane_stress;
+    double (*value)(const rw_criterion *c, const rw_worst_plane *plane, double unit);
+    double E, nu, share, limit;
+};
+
+/* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain. */
+bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c);
+bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c);
+
+/* The severity of stresses in the unit. */
+rw_severity rw_severity_in(const rw_criterion *c, double unit);
+
+/* The loads of a point, in their order, in the unit. */
+void rw_set_loads(const rw_field *f, size_t point, const rw_criterion *c, double unit,
+                  rw_plane_cycle *cycle);
+
+#endif

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Loads without a closed form: computed, with the error; refused with --exact.
+. "$(dirname "$0")/../claims.sh"
+
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+
+# A tension that lags behind Q. What has a closed form is the same with and without computing, to the last digit.
+awk 'BEGIN { print "P,Q,sigma\n135.75,0,0"; for (i = 1; i <= 6; i++) { w = 6.283185307 * i / 12
+    printf "135.75,%.6g,%.6g\n", 30 * sin(w), 100 * sin(w - 0.7) } }' >lags.csv
+run history lags.csv $specimen
+status_is 0
+cp out usual
+same "error is the last column" "warnings,error" "$(head -n 1 out | sed 's/.*,\(.*,.*\)$/\1/')"
+same "exact at first, then computed" "0 0 0 1 1 1 1" "$(column error out | awk '{ print ($1 == 0 ? 0 : $1 > 0 && $1 < 1e-4 ? 1 : "?") }' | paste -s -d ' ' -)"
+same "said in the rows that are" "0 0 0 1 1 1 1" \
+    "$(column warnings out | awk '{ print /^computed numerically: tractions to about [1-9]e-[0-9]* of f p0$/ + 0 }' | paste -s -d ' ' -)"
+same "and once on standard error" 1 "$(grep -c '^rwedge history: lags.csv, in some rows: computed numerically: tractions to about [1-9]e-[0-9]* of f p0$' err)"
+cannot "rwedge history: lags.csv: line 5: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 24.7579 with this Q; without --exact it is computed" \
+    history lags.csv $specimen --exact
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >phase.csv
+run history phase.csv $specimen --exact
+cp out exact
+run history phase.csv $specimen
+same "closed forms" "" "$(cmp out exact 2>&1)"
+message_is ""
+
+# The tolerance is held: shear by a tenth of it and by a hundredth.
+shear() { # TOLERANCE
+    run profile $specimen --history lags.csv --tolerance "$1" --points 201
+    status_is 0
+    message_has "rwedge profile: computed numerically: tractions to about "
+    column q out | sed 's/^-$/0/' >"q_$1"
+}
+shear 1e-3
+shear 1e-6
+paste -d ' ' q_1e-6 q_1e-3 >both
+close_rows "1e-3 of f p0" 0 "$(awk 'BEGIN { print 1e-3 * 0.3 * 418.104 }')"
+run profile $specimen --history lags.csv --points 201
+column q out | paste -d ' ' q_1e-6 - >both
+close_rows "1e-4 where nothing is said" 0 "$(awk 'BEGIN { print 2e-4 * 0.3 * 418.104 }')"
+
+# Every command that goes through loads.
+for command in "solve --history lags.csv" "field --history lags.csv --x 0 --y 0" "fretting lags.csv --at 0,0 --cycles 1" "history lags.csv --at 0,0" \
+    "figure history --history lags.csv --at 0,0 --data" "figure loop --history lags.csv --data" "solve --P 135.75 --Q 30 --sigma 300"; do
+    run $command $specimen
+    status_is 0
+    message_has "computed numerically: tractions to about "
+done
+same "in the warnings of solve" 1 "$(value warnings | grep -c '^computed numerically: ')"
+printf 'P,Q,sigma\n135.75,30,100\n135.75,30,300\n' >cases.csv
+run solve -i cases.csv $specimen
+same "in the rows of a file of contacts" "- yes" "$(column warnings out | sed 's/^computed numerically: .*/yes/' | paste -s -d ' ' -)"
+run solve -i cases.csv $specimen --exact
+same "or refused there" 1 "$(grep -c 'sigma 300: no closed form: ' out)"
+run profile --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 0.5 --points 11
+status_is 0
+message_has "rwedge profile: computed numerically: "
+same "natural units, whose middle sticks" stick "$(column zone out | sed -n 6p)"
+
+for wrong in 0 1e-7 0.1 nan 1,5; do
+    refuses "rwedge history: --tolerance $wrong: must be a number from 1e-6 to 1e-2" history lags.csv $specimen --tolerance $wrong
+done
+refuses "rwedge fretting: --tolerance 1e-3: given together with --exact; allowed: one of the two" \
+    fretting lags.csv $specimen --tolerance 1e-3 --exact
+refuses "rwedge figure: figure 7: a contact and its loads are for history, fretting, and loop with --history or --load" figure 7 --exact
+cannot "rwedge history: error.csv: column error: a result has that name; allowed: any other" \
+    history "$(printf 'P,Q,error\n1,0,0\n' >error.csv; echo error.csv)" $specimen
+
+# Half of an answered step is answered, and its other half leads to the same.
+block="--E1 74100 --nu1 .33 --theta .1 --radius 178 --f .65"
+first="--load 488,0,0,0 --load 488,0,200,100 --load 488,0,0,0"
+run profile $block $first --load 488,0,250,60 --points 101
+status_is 0
+message_is ""
+column q out | sed 's/^-$/0/' >whole
+run profile $block $first --load 488,0,125,30 --load 488,0,250,60 --points 101
+status_is 0
+column q out | sed 's/^-$/0/' | paste -d ' ' whole - >both
+close_rows "the same by halves" 0 "$(sort -g whole | awk 'NR == 1 { print -3e-4 * $1 }')"
+
+# Some programmes of tests/data/programmes.csv, as they are described there: half of a cycle in 12 loads. None is refused.
+programme() { # FAMILY VALUE
+    awk -v family="$1" -v value="$2" -v b="$b" 'BEGIN { srand(7); pi = 3.141592653589793; Q = 45
+        print "P,M,Q,sigma\n150,0,0,0"
+        for (i = 0; i < 12; i++) {
+            phase = 4 * pi * i / 48; w = sin(phase); P = 150; M = 0; q = Q * w; s = 50 * w
+            if (family == 1) s = 100 * sin(phase - value * pi / 180)
+            if (family == 2) s = value * 4 * Q / (pi * b) * w
+            if (family == 3) M = 3 * value * b * Q * w
+            if (family == 4) { P = 150 * (1 + value * sin(phase + 20 * value)); q = 0.8 * Q * w; s = 60 * sin(phase + 15 * value) }
+            if (family == 5) { P *= 1 + value * (rand() - 0.5) * 3; q += Q * value * (rand() - 0.5) * 3; s = 80 * (w + value * (rand() - 0.5) * 3) }
+            printf "%.9g,%.9g,%.9g,%.9g\n", P, M, q, s } }' >programme.csv
+}
+aluminium="--E1 72000 --nu1 0.33 --theta 0.01 --a 0.3 --f 0.6"
+run solve $aluminium --P 150
+b=$(value b)
+awk -F, 'NR > 1 && !(($1, $2) in seen) && ++n[$1] % 8 == 2 { print $1, $2; seen[$1, $2] }' "$data/programmes.csv" >some
+while read -r family value; do
+    programme "$family" "$value"
+    run history programme.csv $aluminium --tolerance 1e-3
+    status_is 0
+    same "rows of family $family, $value" 14 "$(wc -l <out | tr -d ' ')"
+done <some
+same "programmes" yes "$([ "$(wc -l <some)" -ge 10 ] && echo yes)"
+
+finish

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Damage of blocks against lives, sums by hand, and a scan of planes whose cycles are taken out one
+ * by one, the smallest first. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <string.h>
+
+static const double PI = 3.14159265358979323846;
+
+enum { LOADS = 14 };
+
+typedef struct {
+    size_t n;
+    double sxx[LOADS], syy[LOADS], txy[LOADS], nu;
+    bool is_shear; /* Fatemi and Socie's */
+    int32_t plane_stress;
+} block;
+
+static const double E = 72100, K_OVER_SY = 1 / 400.0, G = 27000;
+static const double SF = 475.4, B = -0.078, EF = 0.612, C = -0.62;
+static const double TF = 300, B0 = -0.08, GF = 0.9, C0 = -0.6;
+
+static double life_of(const block *k, double parameter)
+{
+    return k->is_shear ? rwedge_fatemi_socie_life(parameter, G, TF, B0, GF, C0, 0)
+                       : rwedge_smith_watson_topper_life(parameter, E, SF, B, EF, C, 0);
+}
+
+typedef struct {
+    double value, cycles, angle, out;
+} damage;
+
+static damage damage_of(const block *k)
+{
+    damage d;
+    const int32_t status =
+        k->is_shear ? rwedge_fatemi_socie_damage(k->n, k->sxx, k->syy, k->txy, E, k->nu,
+                                                 k->plane_stress, K_OVER_SY, G, TF, B0, GF, C0, 0,
+                                                 &d.value, &d.cycles, &d.angle, &d.out)
+                    : rwedge_smith_watson_topper_damage(k->n, k->sxx, k->syy, k->txy, E, k->nu,
+                                                        k->plane_stress, SF, B, EF, C, 0, &d.value,
+                                                        &d.cycles, &d.angle, &d.out);
+    assert_ok(status);
+    return d;
+}
+
+static void draw(block *k, size_t n, uint64_t *seed)
+{
+    *k = (block){.n = n, .nu = 0.5 * random_fraction(seed), .is_shear = k->is_shear};
+    k->plane_stress = random_fraction(seed) < 0.3;
+    for (size_t i = 0; i < n; i++) {
+        k->sxx[i] = 800 * random_fraction(seed) - 300;
+        k->syy[i] = 400 * random_fraction(seed) - 200;
+        k->txy[i] = 300 * random_fraction(seed) - 150;
+    }
+}
+
+/* ---- Lives ---- */
+
+static double criterion_of(const block *k)
+{
+    double value, angle, out;
+    if (k->is_shear)
+        rwedge_fatemi_socie_planes(k->n, k->sxx, k->syy, k->txy, E, k->nu, k->plane_stress,
+                                   K_OVER_SY, &value, &angle, &out);
+    else
+        rwedge_smith_watson_topper_planes(k->n, k->sxx, k->syy, k->txy, E, k->nu, k->plane_stress,
+                                          &value, &angle, &out);
+    return value;
+}
+
+static void one_cycle_has_the_life_of_its_parameter(void **state)
+{
+    uint64_t seed = 3;
+    for (int i = 0; i < 60; i++) {
+        block k = {.is_shear = i % 2};
+        draw(&k, 2, &seed);
+        const damage d = damage_of(&k);
+        assert_close(d.value, 1 / life_of(&k, criterion_of(&k)), 1e-9);
+        assert_close(d.cycles, 1, 0);
+    }
+}
+
+static void a_block_of_three_equal_cycles_has_three_times_the_damage(void **state)
+{
+    uint64_t seed = 4;
+    for (int i = 0; i < 10; i++) {
+        block k = {.is_shear = i % 2};
+        draw(&k, 2, &seed);
+        const damage once = damage_of(&k);
+        for (int j = 2; j < 6; j++)
+            k.sxx[j] = k.sxx[j - 2], k.syy[j] = k.syy[j - 2], k.txy[j] = k.txy[j - 2];
+        k.n = 6;
+        const damage three = damage_of(&k);
+        assert_close(three.value, 3 * once.value, 1e-9);
+        assert_close(three.cycles, 3, 0);
+    }
+}
+
+/* Tension alone, in plane stress: 300 to -280, in it 200 to -50 and 120 to 60. Each cycle has its
+ * own top. */
+static void a_spectrum_of_tension_is_summed_by_hand(void **state)
+{
+    const block k = {.n = 6, .nu = 0.3, .plane_stress = 1, .sxx = {300, -50, 200, -280, 120, 60}};
+    const double tops[3] = {300, 200, 120}, ranges[3] = {580, 250, 60};
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += 1 / life_of(&k, tops[i] * ranges[i] / 2 / E);
+    const damage d = damage_of(&k);
+    assert_close(d.value, sum, 1e-9);
+    assert_close(d.cycles, 3, 0);
+    assert_within(fabs(d.angle), PI / 2, 1e-4);
+    assert_within(d.out, 0, 1e-4);
+}
+
+static void cycles_below_the_limit_do_no_damage(void **state)
+{
+    const double sxx[6] = {300, -50, 200, -280, 120, 60}, zero[6] = {0};
+    const double small = 200 * 250 / 2 / E;
+    double value, cycles, angle, out;
+    assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C,
+                                                1.1 * small, &value, &cycles, &angle, &out));
+    assert_close(value,
+                 1 / rwedge_smith_watson_topper_life(300 * 290 / E, E, SF, B, EF, C, 1.1 * small),
+                 1e-9);
+    assert_close(cycles, 3, 0);
+    assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C, 1e3,
+                                                &value, &cycles, &angle, &out));
+    assert_true(value == 0);
+}
+
+/* ---- All planes, by scanning ---- */
+
+/* On one plane: what cycles are counted of, the normal stress. */
+typedef struct {
+    double along[LOADS], normal[LOADS];
+} course;
+
+static course course_on(const block *k, double angle, double out, double across)
+{
+    const double n[3] = {cos(out) * sin(angle), cos(out) * cos(angle), sin(out)};
+    const double u[3] = {cos(angle), -sin(angle), 0};
+    const double v[3] = {-sin(out) * sin(angle), -sin(out) * cos(angle), cos(out)};
+    course c;
+    for (size_t i = 0; i < k->n; i++) {
+        const double trace = k->sxx[i] + k->syy[i], z = k->plane_stress ? 0 : k->nu * trace;
+        const double t[3] = {k->sxx[i] * n[0] + k->txy[i] * n[1],
+                             k->txy[i] * n[0] + k->syy[i] * n[1], z * n[2]};
+        c.normal[i] = t[0] * n[0] + t[1] * n[1] + t[2] * n[2];
+        c.along[i] = ((1 + k->nu) * c.normal[i] - k->nu * (trace + z)) / E;
+        if (k->is_shear)
+            c.along[i] = 2 * (1 + k->nu) / E *
+                         (cos(across) * (t[0] * u[0] + t[1] * u[1]) +
+                          sin(across) * (t[0] * v[0] + t[1] * v[1] + t[2] * v[2]));
+    }
+    return c;
+}
+
+/* From the load `from` over `to` until the value of `from` is passed again. */
+static double highest_within(const block *k, const course *c, size_t from, size_t to)
+{
+    const double start = c->along[from], sign = c->along[to] > start ? 1 : -1;
+    double highest = c->normal[from];
+    bool is_past = false;
+    for (size_t i = (from + 1) % k->n; i != from; i = (i + 1) % k->n) {
+        if (is_past && sign * (c->along[i] - start) <= 0)
+            break;
+        highest = fmax(highest, c->normal[i]);
+        is_past = is_past || i == to;
+    }
+    return highest;
+}
+
+static double damage_of_cycle(const block *k, const course *c, size_t from, size_t to)
+{
+    const double amplitude = fabs(c->along[from] - c->along[to]) / 2,
+                 highest = highest_within(k, c, from, to);
+    const double parameter = amplitude * fmax(0, k->is_shear ? 1 + K_OVER_SY * highest : highest);
+    return parameter > 0 ? 1 / life_of(k, parameter) : 0;
+}
+
+/* The turns from the largest value to the same again; the smallest range goes first. */
+static double scanned_on(const block *k, const course *c)
+{
+    size_t turn[LOADS + 1], count = 0, top = 0;
+    for (size_t i = 1; i < k->n; i++)
+        top = c->along[i] > c->along[top] ? i : top;
+    for (size_t j = 0; j <= k->n; j++) {
+        const size_t i = (top + j) % k->n, before = (i + k->n - 1) % k->n, after = (i + 1) % k->n;
+        if (j == 0 || j == k->n ||
+            (c->along[i] - c->along[before]) * (c->along[after] - c->along[i]) < 0)
+            turn[count++] = i;
+    }
+    double sum = 0;
+    while (count >= 3) {
+        size_t least = count > 3 ? 1 : 0;
+        for (size_t i = 1; i + 2 < count; i++)
+            if (fabs(c->along[turn[i + 1]] - c->along[turn[i]]) <
+                fabs(c->along[turn[least + 1]] - c->along[turn[least]]))
+                least = i;
+        sum += damage_of_cycle(k, c, turn[least], turn[least + 1]);
+        memmove(turn + least, turn + least + 2, (count - least - 2) * sizeof *turn);
+        count -= 2;
+    }
+    return sum;
+}
+
+static double scanned_at(const block *k, double angle, double out, double across)
+{
+    const course c = course_on(k, angle, out, across);
+    return scanned_on(k, &c);
+}
+
+/* Three degrees apart, then ever finer steps at random around the worst. */
+static double scanned(const block *k, uint64_t *seed)
+{
+    const int ways = k->is_shear ? 12 : 1;
+    double best = 0, at[3] = {0, 0, 0};
+    for (int i = 0; i < 60; i++)
+        for (int j = 0; j <= 30; j++)
+            for (int w = 0; w < ways; w++) {
+                const double there[3] = {PI * i / 60, PI / 2 * j / 30, PI * w / 12};
+                const double value = scanned_at(k, there[0], there[1], there[2]);
+                if (value > best) {
+                    best = value;
+                    memcpy(at, there, sizeof at);
+                }
+            }
+    for (double step = 0.05; step > 1e-5; step *= 0.98) {
+        double there[3];
+        for (int i = 0; i < 3; i++)
+            there[i] = at[i] + step * (2 * random_fraction(seed) - 1);
+        const double value = scanned_at(k, there[0], there[1], there[2]);
+        if (value > best) {
+            best = value;
+            memcpy(at, there, sizeof at);
+        }
+    }
+    return best;
+}
+
+static double in_all_directions(const block *k, double angle, double out)
+{
+    enum { WAYS = 2000 };
+    double best = 0;
+    for (int i = 0; i < WAYS; i++)
+        best = fmax(best, scanned_at(k, angle, out, PI * i / WAYS));
+    return best;
+}
+
+static void no_scanned_plane_has_more_damage(void **state)
+{
+    uint64_t seed = 7;
+    for (int i = 0; i < 40; i++) {
+        block k = {.is_shear = i % 4 == 0};
+        draw(&k, i % 2 ? 5 : LOADS, &seed);
+        const damage d = damage_of(&k);
+        const double found = scanned(&k, &seed);
+        assert_true(found <= d.value * (1 + 1e-4));
+        if (!k.is_shear) /* the plane that is named has it */
+            assert_close(scanned_at(&k, d.angle, d.out, 0), d.value, 1e-9);
+        else
+            assert_close(in_all_directions(&k, d.angle, d.out), d.value, 1e-4);
+    }
+}
+
+static void refusals_leave_the_results_alone(void **state)
+{
+    double v = 1, c = 2, a = 3, o = 4;
+    const double s[2] = {300, -280}, bad[2] = {0, NAN}, huge[2] = {1e60, -1e60};
+    assert_int_equal(
+        rwedge_smith_watson_topper_damage(2, s, s, bad, E, 0.3, 0, SF, B, EF, C, 0, &v, &c, &a, &o),
+        RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_smith_watson_topper_damage(2, s, s, s, E, 0.3, 0, SF, 0.1, EF, C, 0, &v, &c, &a, &o),
+        RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_smith_watson_topper_damage(2, huge, s, s, E, 0.3, 0, SF, B, EF, C, 0,
+                                                       &v, &c, &a, &o),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_fatemi_socie_damage(0, s, s, s, E, 0.3, 0, K_OVER_SY, G, TF, B0, GF, C0,
+                                                0, &v, &c, &a, &o),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_fatemi_socie_damage(2, s, s, s, E, 0.3, 2, K_OVER_SY, G, TF, B0, GF, C0,
+                                                0, &v, &c, &a, &o),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_fatemi_socie_damage(2, s, s, s, E, 0.3, 0, K_OVER_SY, G, TF, B0, GF, C0,
+                                                0, &v, NULL, &a, &o),
+                     RWEDGE_ENULL);
+    assert_true(v == 1 && c == 2 && a == 3 && o == 4);
+}
+
+/* rwedge_smith_watson_topper_damage_field(), rwedge_fatemi_socie_damage_field() */
+static void a_field_has_the_bits_of_its_points(void **state)
+{
+    uint64_t seed = 8;
+    block k[2] = {{.is_shear = false}, {.is_shear = false}};
+    double s[3][2 * LOADS], v[2], c[2], a[2], o[2];
+    draw(&k[0], LOADS, &seed);
+    draw(&k[1], LOADS, &seed);
+    k[1].nu = k[0].nu, k[1].plane_stress = k[0].plane_stress;
+    for (size_t i = 0; i < 2 * LOADS; i++) {
+        s[0][i] = k[i % 2].sxx[i / 2];
+        s[1][i] = k[i % 2].syy[i / 2];
+        s[2][i] = k[i % 2].txy[i / 2];
+    }
+    for (int shear = 0; shear < 2; shear++) {
+        assert_ok(shear ? rwedge_fatemi_socie_damage_field(LOADS, 2, s[0], s[1], s[2], E, k[0].nu,
+                                                           k[0].plane_stress, K_OVER_SY, G, TF, B0,
+                                                           GF, C0, 0, v, c, a, o)
+                        : rwedge_smith_watson_topper_damage_field(LOADS, 2, s[0], s[1], s[2], E,
+                                                                  k[0].nu, k[0].plane_stress, SF, B,
+                                                                  EF, C, 0, v, c, a, o));
+        for (int i = 0; i < 2; i++) {
+            k[i].is_shear = shear;
+            const damage d = damage_of(&k[i]);
+            assert_true(d.value == v[i] && d.cycles == c[i] && d.angle == a[i] && d.out == o[i]);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_cycle_has_the_life_of_its_parameter),
+        cmocka_unit_test(a_block_of_three_equal_cycles_has_three_times_the_damage),
+        cmocka_unit_test(a_spectrum_of_tension_is_summed_by_hand),
+        cmocka_unit_test(cycles_below_the_limit_do_no_damage),
+        cmocka_unit_test(no_scanned_plane_has_more_damage),
+        cmocka_unit_test(refusals_leave_the_results_alone),
+        cmocka_unit_test(a_field_has_the_bits_of_its_points),
+    };
+    return RUN_CLAIMS("damage", tests);
+}

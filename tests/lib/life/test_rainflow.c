@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rainflow against the standard's example and pyLife's own sequences, by how much each range is
+ * counted. */
+#include "claims.h"
+#include "rwedge.h"
+
+enum { MAX = 24 };
+
+typedef struct {
+    size_t n;
+    double value[MAX];
+} history;
+
+/* A cycle's ends, and how often it is counted. */
+typedef struct {
+    double from, to, count;
+} counted;
+
+/* How often cycles between these two values are counted. */
+static double counts_between(const history *h, int32_t repeats, double from, double to)
+{
+    double range[MAX], mean[MAX], count[MAX], sum = 0;
+    assert_ok(rwedge_rainflow(h->n, h->value, repeats, range, mean, count));
+    for (size_t i = 0; i < h->n; i++)
+        if (range[i] == fabs(to - from) && mean[i] == (from + to) / 2)
+            sum += count[i];
+    return sum;
+}
+
+static double all_counts(const history *h, int32_t repeats)
+{
+    double range[MAX], mean[MAX], count[MAX], sum = 0;
+    assert_ok(rwedge_rainflow(h->n, h->value, repeats, range, mean, count));
+    for (size_t i = 0; i < h->n; i++)
+        sum += count[i];
+    return sum;
+}
+
+static void assert_counted(const history *h, int32_t repeats, size_t n, const counted expected[])
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        assert_close(counts_between(h, repeats, expected[i].from, expected[i].to),
+                     expected[i].count, 0);
+        sum += expected[i].count;
+    }
+    assert_close(all_counts(h, repeats), sum, 0);
+}
+
+#define ASSERT_COUNTED(h, repeats, ...)                                                            \
+    assert_counted(h, repeats, sizeof((counted[]){__VA_ARGS__}) / sizeof(counted),                 \
+                   (const counted[]){__VA_ARGS__})
+
+/* ASTM E1049-85, Fig. 6 (once) and Fig. 7 (repeated). */
+static const history EXAMPLE = {9, {-2, 1, -3, 5, -1, 3, -4, 4, -2}};
+
+static void the_example_of_the_standard(void **state)
+{
+    ASSERT_COUNTED(&EXAMPLE, 0, {-2, 1, 0.5}, {1, -3, 0.5}, {-1, 3, 1}, {-3, 5, 0.5}, {5, -4, 0.5},
+                   {-4, 4, 0.5}, {4, -2, 0.5});
+    ASSERT_COUNTED(&EXAMPLE, 1, {5, -4, 1}, {4, -3, 1}, {-1, 3, 1}, {-2, 1, 1});
+}
+
+/* Sequences and closed cycles of pyLife's tests (tests/stress/rainflow/test_fourpoint.py and
+ * test_threepoint.py, Apache-2.0). What it calls the residuals is counted half, range by range. */
+static void the_sequences_of_pylife(void **state)
+{
+    ASSERT_COUNTED((&(history){9, {2, -1, 3, -5, 1, -3, 4, -4, 2}}), 0, {1, -3, 1}, {2, -1, 0.5},
+                   {-1, 3, 0.5}, {3, -5, 0.5}, {-5, 4, 0.5}, {4, -4, 0.5}, {-4, 2, 0.5});
+    /* its "duplicating residuals": the same history again and again */
+    ASSERT_COUNTED((&(history){9, {2, -1, 3, -5, 1, -3, 4, -4, 2}}), 1, {1, -3, 1}, {2, -1, 1},
+                   {-4, 3, 1}, {4, -5, 1});
+    ASSERT_COUNTED((&(history){9, {0, 1, 0, -1, 0, 1, 0, -1, 0}}), 0, {-1, 1, 1.5}, {0, 1, 0.5},
+                   {-1, 0, 0.5});
+    ASSERT_COUNTED((&(history){11, {0, 1, 0, 1, -1, 1, 0, 1, -1, 1, 0}}), 0, {0, 1, 3}, {-1, 1, 2});
+    /* E. Haibach, "Betriebsfestigkeit", fig. 3.3-30 */
+    ASSERT_COUNTED((&(history){19, {2, 5, 3, 6, 2, 3, 1, 6, 1, 4, 2, 3, 1, 4, 2, 5, 3, 4, 2}}), 0,
+                   {5, 3, 1}, {2, 3, 2}, {1, 6, 1.5}, {1, 4, 1}, {4, 2, 1}, {3, 4, 1}, {2, 6, 0.5},
+                   {1, 5, 0.5}, {5, 2, 0.5});
+    ASSERT_COUNTED((&(history){11, {1, 7, 4, 3, 4, 2, 5, 3, 6, 1, 2}}), 0, {3, 4, 1}, {5, 3, 1},
+                   {2, 6, 1}, {1, 7, 1}, {1, 2, 0.5});
+    ASSERT_COUNTED((&(history){8, {4, 3, 6, 4, 5, 2, 5, 3}}), 0, {4, 5, 1}, {4, 3, 0.5},
+                   {3, 6, 0.5}, {6, 2, 0.5}, {2, 5, 0.5}, {5, 3, 0.5});
+    ASSERT_COUNTED((&(history){10, {4, 3, 6, 4, 5, 2, 5, 3, 1, 2}}), 0, {4, 5, 1}, {2, 5, 1},
+                   {4, 3, 0.5}, {3, 6, 0.5}, {6, 1, 0.5}, {1, 2, 0.5});
+}
+
+static void what_stands_still_has_no_cycles(void **state)
+{
+    for (int32_t repeats = 0; repeats <= 1; repeats++) {
+        assert_true(all_counts(&(history){1, {7}}, repeats) == 0);
+        assert_true(all_counts(&(history){4, {7, 7, 7, 7}}, repeats) == 0);
+    }
+    assert_true(all_counts(&(history){4, {0, 1, 1, 3}}, 0) == 0.5);
+    assert_true(all_counts(&(history){4, {0, 1, 1, 3}}, 1) == 1);
+}
+
+static void refusals_leave_the_counts_alone(void **state)
+{
+    double range[2] = {5, 6}, mean[2] = {7, 8}, count[2] = {9, 10};
+    const double good[2] = {0, 1}, bad[2] = {0, NAN};
+    assert_int_equal(rwedge_rainflow(2, bad, 0, range, mean, count), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_rainflow(2, good, 2, range, mean, count), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_rainflow(0, good, 0, range, mean, count), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_rainflow(2, good, 0, range, NULL, count), RWEDGE_ENULL);
+    assert_true(range[0] == 5 && mean[1] == 8 && count[1] == 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_example_of_the_standard),
+        cmocka_unit_test(the_sequences_of_pylife),
+        cmocka_unit_test(what_stands_still_has_no_cycles),
+        cmocka_unit_test(refusals_leave_the_counts_alone),
+    };
+    return RUN_CLAIMS("rainflow", tests);
+}

@@ -411,6 +411,56 @@ static bool residual(rw_fronts *f, double r[])
     return true;
 }
 
+/* ---- Rates ---- */
+
+/* w' = p/X where it slips. */
+static double slope_at(const stuck *s, const double polynomial[], double x)
+{
+    const double at = (x - s->middle) / s->half;
+    double value = 0;
+    for (int i = 2 * s->count - 1; i >= 0; i--)
+        value = value * at + polynomial[i];
+    return value / X_at(s, x);
+}
+
+/* The largest slip with the sign of the traction, from the front on. */
+static double wrong_slip(const stuck *s, const double polynomial[], rw_zone zone, bool is_leftmost)
+{
+    enum { POINTS = 24 };
+    const double front = is_leftmost ? zone.right : zone.left;
+    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
+    double slip = 0, most = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+        slip += slope_at(s, polynomial, front + length * half * half) * length * sin(angle) *
+                (RW_HALF_PI / POINTS);
+        most = fmax(most, zone.label * slip);
+    }
+    return most;
+}
+
+double rw_fronts_wrong_rate(const rw_problem *p, const rw_zones *zones, double shear,
+                            double stretch)
+{
+    rw_problem rates = *p;
+    rates.shear = shear;
+    rates.stretch = stretch;
+    const rw_fronts f = {.problem = &rates};
+    const stuck s = stuck_of(&f, zones);
+    double A[RW_MOST_FRONTS * RW_MOST_FRONTS], B[RW_MOST_FRONTS], front[RW_MOST_FRONTS], most = 0;
+    if (s.count == 0 || s.count > RW_MOST_STICK)
+        return 0;
+    for (int i = 0; i < 2 * s.count; i++)
+        front[i] = (s.end[i] - s.middle) / s.half;
+    conditions(&f, &s, (rw_layers){0, 0}, front, A, B);
+    if (!rw_solve((size_t)(2 * s.count), A, B))
+        return 0;
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label != 0)
+            most = fmax(most, wrong_slip(&s, B, zones->zone[i], i == 0));
+    return most / (p->scale * p->half);
+}
+
 /* ---- Newton ---- */
 
 static double largest(int n, const double v[])

@@ -54,6 +54,11 @@ bool rw_fronts_relax(rw_fronts *fronts);
 /* The zones and layers that y stands for. */
 rw_layers rw_fronts_zones(const rw_fronts *fronts, rw_zones *zones);
 
+/* How far the slip would go the wrong way if a contact that is still went on between these zones by
+ * as much shear and stretch again; over the scale and the half-width. */
+double rw_fronts_wrong_rate(const rw_problem *problem, const rw_zones *zones, double shear,
+                            double stretch);
+
 /* Prepares and gives the traction in the zones that stick. */
 bool rw_fronts_prepare_stick(rw_fronts *fronts, const rw_zones *zones, rw_layers layers);
 double rw_fronts_stick_traction(const rw_fronts *fronts, const rw_zones *zones, rw_layers layers,

@@ -7,11 +7,12 @@
 
 #include "numerical/step.h"
 
-enum { RW_MOST_ERRORS = 24 };
+enum { RW_MOST_ERRORS = 48 };
 
-/* The error of a load, and what stuck of it: a later load that slips farther in forgets it. */
+/* The error of a step, and where it is. */
 typedef struct {
-    double error, left, right;
+    double error;
+    rw_patch place;
 } rw_load_error;
 
 typedef struct {

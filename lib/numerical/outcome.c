@@ -325,3 +325,10 @@ bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, rw_layers layers,
     const after n = {p, &o->state.zones, layers, NULL, g};
     return complete(&n, o);
 }
+
+bool rw_outcome_of_state(const rw_problem *p, const rw_shear_state *state, rw_outcome *o)
+{
+    double at[RW_MOST_KINKS + 4];
+    *o = (rw_outcome){.state = *state};
+    return check(p, o, breaks_of(p, state, at), at);
+}

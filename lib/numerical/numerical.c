@@ -318,6 +318,10 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     return advance(w, n, to, &rest, halvings - 1);
 }
 
+/* A load whose error is larger than this, and than so many times what is asked for, has not
+ * converged. */
+static const double FAR_OFF = 0.01, TIMES_OFF = 3;
+
 rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
     rw_work w;
@@ -329,7 +333,9 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_cour
         return RW_STEP_NO_MEMORY;
     }
     trial whole = try_step(&w, &next.now, to, false);
-    const bool is_done = advance(&w, &next, to, &whole, HALVINGS);
+    const bool is_done =
+        advance(&w, &next, to, &whole, HALVINGS) &&
+        rw_numerical_error(&next) - rw_numerical_error(n) <= fmax(FAR_OFF, TIMES_OFF * frame->tolerance);
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)

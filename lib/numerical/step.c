@@ -89,18 +89,27 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
+/* An element of an outcome costs about as much as two residuals; one that fails has many. */
+static bool find_outcome(rw_work *w, rw_outcome *outcome)
+{
+    enum { FAILED = 200 };
+    const bool is_found = rw_outcome_of_fronts(&w->fronts, outcome);
+    w->effort += 2 * (is_found ? (int)outcome->state.traction.count : FAILED);
+    return is_found;
+}
+
 /* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
  * again. */
 static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                         double least, rw_outcome *best)
 {
-    if (!find_fronts(w, p, zones, angle) || !rw_outcome_of_fronts(&w->fronts, best))
+    if (!find_fronts(w, p, zones, angle) || !find_outcome(w, best))
         return false;
     for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
         if (!rw_pattern_insert(&mended, &best->wrong, least) ||
-            !find_fronts(w, p, &mended, angle) || !rw_outcome_of_fronts(&w->fronts, &other))
+            !find_fronts(w, p, &mended, angle) || !find_outcome(w, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))

@@ -268,7 +268,7 @@ close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
 refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
+refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 4 --E1 3
 refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
     figure fretting --history loads.csv --a-over-b 1
 cannot "rwedge figure: loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \

@@ -290,6 +290,7 @@ static void free_miner(miner *m)
     rw_plane_cycle_destroy(m->cycle);
     free(m->path);
     free(m->along);
+    free(m->other);
     free(m->stack);
     free(m->counted);
 }
@@ -298,11 +299,11 @@ static bool take_room(miner *m, size_t loads)
 {
     m->cycle = rw_plane_cycle_create(loads);
     m->path = calloc(loads, sizeof *m->path);
-    m->along = calloc(2 * loads, sizeof *m->along);
-    m->other = m->along + loads;
+    m->along = calloc(loads, sizeof *m->along);
+    m->other = calloc(loads, sizeof *m->other);
     m->stack = calloc(loads + 1, sizeof *m->stack);
     m->counted = calloc(loads, sizeof *m->counted);
-    return m->cycle && m->path && m->along && m->stack && m->counted;
+    return m->cycle && m->path && m->along && m->other && m->stack && m->counted;
 }
 
 static void give(const verdict *v, size_t n, const results *r)

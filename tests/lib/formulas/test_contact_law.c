@@ -66,10 +66,24 @@ static void bad_arguments_are_not_numbers(void **state)
     const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e-121, 1e61};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_load(bad[i]));
+        assert_nan(rwedge_load_derivative(bad[i]));
         assert_nan(rwedge_a_over_b(bad[i]));
     }
     assert_nan(rwedge_a_over_b(0));
     assert_nan(rwedge_a_over_b(-0.0));
+}
+
+static void load_derivative_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law_derivatives.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_load_derivative(table.cell[0]), table.cell[1], 1e-14);
+    assert_int_equal(table.row, 40);
+    assert_close(rwedge_load_derivative(0), 0, 0);
+    assert_close(rwedge_load_derivative(1), -PI / 2, DBL_EPSILON); /* from both sides */
+    assert_close(rwedge_load_derivative(nextafter(1, 0)), -PI / 2, 1e-7);
+    assert_close(rwedge_load_derivative(1e-60), -2e-60 / 3, DBL_EPSILON);
 }
 
 int main(void)
@@ -80,6 +94,7 @@ int main(void)
         cmocka_unit_test(load_has_the_hertz_and_the_sharp_limit),
         cmocka_unit_test(a_over_b_inverts_the_load),
         cmocka_unit_test(a_over_b_covers_the_whole_range),
+        cmocka_unit_test(load_derivative_matches_reference),
         cmocka_unit_test(bad_arguments_are_not_numbers),
     };
     return RUN_CLAIMS("contact_law", tests);

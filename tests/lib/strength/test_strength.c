@@ -299,6 +299,72 @@ static void the_maximum_may_be_at_the_end_of_the_rounding(void **state)
         }
 }
 
+static void max_tension_derivative_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law_derivatives.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_max_tension_derivative(table.cell[0]), table.cell[2], 1e-14);
+    assert_close(rwedge_max_tension_derivative(0), 0, 0);
+    assert_close(rwedge_max_tension_derivative(nextafter(1, 0)), 4 / PI, 1e-7);
+    assert_close(rwedge_max_tension_derivative(1), 0, 0);
+    assert_nan(rwedge_max_tension_derivative(-1));
+}
+
+static void elastic_limit_gradient_is_the_difference_quotient(void **state)
+{
+    (void)state;
+    reference table = reference_open("limit_gradient.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell;
+        double d[4];
+        assert_int_equal(
+            rwedge_elastic_limit_gradient(v[0], v[1], v[2], &d[0], &d[1], &d[2], &d[3]), RWEDGE_OK);
+        for (int i = 0; i < 3; i++)
+            assert_close(d[i], v[3 + i], 1e-11);
+        assert_true(d[3] == (v[6] == 0));
+    }
+    assert_int_equal(table.row, 55);
+}
+
+static void the_gradient_jumps_at_the_critical_friction(void **state)
+{
+    (void)state;
+    const double f = rwedge_critical_friction(0.25, 0.3);
+    assert_within(f, 0.2019, 1e-4);
+    double d_alpha, d_f, d_nu, at_surface;
+    assert_int_equal(rwedge_elastic_limit_gradient(0.25, f * (1 - 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
+                                                   &at_surface),
+                     RWEDGE_OK);
+    assert_within(d_f, -1.86, 0.01);
+    assert_true(at_surface == 0);
+    assert_int_equal(rwedge_elastic_limit_gradient(0.25, f * (1 + 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
+                                                   &at_surface),
+                     RWEDGE_OK);
+    assert_within(d_f, -7.12, 0.01);
+    assert_true(at_surface == 1);
+}
+
+static void the_gradient_is_refused_where_there_is_none(void **state)
+{
+    (void)state;
+    const double bad[][3] = {{0, 0.1, 0.3}, {1e-15, 0.1, 0.3}, {0.5, -1, 0.3}, {0.5, 0.1, 0.6}};
+    double d[4] = {7, 7, 7, 7};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        assert_int_equal(rwedge_elastic_limit_gradient(bad[i][0], bad[i][1], bad[i][2], &d[0],
+                                                       &d[1], &d[2], &d[3]),
+                         RWEDGE_EDOMAIN);
+    for (int missing = 0; missing < 4; missing++) {
+        double *p[4];
+        for (int i = 0; i < 4; i++)
+            p[i] = i == missing ? NULL : &d[i];
+        assert_int_equal(rwedge_elastic_limit_gradient(0.5, 0.1, 0.3, p[0], p[1], p[2], p[3]),
+                         RWEDGE_ENULL);
+    }
+    for (int i = 0; i < 4; i++)
+        assert_true(d[i] == 7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -321,6 +387,10 @@ int main(void)
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
         cmocka_unit_test(missing_outputs_are_refused),
         cmocka_unit_test(the_maximum_may_be_at_the_end_of_the_rounding),
+        cmocka_unit_test(max_tension_derivative_matches_reference),
+        cmocka_unit_test(elastic_limit_gradient_is_the_difference_quotient),
+        cmocka_unit_test(the_gradient_jumps_at_the_critical_friction),
+        cmocka_unit_test(the_gradient_is_refused_where_there_is_none),
     };
     return RUN_CLAIMS("strength", tests);
 }

@@ -295,6 +295,132 @@ static void missing_arrays_are_refused(void **state)
     assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
 }
 
+/* ---- Derivatives ---- */
+
+/* How far three components are from the reference, over the larger of its norm and that scale. */
+static double distance(const double d[3], const double expected[3], double scale)
+{
+    const double norm =
+        sqrt(expected[0] * expected[0] + expected[1] * expected[1] + 2 * expected[2] * expected[2]);
+    double worst = 0;
+    for (int i = 0; i < 3; i++)
+        worst = fmax(worst, fabs(d[i] - expected[i]));
+    return worst / fmax(norm, scale);
+}
+
+static int32_t gradient(const double v[5], double d[6])
+{
+    return rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
+                                  &d[5]);
+}
+
+static int32_t sensitivity(const double v[5], double d[9])
+{
+    return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3],
+                                     &d[4], &d[5], &d[6], &d[7], &d[8]);
+}
+
+static void derivatives_are_difference_quotients(void **state)
+{
+    (void)state;
+    reference table = reference_open("stress_gradient.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell, far = 1 + hypot(v[3], v[4]);
+        double d[15];
+        assert_int_equal(gradient(v, d), RWEDGE_OK);
+        assert_int_equal(sensitivity(v, d + 6), RWEDGE_OK);
+        for (int i = 0; i < 15; i += 3)
+            assert_within(distance(&d[i], &v[5 + i], 1 / far / (i < 6 ? far : 1)), 0, 1e-13);
+    }
+    assert_int_equal(table.row, 67);
+}
+
+static void stresses_are_in_equilibrium(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int i = 0; i < 1000; i++) {
+        const double v[5] = {pow(10, 3 * random_fraction(&seed) - 2), random_fraction(&seed),
+                             random_fraction(&seed), 3 * random_fraction(&seed) - 1.5,
+                             random_fraction(&seed)};
+        double d[6];
+        assert_int_equal(gradient(v, d), RWEDGE_OK);
+        const double scale = fabs(d[0]) + fabs(d[1]) + fabs(d[2]) + 1;
+        assert_within(d[0] + d[5], 0, 1e-13 * scale); /* dsxx/dx + dtxy/dy */
+        assert_within(d[2] + d[4], 0, 1e-13 * scale);
+    }
+}
+
+static void derivatives_end_at_the_edges(void **state)
+{
+    (void)state;
+    const double singular[][5] = {
+        {0.5, 0.3, 0.7, 1, 0},   {0.5, 0.3, 0.7, -0.5, 0}, {0.5, 0.3, 0.7, 0.7, 0},
+        {0, 0.3, 0, 0, 0},       {0.5, 0.3, 2, 0, 1},      {0.5, -1, 0, 0, 1},
+        {0.5, 0.3, 0.7, NAN, 1}, {0.5, 0.3, 0.7, 0, -1},
+    };
+    for (size_t i = 0; i < sizeof singular / sizeof singular[0]; i++) {
+        double d[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
+        assert_int_equal(gradient(singular[i], d), RWEDGE_EDOMAIN);
+        assert_int_equal(sensitivity(singular[i], d), RWEDGE_EDOMAIN);
+        for (int k = 0; k < 9; k++)
+            assert_true(d[k] == 7);
+    }
+    const double beside[5] = {0.5, 0.3, 0, 0, 0}; /* no stick zone, so no edge of it */
+    double d[9];
+    assert_int_equal(gradient(beside, d), RWEDGE_OK);
+    assert_int_equal(sensitivity(beside, d), RWEDGE_OK);
+}
+
+static void derivatives_refuse_missing_outputs(void **state)
+{
+    (void)state;
+    for (int missing = 0; missing < 9; missing++) {
+        double d[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7}, *p[9];
+        for (int k = 0; k < 9; k++)
+            p[k] = k == missing ? NULL : &d[k];
+        if (missing < 6)
+            assert_int_equal(
+                rwedge_stress_gradient(0.5, 0.3, 0.7, 0, 1, p[0], p[1], p[2], p[3], p[4], p[5]),
+                RWEDGE_ENULL);
+        assert_int_equal(rwedge_stress_sensitivity(0.5, 0.3, 0.7, 0, 1, p[0], p[1], p[2], p[3],
+                                                   p[4], p[5], p[6], p[7], p[8]),
+                         RWEDGE_ENULL);
+        for (int k = 0; k < 9; k++)
+            assert_true(d[k] == 7);
+    }
+}
+
+/* The sharp wedge's stick zone grows from 0 as the load does: q changes by a flat punch's force. */
+static void derivatives_at_the_ends_of_the_domain(void **state)
+{
+    (void)state;
+    const double sharp[5] = {0, 0.3, 0, 0.6, 0.4}, hertz[5] = {2, 0.3, 0, 0.6, 0.4};
+    double d[9], next[9], s[3];
+    assert_int_equal(sensitivity(sharp, d), RWEDGE_OK);
+    for (int i = 0; i < 3; i++)
+        assert_true(d[i] == 0);
+    const double soon[5] = {0, 0.3, 1e-9, 0.6, 0.4};
+    assert_int_equal(sensitivity(soon, next), RWEDGE_OK);
+    assert_within(distance(&d[6], &next[6], 0), 0, 1e-9);
+    stress(2, 0.3, 0, 0.6, 0.4, s); /* as 1/alpha */
+    assert_int_equal(sensitivity(hertz, d), RWEDGE_OK);
+    for (int i = 0; i < 3; i++) {
+        assert_close(d[i], -s[i] / 2, 1e-14);
+        assert_true(d[6 + i] == 0);
+    }
+    const double ends[] = {1e-60, 3e59};
+    for (int i = 0; i < 16; i++) {
+        const double v[5] = {ends[i & 1], 1e6, i & 2 ? 1e-60 : 0.3, ends[i >> 2 & 1] * 3,
+                             ends[i >> 3 & 1] * 0.1 + 1e-60};
+        double e[15];
+        assert_int_equal(gradient(v, e), RWEDGE_OK);
+        assert_int_equal(sensitivity(v, e + 6), RWEDGE_OK);
+        for (int k = 0; k < 15; k++)
+            assert_true(isfinite(e[k]));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -316,6 +442,11 @@ int main(void)
         cmocka_unit_test(arrays_are_points_one_by_one),
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
         cmocka_unit_test(missing_arrays_are_refused),
+        cmocka_unit_test(derivatives_are_difference_quotients),
+        cmocka_unit_test(stresses_are_in_equilibrium),
+        cmocka_unit_test(derivatives_end_at_the_edges),
+        cmocka_unit_test(derivatives_refuse_missing_outputs),
+        cmocka_unit_test(derivatives_at_the_ends_of_the_domain),
     };
     return RUN_CLAIMS("stress", tests);
 }

@@ -291,8 +291,8 @@ profile_patch patch_of(const profile &p, double left, double right)
     return made;
 }
 
-/* Over the larger of the stress and max(1, f)/(1+|z|) times the slope, 1 - |delta|, and the root of 1
- * - a/b of a flat. */
+/* Over the larger of the stress and max(1, f)/(1+|z|) times the slope, 1 - |delta|, and the root of
+ * 1 - a/b of a flat. */
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;

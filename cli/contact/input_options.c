@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "input_options.h"
 
+#include "profiles.h"
 #include "text/message.h"
 #include "text/number.h"
 
-enum { OTHER_NAMES = 2, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_NAMES = 3, CONTACT_INPUTS = INPUT_K };
 
 struct poptOption input_option_table[CONTACT_INPUTS + OTHER_NAMES + 1] = {
-    [CONTACT_INPUTS] = OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
+    [CONTACT_INPUTS] = {HULL_OPTION},
+    OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
     OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
     POPT_TABLEEND,
 };
@@ -36,6 +38,18 @@ void input_options_prepare(void)
     }
 }
 
+/* Ends the command where it is none. */
+static void read_profile(const arguments *line, const char *name)
+{
+    char complaint[COMPLAINT_SIZE];
+    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
+    profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
+    if (profiles_named(name, complaint) == NULL)
+        failure("%s", complaint);
+    if (profiles_remark(name)[0] != '\0')
+        notice("%s", profiles_remark(name));
+}
+
 static double read_tolerance(const arguments *line)
 {
     const char *text = line->value[OPTION_TOLERANCE];
@@ -54,7 +68,16 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
     *texts = (input_texts){.cell_decimal_sign = '.',
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options",
+                           .profile_named = profiles_named,
                            .tolerance = read_tolerance(line)};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts->text[i] = line->value[OPTION_INPUT + i];
+    if (texts->text[INPUT_PROFILE] != NULL)
+        read_profile(line, texts->text[INPUT_PROFILE]);
+}
+
+void input_options_check_hull(const arguments *line)
+{
+    if (line->value[OPTION_HULL] != NULL && line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
+        usage_error("--hull: needs --profile");
 }

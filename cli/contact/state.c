@@ -131,10 +131,9 @@ static void read_natural(const arguments *line, const input_texts *texts, contac
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
     state->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
-    state->a = alpha;
+    state->shape = pad_wedge(NATURAL_THETA, alpha);
     const load to = read_natural_load(line, texts, alpha, f);
-    check_status(rwedge_contact_create(NATURAL_THETA, alpha, NATURAL_A, f, &state->contact),
-                 "the contact");
+    check_status(pad_contact(&state->shape, NATURAL_A, f, &state->contact), "the contact");
     rwedge_contact_allow_error(state->contact, texts->tolerance);
     apply_natural(texts, f, to, state);
     measure_natural(to.M == 0, state);
@@ -169,7 +168,7 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
         check_status(loads_apply_monotonic(case_load(&setup), state->contact),
                      "the loads cannot be applied");
     state->nu = setup.nu1;
-    state->a = setup.a;
+    state->shape = setup.shape;
     const zone contact = state_contact_zone(state);
     state->b = rwedge_contact_half_width(state->contact);
     state->left = contact.left;
@@ -183,6 +182,7 @@ void state_read(const arguments *line, char decimal_sign, contact_state *state)
     input_texts texts;
     *state = (contact_state){0};
     input_texts_from_options(line, &texts);
+    input_options_check_hull(line);
     const load_source from = load_source_of(line);
     load_source_check_encoding(&from);
     if (line->value[OPTION_A_OVER_B] != NULL)
@@ -210,7 +210,7 @@ void state_free(contact_state *state)
     rwedge_contact_destroy(state->contact);
 }
 
-bool state_is_apex(const contact_state *state, double x, double y)
+bool state_is_kink(const contact_state *state, double x, double y)
 {
-    return state->a == 0 && state->b > 0 && x == 0 && y == 0;
+    return state->b > 0 && y == 0 && pad_is_kink(&state->shape, x);
 }

@@ -6,7 +6,7 @@
 
 #include "load_table.h"
 
-#include <rwedge.h>
+#include "pad/pad.h"
 
 enum {
     OPTION_A_OVER_B = OPTION_AFTER_LOADS,
@@ -20,7 +20,8 @@ extern struct poptOption state_option_table[];
 
 typedef struct {
     rwedge_contact *contact;
-    double a, nu;
+    pad shape;
+    double nu;
     /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
      * when separated */
     double b, left, right;
@@ -41,8 +42,8 @@ typedef struct {
 zone state_contact_zone(const contact_state *state);
 zone state_stick_zone(const contact_state *state);
 
-/* Whether the stresses at this point are infinite: at the apex of the sharp wedge. */
-bool state_is_apex(const contact_state *state, double x, double y);
+/* Whether the stresses at this point are infinite: at a sharp edge. */
+bool state_is_kink(const contact_state *state, double x, double y);
 
 /* Prints what the help of both commands says about them. */
 void state_describe(FILE *stream);

@@ -91,6 +91,7 @@ static int field(const arguments *line)
     arguments_no_operand(line);
     output_options_read_of(line, formats, "", &how);
     output_options_spare(&how, line->value[OPTION_HISTORY]);
+    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     state_read(line, how.decimal_sign, &points.state);
     const bool vtk = how.format == NULL;
     const double b = points.state.b, middle = (points.state.left + points.state.right) / 2;

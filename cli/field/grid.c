@@ -20,7 +20,7 @@ static tensor stress(const grid *points, double x, double y)
 {
     const double at_x = x * points->state.length_unit, at_y = y * points->state.length_unit;
     double sxx, syy, txy;
-    if (state_is_apex(&points->state, at_x, at_y))
+    if (state_is_kink(&points->state, at_x, at_y))
         return tensor_unknown();
     const int32_t status =
         rwedge_contact_stresses(points->state.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);

@@ -74,7 +74,7 @@ static int32_t slip_at(const contact_state *state, double at, double *slip)
     return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
-/* NAN, an empty cell, for stresses at the apex of the sharp wedge, which are infinite, and for slip
+/* NAN, an empty cell, for stresses at a sharp edge, which are infinite, and for slip
  * outside the contact. */
 static int32_t look(const contact_state *state, double at, double value[])
 {
@@ -82,7 +82,7 @@ static int32_t look(const contact_state *state, double at, double value[])
     double syy, txy;
     int32_t status = RWEDGE_OK;
     value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
-    if (!state_is_apex(state, at, 0)) {
+    if (!state_is_kink(state, at, 0)) {
         status = rwedge_contact_tractions(state->contact, 1, &at, &value[P], &value[Q]);
         if (status == RWEDGE_OK)
             status =
@@ -160,6 +160,7 @@ static int profile(const arguments *line)
     arguments_no_operand(line);
     output_options_read(line, &how);
     output_options_spare(&how, line->value[OPTION_HISTORY]);
+    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     read_points(line, &job);
     state_read(line, how.decimal_sign, &job.state);
     if (job.points > 0 && job.state.b == 0)

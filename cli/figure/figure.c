@@ -46,7 +46,13 @@ static struct poptOption course_figure_option_table[] = {
     {BODY("theta", INPUT_THETA), "Angle between flank and surface, in radians", "ANGLE"},
     {BODY("theta-deg", INPUT_THETA_DEG), "The same in degrees", "ANGLE"},
     {BODY("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
-    {BODY("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta", "LENGTH"},
+    {BODY("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta; alone, of a cylinder",
+     "LENGTH"},
+    {BODY("flat", INPUT_FLAT), "Half-width of the flat of a flat pad, whose edges have the radius",
+     "LENGTH"},
+    {BODY("profile", INPUT_PROFILE),
+     "Any convex pad: a CSV file with the columns x, and slope or height", "FILE"},
+    {HULL_OPTION},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, NULL, NULL},
     {"at", '\0', POPT_ARG_STRING, NULL, OPTION_AT, "The point of figure history", "x,y"},
     POPT_TABLEEND,
@@ -199,7 +205,7 @@ static double largest_half_width(const course *whole)
     const contact_case *what = &whole->what;
     double most = 0;
     for (size_t i = 0; i < whole->loads.count; i++)
-        most = fmax(most, rwedge_half_width(what->theta, what->a, what->A, whole->loads.load[i].P));
+        most = fmax(most, pad_half_width(&what->shape, what->A, whole->loads.load[i].P));
     return most;
 }
 
@@ -311,6 +317,7 @@ static int write_command(const arguments *given)
         read_case(given, to_do.which, &to_do.of);
     }
     output_options_spare(&how, given->value[OPTION_HISTORY]);
+    output_options_spare(&how, given->value[OPTION_INPUT + INPUT_PROFILE]);
     output_options_write(&how, write_figure, &to_do);
     doubts_say((doubts){.error = to_do.whole.error}, "");
     return STATUS_DONE;

@@ -196,7 +196,7 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
     return status;
 }
 
-/* Infinite at the apex of the sharp wedge: another point stands for it. */
+/* Infinite at a sharp edge: another point stands for it. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[])
 {
@@ -205,7 +205,7 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
         return RWEDGE_ENOMEM;
     double *depth = room + 5 * n;
     for (size_t i = 0; i < n; i++) {
-        depth[i] = cycle->setup->a == 0 && x[i] == 0 && y[i] == 0 ? 1 : y[i];
+        depth[i] = y[i] == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : y[i];
         forget(&at[i]);
     }
     int32_t status = fatigue(cycle, n, x, depth, at);

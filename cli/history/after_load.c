@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "after_load.h"
 
-#include "peak.h"
-
+#include "model/peak.h"
 #include "text/message.h"
-#include "text/pi.h"
 
 #include <math.h>
 
@@ -37,53 +35,10 @@ typedef struct {
     double left, right;
 } touching;
 
-static double pressure_at(const void *of_touching, double x)
-{
-    double p, q;
-    const int32_t status =
-        rwedge_contact_tractions(((const touching *)of_touching)->contact, 1, &x, &p, &q);
-    return status == RWEDGE_OK ? -p : NAN;
-}
-
-static double slip_size_at(const void *of_touching, double x)
+static double slip_size_at(const void *contact, double x)
 {
     double slip;
-    const int32_t status =
-        rwedge_contact_slip(((const touching *)of_touching)->contact, 1, &x, &slip);
-    return status == RWEDGE_OK ? fabs(slip) : NAN;
-}
-
-/* Of a function over the contact: the best of some places, dense at the edges, and around it. */
-static double largest(const touching *of, peak_function *f)
-{
-    enum { STEPS = 32 };
-    const double middle = (of->left + of->right) / 2, half = (of->right - of->left) / 2;
-    double place[2 * STEPS + 1];
-    int best = 0;
-    peak found = {of->left, f(of, of->left)};
-    for (int i = 0; i <= 2 * STEPS; i++) {
-        place[i] = i == 0           ? of->left
-                   : i == 2 * STEPS ? of->right
-                                    : middle + half * sin(PI / 2 * (i - STEPS) / STEPS);
-        const double value = f(of, place[i]);
-        if (!(value > found.value))
-            continue;
-        found = (peak){place[i], value};
-        best = i;
-    }
-    return peak_between(place[best > 0 ? best - 1 : 0],
-                        place[best < 2 * STEPS ? best + 1 : 2 * STEPS], found, f, of)
-        .value;
-}
-
-static double peak_pressure(const contact_case *what, const touching *of)
-{
-    if (what->a == 0) /* at the apex */
-        return NAN;
-    if (rwedge_contact_tilt(of->contact) != 0)
-        return largest(of, pressure_at);
-    const double b = rwedge_contact_half_width(of->contact);
-    return what->theta / what->A * rwedge_peak_pressure(what->a / b);
+    return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
 static int32_t edges(const contact_case *what, const touching *of, cell row[])
@@ -93,8 +48,9 @@ static int32_t edges(const contact_case *what, const touching *of, cell row[])
     row[AFTER_LEFT] = cell_number(of->left);
     row[AFTER_RIGHT] = cell_number(of->right);
     row[AFTER_TILT] = cell_number(rwedge_contact_tilt(of->contact));
-    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(what, of));
-    row[AFTER_LARGEST_SLIP] = cell_number(largest(of, slip_size_at));
+    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(what, of->contact));
+    row[AFTER_LARGEST_SLIP] =
+        cell_number(peak_over(of->left, of->right, slip_size_at, of->contact));
     if (rwedge_contact_stick_zone(of->contact, &left, &right) == RWEDGE_OK) {
         row[AFTER_STICK_LEFT] = cell_number(left);
         row[AFTER_STICK_RIGHT] = cell_number(right);

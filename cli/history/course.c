@@ -121,6 +121,7 @@ void course_read(const arguments *given, char decimal_sign, course_usage usage, 
     char complaint[COMPLAINT_SIZE];
     *whole = (course){0};
     input_texts_from_options(given, &texts);
+    input_options_check_hull(given);
     find_loads(given, &texts, &from, &before);
     read_cycles(given, usage.cycles);
     if (!case_read(&texts, CASE_OF_COURSE, &whole->what, complaint))

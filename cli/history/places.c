@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "places.h"
 
-#include "contact/table_header.h"
+#include "contact/pairs.h"
 #include "text/memory.h"
 #include "text/message.h"
 #include "text/number.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -88,82 +87,23 @@ static void read_at(const char *text, places *to)
 
 /* ---- --points ---- */
 
-static const char *const names[] = {"x", "y"};
-
-typedef struct {
-    csv_row first;
-    header names;
-    bool unused[HEADER_COLUMNS];
-    size_t column[2]; /* of x and y */
-} columns;
-
-static void find_column(const char *file, int n, columns *all)
-{
-    all->column[n] = all->names.count;
-    for (size_t c = 0; c < all->names.count; c++) {
-        if (strcmp(all->names.name[c], names[n]) != 0)
-            continue;
-        if (all->column[n] < c)
-            failure("%s: column %s: there twice; allowed: once", file, names[n]);
-        all->column[n] = c;
-        all->names.is_used[c] = true;
-    }
-    if (all->column[n] == all->names.count)
-        failure("%s: column %s: missing; needed: x and y, the depth", file, names[n]);
-}
-
-static void find_columns(csv_input *in, columns *all)
-{
-    static const bool no_input[INPUT_COUNT] = {false};
-    char complaint[COMPLAINT_SIZE];
-    table_header_read(in, &all->first);
-    header_find(all->first.cell, all->first.count, no_input, NULL, &all->names, complaint);
-    for (int i = 0; i < 2; i++)
-        find_column(csv_input_name(in), i, all);
-}
-
-static void refuse_row(const csv_input *in, const char *complaint)
-{
-    failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
-}
-
-static void read_row(csv_input *in, columns *all, char decimal_sign, places *to)
-{
-    double value[2];
-    char complaint[COMPLAINT_SIZE];
-    const char *const *cells = csv_input_cells(in);
-    if (!header_fits(all->names.count, csv_input_count(in), csv_input_separator(in), complaint))
-        refuse_row(in, complaint);
-    for (int i = 0; i < 2; i++) {
-        const char *text = cells[all->column[i]];
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                 names[i], text, decimal_sign == ',' ? "comma" : "point");
-        if (!number_read_cell(text, decimal_sign, &value[i]))
-            refuse_row(in, complaint);
-    }
-    if (complaint_about(value[0], value[1]) != NULL)
-        refuse_row(in, complaint_about(value[0], value[1]));
-    if (to->count == PLACES_MAX)
-        failure("%s: more than %d points", csv_input_name(in), PLACES_MAX);
-    header_note_unused(&all->names, cells, all->unused);
-    add(to, value[0], value[1]);
-}
-
 static void read_file(const char *path, const char *encoding, char decimal_sign, places *to)
 {
-    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding);
-    columns all = {.column = {0}};
-    csv_event event;
-    find_columns(in, &all);
-    while ((event = csv_input_next(in)) == CSV_ROW)
-        read_row(in, &all, decimal_sign, to);
-    if (event != CSV_END)
-        csv_input_fail(in);
-    if (to->count == 0)
-        failure("%s: no points; needed: rows of x and y", csv_input_name(in));
-    table_header_say_unused(&all.names, all.unused, csv_input_name(in));
-    csv_row_free(&all.first);
-    csv_input_close(in);
+    static const pair_columns wanted = {.first = "x",
+                                        .second = "y",
+                                        .needed = "x and y, the depth",
+                                        .rows = "points",
+                                        .most = PLACES_MAX,
+                                        .complaint_about = complaint_about};
+    pairs all;
+    pairs_read(path, encoding, decimal_sign, &wanted, &all);
+    if (all.problem[0] != '\0')
+        failure("%s", all.problem);
+    if (all.unused[0] != '\0')
+        notice("%s: %s", path, all.unused);
+    for (size_t i = 0; i < all.count; i++)
+        add(to, all.first[i], all.second[i]);
+    pairs_free(&all);
 }
 
 /* ---- --x and --depth ---- */
@@ -230,5 +170,6 @@ void places_read(const arguments *given, char decimal_sign, places *to)
 void places_spare_files(const arguments *given, const output_options *how)
 {
     output_options_spare(how, course_file(given));
+    output_options_spare(how, given->value[OPTION_INPUT + INPUT_PROFILE]);
     output_options_spare(how, given->value[OPTION_POINTS]);
 }

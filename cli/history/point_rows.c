@@ -53,7 +53,8 @@ tensor point_stress(const point_rows *points, const rwedge_contact *contact, siz
 {
     const double x = points->at->x[i], y = points->at->y[i];
     double sxx, syy, txy;
-    if (points->whole->what.a == 0 && x == 0 && y == 0 && rwedge_contact_half_width(contact) > 0)
+    if (y == 0 && pad_is_kink(&points->whole->what.shape, x) &&
+        rwedge_contact_half_width(contact) > 0)
         return tensor_unknown();
     const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
     if (status != RWEDGE_OK)

@@ -88,15 +88,22 @@ static bool is_tsv(const char *path)
     return ending != NULL && strcasecmp(ending, ".tsv") == 0;
 }
 
-csv_input *csv_input_open(const char *path, char separator, const char *encoding)
+csv_input *csv_input_try(const char *path, char separator, const char *encoding)
 {
     csv_input *in = memory_zeroed(1, sizeof *in);
     in->source = text_input_open(path, encoding);
     in->at_start = true;
     in->line = 1;
     start_parser(in, is_tsv(path) ? '\t' : separator);
-    if (text_input_problem(in->source)[0] != '\0')
-        failure("%s", text_input_problem(in->source));
+    snprintf(in->problem, PROBLEM, "%s", text_input_problem(in->source));
+    return in;
+}
+
+csv_input *csv_input_open(const char *path, char separator, const char *encoding)
+{
+    csv_input *in = csv_input_try(path, separator, encoding);
+    if (in->problem[0] != '\0')
+        csv_input_fail(in);
     return in;
 }
 
@@ -283,6 +290,8 @@ static bool is_blank(const csv_input *in)
 csv_event csv_input_next(csv_input *in)
 {
     csv_event event;
+    if (in->problem[0] != '\0')
+        return CSV_FAILED;
     do
         event = next_row(in);
     while (event == CSV_ROW && is_blank(in));

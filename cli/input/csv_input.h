@@ -26,6 +26,9 @@ typedef enum {
  * as "sep=;". The encoding is that of text_input. Ends the command where it cannot be read. */
 csv_input *csv_input_open(const char *path, char separator, const char *encoding);
 
+/* The same, but where it cannot be read only the problem says so, and there is no next row. */
+csv_input *csv_input_try(const char *path, char separator, const char *encoding);
+
 /* Reads the next row. Blank lines, and rows of empty cells, are no rows. A quote that is not closed
  * ends the file: what it has taken may have been rows. */
 csv_event csv_input_next(csv_input *in);

@@ -53,8 +53,8 @@ static bool choose_results(case_table *table, char complaint[COMPLAINT_SIZE])
 {
     const header *names = &table->names;
     results_wanted wanted = table->wanted;
-    wanted.edges =
-        wanted.edges || header_has_input(names, INPUT_M) || header_has_input(names, INPUT_SIGMA);
+    wanted.edges = wanted.edges || header_has_input(names, INPUT_M) ||
+                   header_has_input(names, INPUT_SIGMA) || header_has_input(names, INPUT_PROFILE);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const bool is_input = (i == RESULT_ROUNDING && header_has_input(names, INPUT_A)) ||
                               (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS));

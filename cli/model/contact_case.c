@@ -20,6 +20,12 @@ static const alternatives ways[] = {
     {INPUT_E1, -1}, {INPUT_NU1, -1}, {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS},
     {INPUT_P, -1},  {INPUT_F, -1},   {INPUT_K, INPUT_YIELD_STRESS},
 };
+/* What gives one shape does not go with what gives another. */
+static const alternatives shapes[] = {
+    {INPUT_THETA, INPUT_FLAT},     {INPUT_THETA_DEG, INPUT_FLAT},    {INPUT_A, INPUT_FLAT},
+    {INPUT_THETA, INPUT_PROFILE},  {INPUT_THETA_DEG, INPUT_PROFILE}, {INPUT_A, INPUT_PROFILE},
+    {INPUT_RADIUS, INPUT_PROFILE}, {INPUT_FLAT, INPUT_PROFILE},
+};
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
 static bool excluded(const input_texts *texts, int one, int other, char complaint[COMPLAINT_SIZE])
@@ -30,10 +36,21 @@ static bool excluded(const input_texts *texts, int one, int other, char complain
     return false;
 }
 
+/* A radius is that of a cylinder where no angle is given. */
+static bool needs_of_shape(const input_texts *texts, int input)
+{
+    const bool has_profile = input_is_given(texts, INPUT_PROFILE);
+    if (input == INPUT_A || has_profile || input_is_given(texts, INPUT_FLAT))
+        return input == INPUT_A && !has_profile;
+    return !input_is_given(texts, INPUT_RADIUS);
+}
+
 static bool is_needed(const input_texts *texts, int input, case_needs needs)
 {
     if (input == INPUT_K)
         return false;
+    if (input == INPUT_THETA || input == INPUT_A)
+        return needs_of_shape(texts, input);
     if (input == INPUT_P)
         return needs == CASE_WITH_LOADS || needs == CASE_OF_SOLVE;
     if (input == INPUT_F && needs == CASE_OF_COURSE)
@@ -50,10 +67,12 @@ static void add_missing(const input_texts *texts, const alternatives *way,
                         char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
-    const bool two = way->other >= 0;
+    const bool is_flat = way->one == INPUT_A && input_is_given(texts, INPUT_FLAT);
+    const bool two = way->other >= 0 && !is_flat;
     list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
-             complaint[0] == '\0' ? "missing: " : "", input_name(texts, way->one, first),
-             two ? " or " : "", two ? input_name(texts, way->other, second) : "");
+             complaint[0] == '\0' ? "missing: " : "",
+             input_name(texts, is_flat ? way->other : way->one, first), two ? " or " : "",
+             two ? input_name(texts, way->other, second) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
@@ -79,6 +98,9 @@ bool case_is_complete(const input_texts *texts, case_needs needs, char complaint
 {
     bool cells = false, friction = false;
     complaint[0] = '\0';
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
+        if (input_is_given(texts, shapes[i].one) && input_is_given(texts, shapes[i].other))
+            return excluded(texts, shapes[i].one, shapes[i].other, complaint);
     for (int i = 0; i < WAY_COUNT; i++) {
         const bool one = input_is_given(texts, ways[i].one);
         const bool other = ways[i].other >= 0 && input_is_given(texts, ways[i].other);
@@ -103,14 +125,25 @@ static double either(double one, double other)
     return isnan(one) ? other : one;
 }
 
+/* But for a profile. */
+static pad shape_of(const double value[INPUT_COUNT])
+{
+    const double radius = value[INPUT_RADIUS];
+    const double theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
+    if (!isnan(value[INPUT_FLAT]))
+        return pad_flat(value[INPUT_FLAT], radius);
+    if (isnan(theta))
+        return pad_cylinder(radius);
+    return pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
+}
+
 static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];
     setup->E2 = either(value[INPUT_E2], setup->E1);
     setup->nu2 = either(value[INPUT_NU2], setup->nu1); /* of no effect where body 2 is rigid */
-    setup->theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
-    setup->a = either(value[INPUT_A], rwedge_rounding(setup->theta, value[INPUT_RADIUS]));
+    setup->shape = shape_of(value);
     setup->P = either(value[INPUT_P], 0);
     setup->M = either(value[INPUT_M], 0);
     setup->Q = either(value[INPUT_Q], 0);
@@ -131,8 +164,7 @@ static double own_strain(const contact_case *setup)
 
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
 {
-    *contact = NULL;
-    int32_t status = rwedge_contact_create(setup->theta, setup->a, setup->A, setup->f, contact);
+    int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
         status = rwedge_contact_set_strain(*contact, own_strain(setup));
     if (status == RWEDGE_OK) /* a pad of which nothing is computed refuses such loads as ever */
@@ -181,6 +213,26 @@ static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
     return false;
 }
 
+/* Only the tip of a wedge may be sharp. */
+static bool has_radius(const input_texts *texts, const pad *shape, char complaint[COMPLAINT_SIZE])
+{
+    char name[INPUT_NAME_SIZE];
+    if (shape->kind == PAD_WEDGE || shape->radius != 0)
+        return true;
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: the radius must be a number above 0%s",
+             input_name(texts, INPUT_RADIUS, name), texts->text[INPUT_RADIUS],
+             shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
+    return false;
+}
+
+static bool is_in_range(const contact_case *setup)
+{
+    rwedge_contact *contact = NULL;
+    const int32_t status = case_contact(setup, &contact);
+    rwedge_contact_destroy(contact);
+    return status != RWEDGE_EDOMAIN;
+}
+
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE])
 {
@@ -193,7 +245,11 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
             return false;
     }
     fill(texts, value, setup);
-    if (!isnormal(setup->A) || !isnormal(setup->theta / setup->A) || !isfinite(setup->a)) {
+    if (input_is_given(texts, INPUT_PROFILE))
+        setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], complaint));
+    if (!has_radius(texts, &setup->shape, complaint))
+        return false;
+    if (!is_in_range(setup)) {
         snprintf(
             complaint, COMPLAINT_SIZE,
             "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");

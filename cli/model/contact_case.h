@@ -4,10 +4,12 @@
 #define CLI_CONTACT_CASE_H
 
 #include "loads.h"
+#include "pad/pad.h"
 
 typedef struct {
     double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
-    double theta, a, P, M, Q, sigma, f;
+    pad shape;
+    double P, M, Q, sigma, f;
     double k;         /* NAN where not given */
     double A;         /* composite compliance */
     double beta;      /* Dundurs' second constant */

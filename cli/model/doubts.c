@@ -9,26 +9,35 @@
 
 #include <rwedge.h>
 
-int32_t doubts_of(const contact_case *setup, double b, double safety)
-{
-    return rwedge_validity(setup->theta, b > 0 ? setup->a / b : NAN, setup->beta, setup->f,
-                           setup->k / setup->E1, safety);
-}
-
 /* Beside the library's bits. */
-enum { DOUBT_STATE = 1 << 20 };
+enum { DOUBT_STATE = 1 << 20, DOUBT_SLOPE = 1 << 21 };
+
+static const double STEEP = 0.1;
+
+int32_t doubts_of(const contact_case *setup, double left, double right, double safety)
+{
+    const pad *shape = &setup->shape;
+    const bool is_wedge = shape->kind == PAD_WEDGE, touches = right > left;
+    const int32_t bits =
+        rwedge_validity(is_wedge ? shape->theta : NAN,
+                        is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN, setup->beta,
+                        setup->f, setup->k / setup->E1, safety);
+    const bool is_steep = !is_wedge && touches && pad_steepest(shape, left, right) > STEEP;
+    return bits | (is_steep ? DOUBT_SLOPE : 0);
+}
 
 static int32_t bits_of_factor(const contact_case *setup, const rwedge_contact *contact,
                               double factor)
 {
-    double P = 0, M, Q, sigma;
-    const double b = rwedge_contact_half_width(contact);
+    const pad *shape = &setup->shape;
+    double P = 0, M, Q, sigma, left = 0, right = 0;
+    rwedge_contact_edges(contact, &left, &right);
     if (!(factor < 1))
-        return doubts_of(setup, b, NAN);
+        return doubts_of(setup, left, right, NAN);
     rwedge_contact_loads(contact, &P, &M, &Q, &sigma);
-    const double P_yield =
-        rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k);
-    return doubts_of(setup, b, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
+    const double P_yield = /* not known of other pads */
+        rwedge_yield_load(shape->theta, shape->a, setup->A, setup->f, setup->nu1, setup->k);
+    return doubts_of(setup, left, right, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
 }
 
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
@@ -56,7 +65,9 @@ static bool next_bit(int32_t *left, char text[DOUBT_SIZE])
     *left -= bit;
     snprintf(text, DOUBT_SIZE, "%s",
              bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
-                                : rwedge_validity_text(bit));
+             : bit == DOUBT_SLOPE
+                 ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
+                 : rwedge_validity_text(bit));
     return bit != 0;
 }
 

@@ -15,9 +15,9 @@ typedef struct {
     double error; /* rwedge_contact_error(), 0 where there is a closed form */
 } doubts;
 
-/* The bits of a contact of the half-width b, 0 where it is separated; safety is P_yield/P, NAN
+/* The bits of a contact with these edges, both 0 where it is separated; safety is P_yield/P, NAN
  * where it is not known. */
-int32_t doubts_of(const contact_case *setup, double b, double safety);
+int32_t doubts_of(const contact_case *setup, double left, double right, double safety);
 
 /* Of the state of a contact. It may yield by P, or by a tension or moment at a P that would not. */
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact);

@@ -30,8 +30,13 @@ const input_kind input_kinds[INPUT_COUNT] = {
                          true, "a number above 0 and below 90, in degrees"},
     [INPUT_A] = {"a", "Half-width of the rounding; 0 is the sharp wedge", "LENGTH", "length",
                  "the half-width of the rounding", NOT_BELOW_0},
-    [INPUT_RADIUS] = {"radius", "Radius of the rounding instead, a/theta", "LENGTH", "length",
-                      "the radius", NOT_BELOW_0},
+    [INPUT_RADIUS] = {"radius", "Radius of the rounding instead, a/theta; alone, of a cylinder",
+                      "LENGTH", "length", "the radius", NOT_BELOW_0},
+    [INPUT_FLAT] = {"flat", "Half-width of the flat of a flat pad, whose edges have the radius",
+                    "LENGTH", "length", "the half-width of the flat", ABOVE_0},
+    [INPUT_PROFILE] = {"profile",
+                       "Any convex pad: a CSV file with the columns x, and slope or height", "FILE",
+                       "name", "the profile", ANY},
     [INPUT_P] = {"P", "Normal force per unit length", "FORCE", "force/length", "the normal force",
                  ABOVE_0},
     [INPUT_M] = {"M", "Moment per unit length, positive presses the side x > 0 (default 0)",
@@ -110,6 +115,16 @@ static bool has_possible_size(int input, double value)
     return without_size || value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
 }
 
+static bool read_profile(const input_texts *texts, double *value, char complaint[COMPLAINT_SIZE])
+{
+    const pad_profile *places = NULL;
+    snprintf(complaint, COMPLAINT_SIZE, "profile: there are no files here");
+    if (texts->profile_named != NULL)
+        places = texts->profile_named(texts->text[INPUT_PROFILE], complaint);
+    *value = places != NULL ? (double)places->count : NAN;
+    return places != NULL;
+}
+
 bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE])
 {
     const char *text = texts->text[input];
@@ -117,6 +132,8 @@ bool input_read(const input_texts *texts, int input, double *value, char complai
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
     char name[INPUT_NAME_SIZE];
+    if (input == INPUT_PROFILE)
+        return read_profile(texts, value, complaint);
     *value = HUGE_VAL;
     if (rigid ? input == INPUT_E2
               : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {

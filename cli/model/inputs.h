@@ -4,6 +4,8 @@
 #ifndef CLI_INPUTS_H
 #define CLI_INPUTS_H
 
+#include "pad/pad_profile.h"
+
 #include <stdbool.h>
 
 enum {
@@ -15,7 +17,9 @@ enum {
     INPUT_THETA_DEG,
     INPUT_A,
     INPUT_RADIUS,
-    INPUT_P, /* the loads, up to sigma */
+    INPUT_FLAT,
+    INPUT_PROFILE, /* a name, not a number */
+    INPUT_P,       /* the loads, up to sigma */
     INPUT_M,
     INPUT_Q,
     INPUT_SIGMA,
@@ -43,6 +47,8 @@ typedef struct {
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;
+    /* the profile of a name; NULL with the complaint where there is none. May itself be NULL */
+    const pad_profile *(*profile_named)(const char *name, char complaint[]);
     /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
     double tolerance;
 } input_texts;
@@ -66,7 +72,7 @@ const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME
 bool input_is_given(const input_texts *texts, int input);
 
 /* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be
- * HUGE_VAL, "inf". */
+ * HUGE_VAL, "inf"; of a profile it is the number of places. */
 bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
 
 #endif

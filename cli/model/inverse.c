@@ -28,7 +28,7 @@ static bool refuse(const char *why, char complaint[COMPLAINT_SIZE])
 
 static double yield_load(const contact_case *setup, double f)
 {
-    return rwedge_yield_load(setup->theta, setup->a, setup->A, f, setup->nu1, setup->k);
+    return rwedge_yield_load(setup->shape.theta, setup->shape.a, setup->A, f, setup->nu1, setup->k);
 }
 
 /* ---- Friction ---- */
@@ -78,8 +78,8 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
     if (input == INPUT_P)
         *value = P_yield / safety;
     else {
-        const double a = setup->a * (safety * setup->P / P_yield);
-        *value = input == INPUT_A ? a : rwedge_radius(setup->theta, a);
+        const double a = setup->shape.a * (safety * setup->P / P_yield);
+        *value = input == INPUT_A ? a : rwedge_radius(setup->shape.theta, a);
     }
     return true;
 }
@@ -119,6 +119,8 @@ static bool read_rest(const input_texts *texts, int input, contact_case *setup,
     rest.text[INPUT_Q] = NULL;
     if (!case_read(&rest, CASE_OF_SOLVE, setup, complaint))
         return false;
+    if (!pad_has_formulas(&setup->shape))
+        return refuse("of a flat pad or a profile it is not looked for", complaint);
     return isnan(setup->k) ? refuse("no yield stress is given", complaint) : true;
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "present_state.h"
 
+#include "peak.h"
+
 #include <math.h>
 
 #include <rwedge.h>
@@ -9,9 +11,20 @@
 static void tilted(const contact_case *setup, double b, cell row[])
 {
     row[RESULT_B] = cell_number(b);
-    row[RESULT_A_OVER_B] = cell_number(setup->a / b);
-    row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->theta * b));
+    if (setup->shape.kind == PAD_WEDGE) {
+        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
+        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
+    }
     row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
+}
+
+static void of_pad(const contact_case *setup, const rwedge_contact *contact, double b, cell row[])
+{
+    row[RESULT_A] = cell_number(setup->A);
+    row[RESULT_BETA] = cell_number(setup->beta);
+    row[RESULT_RADIUS] = cell_number(setup->shape.radius);
+    row[RESULT_B] = cell_number(b);
+    row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
 }
 
 /* Without friction there is neither stick nor slip to speak of. */
@@ -50,7 +63,9 @@ int32_t results_of_state(const contact_case *setup, cell row[], double *error)
         status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
     if (status == RWEDGE_OK) {
         const double b = rwedge_contact_half_width(contact);
-        if (setup->M != 0)
+        if (!pad_has_formulas(&setup->shape))
+            of_pad(setup, contact, b, row);
+        else if (setup->M != 0)
             tilted(setup, b, row);
         row[RESULT_LEFT] = cell_number(edge[0]);
         row[RESULT_RIGHT] = cell_number(edge[1]);

@@ -2,6 +2,7 @@
 #include "results.h"
 
 #include "present_state.h"
+#include "sliding.h"
 #include "text/list.h"
 
 #include <math.h>
@@ -64,16 +65,19 @@ static bool not_computed(const char *name, const char *why, char complaint[COMPL
 
 static void geometry(const contact_case *setup, double b, cell row[])
 {
-    const double alpha = setup->a / b, unit = setup->theta / setup->A;
+    const pad *shape = &setup->shape;
+    const double alpha = shape->a / b, unit = shape->theta / setup->A;
     row[RESULT_A] = cell_number(setup->A);
     row[RESULT_BETA] = cell_number(setup->beta);
-    row[RESULT_ROUNDING] = cell_number(setup->a);
-    row[RESULT_RADIUS] = cell_number(rwedge_radius(setup->theta, setup->a));
+    row[RESULT_RADIUS] = cell_number(shape->radius);
     row[RESULT_B] = cell_number(b);
-    row[RESULT_A_OVER_B] = cell_number(alpha);
-    row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
     row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha));
-    row[RESULT_P_TRANSITION] = cell_number(unit * rwedge_transition_pressure(alpha));
+    if (shape->kind == PAD_WEDGE) {
+        row[RESULT_ROUNDING] = cell_number(shape->a);
+        row[RESULT_A_OVER_B] = cell_number(alpha);
+        row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
+        row[RESULT_P_TRANSITION] = cell_number(unit * rwedge_transition_pressure(alpha));
+    }
     row[RESULT_LEFT] = cell_number(-b);
     row[RESULT_RIGHT] = cell_number(b);
     row[RESULT_TILT] = cell_number(0);
@@ -83,7 +87,7 @@ static void geometry(const contact_case *setup, double b, cell row[])
 static bool friction(const contact_case *setup, double b, cell row[],
                      char complaint[COMPLAINT_SIZE])
 {
-    const double alpha = setup->a / b, ratio = case_shear_ratio(setup);
+    const double alpha = setup->shape.a / b, ratio = case_shear_ratio(setup);
     const double c = rwedge_stick_width(alpha, fabs(ratio));
     double sxx = 0, syy, txy;
     if (ratio != 0) {
@@ -97,7 +101,7 @@ static bool friction(const contact_case *setup, double b, cell row[],
     row[RESULT_C_OVER_B] = rough ? cell_number(c) : cell_empty();
     row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
     row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
-    row[RESULT_TENSION] = cell_number(setup->theta / setup->A * sxx);
+    row[RESULT_TENSION] = cell_number(setup->shape.theta / setup->A * sxx);
     return true;
 }
 
@@ -106,8 +110,9 @@ static bool friction(const contact_case *setup, double b, cell row[],
 static bool yield_place(const contact_case *setup, double P_yield, cell row[],
                         char complaint[COMPLAINT_SIZE])
 {
-    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, P_yield);
-    const double alpha = b > 0 ? setup->a / b : 0;
+    const pad *shape = &setup->shape;
+    const double b = rwedge_half_width(shape->theta, shape->a, setup->A, P_yield);
+    const double alpha = b > 0 ? shape->a / b : 0;
     double limit, x, y;
     const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
     if (status != RWEDGE_OK)
@@ -125,7 +130,8 @@ static const double WIDTH_MOST = 1e14;
  * bound. */
 static void bound_safety(const contact_case *setup, results *answer)
 {
-    const double most = rwedge_normal_load(setup->theta, setup->a, setup->A, WIDTH_MOST * setup->a);
+    const pad *shape = &setup->shape;
+    const double most = rwedge_normal_load(shape->theta, shape->a, setup->A, WIDTH_MOST * shape->a);
     if (isfinite(most)) {
         snprintf(answer->bound, sizeof answer->bound, "> 1e%.0f", floor(log10(most / setup->P)));
         answer->value[RESULT_SAFETY] = cell_text(answer->bound);
@@ -136,7 +142,8 @@ static void bound_safety(const contact_case *setup, results *answer)
 static bool strength(const contact_case *setup, double b, cell row[],
                      char complaint[COMPLAINT_SIZE])
 {
-    const double alpha = setup->a / b;
+    const pad *shape = &setup->shape;
+    const double alpha = shape->a / b;
     const double limit = rwedge_elastic_limit(alpha, setup->f, setup->nu1);
     row[RESULT_TENSION_SLIDING] = cell_number(setup->f * setup->P / b * rwedge_max_tension(alpha));
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * setup->P / b / limit);
@@ -146,10 +153,13 @@ static bool strength(const contact_case *setup, double b, cell row[],
     if (isnan(setup->k))
         return true;
     const double P_yield =
-        rwedge_yield_load(setup->theta, setup->a, setup->A, setup->f, setup->nu1, setup->k);
+        rwedge_yield_load(shape->theta, shape->a, setup->A, setup->f, setup->nu1, setup->k);
     if (isnan(P_yield))
         return not_computed("P_yield", rwedge_strerror(RWEDGE_ERANGE), complaint);
     row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
+    if (shape->kind == PAD_CYLINDER &&
+        !(rwedge_half_width(shape->theta, shape->a, setup->A, P_yield) <= shape->radius))
+        return true;
     row[RESULT_P_YIELD] = cell_number(P_yield);
     row[RESULT_SAFETY] = cell_number(P_yield / setup->P);
     return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
@@ -170,18 +180,27 @@ static bool yield_factor(const contact_case *setup, results *answer, char compla
     return true;
 }
 
+static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
+                                 "leave 1e-60 to 1e60";
+
 static bool compute(const contact_case *setup, double b, results *answer,
                     char complaint[COMPLAINT_SIZE])
 {
     cell *row = answer->value;
     const bool centred = setup->M == 0 && setup->sigma == 0;
-    geometry(setup, b, row);
-    if (centred && setup->after == NULL)
+    const bool has_formulas = pad_has_formulas(&setup->shape);
+    if (has_formulas)
+        geometry(setup, b, row);
+    if (has_formulas && centred && setup->after == NULL)
         return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
-    const int32_t status = results_of_state(setup, row, &answer->doubts.error);
+    int32_t status = results_of_state(setup, row, &answer->doubts.error);
+    if (status == RWEDGE_OK && centred && !has_formulas)
+        status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
-        return not_computed("left", rwedge_strerror(status), complaint);
-    return !centred || strength(setup, b, row, complaint);
+        return not_computed(
+            "left", status == RWEDGE_ERANGE && !has_formulas ? beyond_pad : rwedge_strerror(status),
+            complaint);
+    return !centred || !has_formulas || strength(setup, b, row, complaint);
 }
 
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
@@ -189,19 +208,26 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
 {
     for (int i = 0; i < RESULT_COUNT; i++)
         answer->value[i] = cell_empty();
-    const double b = rwedge_half_width(setup->theta, setup->a, setup->A, setup->P);
-    if (!isnormal(b) || !isfinite(setup->a / b))
+    const pad *shape = &setup->shape;
+    const double b = pad_half_width(shape, setup->A, setup->P);
+    if (isnan(b) && shape->kind != PAD_WEDGE)
+        return not_computed("b", beyond_pad, complaint);
+    if (!isnormal(b) || isinf(shape->a / b))
         return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
     answer->doubts = (doubts){0, 0};
     if (!compute(setup, b, answer, complaint) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    answer->doubts.bits = doubts_of(setup, answer->value[RESULT_B].number, safety);
+    answer->doubts.bits = doubts_of(setup, answer->value[RESULT_LEFT].number,
+                                    answer->value[RESULT_RIGHT].number, safety);
     answer->warnings[0] = '\0';
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))
         bound_safety(setup, answer);
+    if (shape->kind != PAD_WEDGE && isnan(safety) && !isnan(setup->k) && setup->M == 0 &&
+        setup->sigma == 0)
+        results_warn(answer, "nothing yields as far as the pad is known: there is no safety");
     answer->value[RESULT_WARNINGS] = cell_text(answer->warnings);
     return true;
 }

@@ -2,6 +2,7 @@
 #include "batch.h"
 
 #include "contact/notices.h"
+#include "contact/profiles.h"
 #include "contact/table_header.h"
 #include "system/ahead.h"
 #include "text/memory.h"
@@ -32,6 +33,7 @@ typedef struct {
     doubts doubts; /* of any row */
     csv_row *held;
     int64_t held_count;
+    size_t constant_profiles; /* that all rows share */
 } run;
 
 /* ---- Columns ---- */
@@ -159,9 +161,19 @@ static csv_event next_row(const run *r)
 
 static void release_held(run *r)
 {
+    profiles_forget(r->constant_profiles);
     for (int64_t i = 0; i < r->held_count; i++)
         csv_row_free(&r->held[i]);
     r->held_count = 0;
+}
+
+/* Before the threads look for it. */
+static void read_profile(const run *r, const csv_row *row)
+{
+    const size_t column = r->table.names.column[INPUT_PROFILE];
+    const profile_style style = {r->how->decimal_sign, r->many->takes_hull};
+    if (column < row->count && row->cell[column][0] != '\0')
+        profiles_read(row->cell[column], style);
 }
 
 /* Reads rows until there are enough for the threads; the event is that of the row that is none.
@@ -176,6 +188,8 @@ static csv_event hold_rows(run *r)
             return event;
         csv_row *row = &r->held[r->held_count];
         csv_row_keep(r->in, event == CSV_MALFORMED, row);
+        if (header_has_input(&r->table.names, INPUT_PROFILE))
+            read_profile(r, row);
         bytes += row->bytes;
     }
     return event;
@@ -240,6 +254,9 @@ static void read_header(run *r)
                      complaint))
         failure("%s: %s", csv_input_name(r->in), complaint);
     check_constants(r);
+    if (r->many->takes_hull && r->table.constants.text[INPUT_PROFILE] == NULL &&
+        !header_has_input(&r->table.names, INPUT_PROFILE))
+        usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = csv_input_separator(r->in);
     if (!case_table_begin(&r->table, complaint))
         failure("%s: %s", csv_input_name(r->in), complaint);
@@ -251,6 +268,7 @@ int batch_run(const batch *many, const output_options *how)
              .how = how,
              .table = {.constants = many->constants, .wanted = many->wanted},
              .in = csv_input_open(many->path, how->decimal_sign == ',' ? ';' : ',', many->encoding),
+             .constant_profiles = profiles_count(),
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
     read_header(&r);

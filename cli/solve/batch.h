@@ -10,6 +10,7 @@ typedef struct {
     const char *path, *encoding; /* NULL for UTF-8 */
     input_texts constants; /* of the command line: for the columns that the file does not have */
     results_wanted wanted; /* the edges too where a column needs them */
+    bool takes_hull;       /* of profiles that the file names */
     int threads;           /* that compute; the rows do not depend on it */
 } batch;
 

@@ -265,19 +265,23 @@ static int solve(const arguments *line)
     arguments_no_operand(line);
     output_options_read(line, &how);
     output_options_spare(&how, many.path != NULL ? many.path : from.file);
+    output_options_spare(&how, many.constants.text[INPUT_PROFILE]);
     check_files(&many, &from);
     many.threads = threads_read(line);
     check_threads(line, &many);
     task.as_row = read_layout(line);
     task.wanted.yield_factor = read_yield_factor(line, &many.constants);
     task.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
-                        input_is_given(&many.constants, INPUT_SIGMA);
+                        input_is_given(&many.constants, INPUT_SIGMA) ||
+                        input_is_given(&many.constants, INPUT_PROFILE);
     many.wanted = task.wanted;
     task.says_verdict = line->value[OPTION_VERDICT] != NULL;
     read_inverse(line, &many.constants, &task);
     check_one_contact(line, &task, &many, &from);
+    many.takes_hull = line->value[OPTION_HULL] != NULL;
     if (many.path != NULL)
         return batch_run(&many, &how);
+    input_options_check_hull(line);
     if (load_source_is_given(&from))
         solve_history(&many.constants, &from, &task, &how);
     else

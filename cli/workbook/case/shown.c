@@ -25,12 +25,12 @@ static contact_case case_of(const double in[])
                           .nu1 = in[CELL_NU1],
                           .E2 = given_or(in[CELL_E2], in[CELL_E1]),
                           .nu2 = given_or(in[CELL_NU2], in[CELL_NU1]),
-                          .theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180),
                           .P = in[CELL_LOAD],
                           .Q = given_or(in[CELL_Q], 0),
                           .f = in[CELL_F],
                           .k = given_or(in[CELL_K], in[CELL_YIELD_STRESS] / sqrt(3))};
-    setup.a = given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * setup.theta);
+    const double theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180);
+    setup.shape = pad_wedge(theta, given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * theta));
     setup.A = rwedge_compliance(setup.E1, setup.nu1, setup.E2, setup.nu2);
     setup.beta = rwedge_dundurs_beta(setup.E1, setup.nu1, setup.E2, setup.nu2);
     return setup;

@@ -130,10 +130,10 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
     const struct {
         const char *name;
         double value;
-    } numbers[] = {{"E1", setup->E1}, {"nu1", setup->nu1},     {"theta", setup->theta},
-                   {"a", setup->a},   {"P", setup->P},         {"M", setup->M},
-                   {"Q", setup->Q},   {"sigma", setup->sigma}, {"f", setup->f},
-                   {"k", setup->k},   {"A", setup->A}};
+    } numbers[] = {{"E1", setup->E1},     {"nu1", setup->nu1},     {"theta", setup->shape.theta},
+                   {"a", setup->shape.a}, {"P", setup->P},         {"M", setup->M},
+                   {"Q", setup->Q},       {"sigma", setup->sigma}, {"f", setup->f},
+                   {"k", setup->k},       {"A", setup->A}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         records_add("case");
         records_text(numbers[i].name);
@@ -146,7 +146,7 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
 static void write_hardest(const contact_case *setup, results *answer)
 {
     const bool strong = !isnan(setup->k);
-    const double k = strong ? setup->k : setup->theta / setup->A;
+    const double k = strong ? setup->k : 1 / setup->A;
     double factor, x, y;
     if (rwedge_contact_yield_factor(loaded, setup->nu1, k, &factor, &x, &y) != RWEDGE_OK)
         return;

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strength of a pad in full sliding where it has no formulas: from its contact. */
+#ifndef CLI_SLIDING_H
+#define CLI_SLIDING_H
+
+#include "results.h"
+
+/* Adds the results for full sliding to those of the present state. Returns the library's status. */
+int32_t results_of_sliding(const contact_case *setup, cell row[]);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The shape of body 2. */
+#ifndef CLI_PAD_H
+#define CLI_PAD_H
+
+#include "pad_profile.h"
+
+#include <rwedge.h>
+
+typedef enum { PAD_WEDGE, PAD_CYLINDER, PAD_FLAT, PAD_PROFILE } pad_kind;
+
+/* NAN where a kind has no such size. */
+typedef struct {
+    pad_kind kind;
+    double theta, a; /* of the wedge; a cylinder is one of the angle 1, only its rounding touches */
+    double flat;     /* half the width of the flat */
+    double radius;   /* of the rounding, the cylinder, the edges of the flat */
+    const pad_profile *places;
+} pad;
+
+pad pad_wedge(double theta, double a);
+pad pad_cylinder(double radius);
+pad pad_flat(double flat, double radius);
+pad pad_of_profile(const pad_profile *places);
+
+/* Whether the formulas of the wedge hold, with its theta and a. */
+bool pad_has_formulas(const pad *shape);
+
+/* Its contact, without loads; returns the library's status. Destroy it in either case. */
+int32_t pad_contact(const pad *shape, double A, double f, rwedge_contact **contact);
+
+/* Half the width of its contact under P alone; NAN where it cannot bear that. */
+double pad_half_width(const pad *shape, double A, double P);
+
+/* Whether the pressure is infinite at x, if that is in contact. */
+bool pad_is_kink(const pad *shape, double x);
+
+/* Places at which its curvature changes, or may be infinite: how many, and one of them. */
+size_t pad_corners(const pad *shape);
+double pad_corner(const pad *shape, size_t i);
+
+/* Its steepest slope from left to right; that of a wedge is theta. */
+double pad_steepest(const pad *shape, double left, double right);
+
+#endif

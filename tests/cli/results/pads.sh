@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Other pads than the wedge: cylinder, flat pad, profile; each against a contact that is the same, or a formula.
+. "$(dirname "$0")/../claims.sh"
+
+pi=3.14159265358979323846
+steel="--E1 210000 --nu1 0.3"
+loads="--P 300 --Q 40 --f 0.3"
+same_results() { # WHAT RELATIVE FILE FILE: numbers of both lists, and what is empty
+    awk -F, 'NR == FNR { one[$1] = $2; next } $2 ~ /^-?[0-9]/ && $1 in one { print $2, one[$1] }' "$4" "$3" >both
+    close_rows "$1" "$2" 1e-15
+}
+
+# A cylinder is a wedge of which only the rounding touches.
+run solve $steel --theta 0.1 --radius 10 $loads --k 500 --yield-factor
+cp out wedge
+run solve $steel --radius 10 $loads --k 500 --yield-factor
+status_is 0
+message_is ""
+same_results "cylinder" 1e-13 out wedge
+for name in a a_over_b AP_over_theta_b p_transition; do
+    same "$name of a cylinder" "" "$(value $name)"
+done
+same "numbers of a cylinder" 19 "$(grep -c ',[-0-9]' out)"
+printf 'P,M,Q,sigma\n300,0,0,0\n300,0,50,20\n300,0,-40,-10\n' >loads.csv
+for command in "profile --history loads.csv --points 9" "field --history loads.csv --x -0.1,0.2 --y 0,0.1" \
+    "history loads.csv --k 500" "fretting loads.csv --x -0.1:0.1:0.05" "figure fretting --data --history loads.csv" \
+    "figure loop --data --history loads.csv --load 100,0"; do
+    run $command $steel --f 0.3 --theta 0.1 --radius 10 --digits 5
+    cp out wedge
+    run $command $steel --f 0.3 --radius 10 --digits 5
+    status_is 0
+    same "$command" "" "$(diff wedge out)"
+done
+run solve $steel --theta 0.1 --P 300 --f 0.3 --k 500 --for radius --safety 2
+cp out wedge
+run solve $steel --P 300 --f 0.3 --k 500 --for radius --safety 2
+same_results "radius that is looked for" 1e-13 out wedge
+
+# A flat pad of half the contact's width: load and tension by Ciavarella, Hills and Monno (1998).
+A=$(awk 'BEGIN { printf "%.17g", 4 * (1 - 0.09) / 210000 }')
+P=$(awk -v A="$A" -v pi=$pi 'BEGIN { c = sqrt(0.75); printf "%.17g", 4 / (A * 100) * (pi / 3 - 0.5 * c) }')
+run solve $steel --flat 1 --radius 100 --P "$P" --Q 0 --f 0.3 --k 500
+close_to "b" 2 "$(value b)" 1e-14
+close_to "max_tension_sliding" "$(awk -v P="$P" -v pi=$pi 'BEGIN { printf "%.17g", 0.3 * P / 2 / (pi / 3 - sqrt(3) / 4) }')" \
+    "$(value max_tension_sliding)" 1e-13
+close_to "P_over_bk" "$(value P_over_bk)" "$(awk -v P="$P" -v v="$(value von_mises_sliding)" \
+    'BEGIN { printf "%.17g", P / 2 / (v / sqrt(3)) }')" 1e-13
+P_yield=$(value P_yield)
+run solve $steel --flat 1 --radius 100 --P "$P_yield" --Q "$(awk -v P="$P_yield" 'BEGIN { printf "%.17g", 0.3 * P }')" \
+    --f 0.3 --k 500 --yield-factor
+close_to "yield factor at P_yield" 1 "$(value yield_factor)" 1e-11
+close_to "safety at P_yield" 1 "$(value safety)" 1e-11
+
+# The same pad by its slopes, and by heights of its arcs: parabolas, whose slopes half-way are exact.
+printf 'x;slope\n-101;-1\n-1;0\n1;0\n101;1\n' >slopes.csv
+awk 'BEGIN { print "x,height"; for (i = -100; i <= 100; i++) { x = i / 10; print x "," x * x / 200 } }' >heights.csv
+run solve $steel --flat 1 --radius 100 $loads --k 500 --yield-factor
+cp out first
+run solve $steel --profile slopes.csv $loads --k 500 --yield-factor --decimal-comma
+sed 's/,/./g; s/;/,/g' out >second
+mv second out
+same_results "flat pad by its slopes" 1e-10 out first
+run solve $steel --radius 100 $loads
+cp out first
+run solve $steel --profile heights.csv $loads
+status_is 0
+same_results "cylinder by heights" 1e-10 out first
+
+# An asymmetric profile is off the centre under P alone; its mirror is the mirror.
+printf 'x,slope\n-1,-0.1\n-0.4,-0.02\n0.1,-0.02\n0.5,0.05\n0.8,0.12\n' >worn.csv
+awk -F, 'NR == 1 { print; next } { x[NR] = -$1; s[NR] = -$2 } END { for (i = NR; i > 1; i--) print x[i] "," s[i] }' worn.csv >nrow.csv
+run solve $steel --profile worn.csv $loads --k 500
+edges="$(value left) $(value right) $(value yield_x) $(value P_yield)"
+run solve $steel --profile nrow.csv --P 300 --Q -40 --f 0.3 --k 500
+echo "$edges" | awk '{ printf "%.17g %.17g %.17g %.17g", -$2, -$1, -$3, $4 }' | tr ' ' '\n' >expected
+{ value left; value right; value yield_x; value P_yield; } | paste -d ' ' expected - >both
+close_rows "mirrored profile" 1e-9 0
+printf 'x,slope\n-1,-0.1\n0,-0.1\n0,0\n1,0.1\n' >edge.csv
+run profile $steel --profile edge.csv $loads --x -0.01,0,0.01
+same "p at a sharp edge" "yes - yes" "$(column p out | sed 's/^-[0-9].*/yes/' | paste -s -d ' ' -)"
+run fretting loads.csv $steel --f 0.3 --profile edge.csv --x 0,0.05
+same "measures at a sharp edge" "0,0,,,,,,,,," "$(sed -n 2p out)"
+
+# The convex hull of heights.
+printf 'x,height,note\n-1,0.1,1\n-0.5,0.02,2\n0,0.03,3\n0.3,0.001,4\n0.5,0.02,5\n1,0.1,6\n' >dent.csv
+printf 'x,height\n-1,0.1\n-0.5,0.02\n0,0.008125\n0.3,0.001\n0.5,0.02\n1,0.1\n' >filled.csv
+run solve $steel --profile filled.csv $loads
+cp out first
+run solve $steel --profile dent.csv --hull $loads
+message_is "rwedge solve: dent.csv: line 4: height 0.03: not convex at 1 place, x = 0; the convex hull that is taken is lower by up to \
+0.021875, at x = 0; dent.csv: columns with numbers that are not used: 'note'"
+same_results "hull" 1e-11 out first
+
+# Many pads.
+printf 'case,flat,radius,P\n1,1,100,300\n2,0,100,300\n' >cases.csv
+run solve -i cases.csv $steel --Q 40 --f 0.3
+run_error=$(column error out | paste -s -d '|' -)
+same "errors" "-|flat 0: the half-width of the flat must be a number above 0" "$run_error"
+close_to "b in a file" "$(value_b=$("$rwedge" solve $steel --flat 1 --radius 100 --P 300 --f 0); echo "$value_b" | awk -F, '$1 == "b" { print $2 }')" \
+    "$(column b out | head -n 1)" 1e-14
+printf 'profile,P\ndent.csv,300\nworn.csv,300\nnone.csv,300\n' >cases.csv
+run solve -i cases.csv $steel --threads 2
+same "errors" "profile dent.csv: line 4: height 0.03: not convex at 1 place|-|profile none.csv: No such file or directory" \
+    "$(awk -F, 'NR > 1' out | sed 's/.*,"\{0,1\}\(profile [^,"]*\).*/\1/; s/^worn.*/-/' | paste -s -d '|' -)"
+run solve -i cases.csv $steel --hull
+same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
+
+# What is no pad.
+refuses "rwedge solve: missing: --radius" solve $steel $loads --flat 1
+refuses "rwedge solve: --flat -1: the half-width of the flat must be a number above 0" solve $steel $loads --flat -1 --radius 1
+refuses "rwedge solve: --radius 0: the radius must be a number above 0" solve $steel $loads --flat 1 --radius 0
+refuses "rwedge solve: --radius 0: the radius must be a number above 0, or an angle is missing" solve $steel $loads --radius 0
+refuses "rwedge solve: --flat 1: given together with --theta; allowed: one of the two" \
+    solve $steel $loads --theta 0.1 --radius 1 --flat 1
+refuses "rwedge solve: --profile worn.csv: given together with --radius; allowed: one of the two" \
+    solve $steel $loads --radius 1 --profile worn.csv
+refuses "rwedge history: --hull: needs --profile" history loads.csv $steel --f 0.3 --radius 1 --hull
+printf 'P\n1\n' >cases.csv
+refuses "rwedge solve: --hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
+refuses "rwedge solve: --output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
+cannot "rwedge solve: no solution: of a flat pad or a profile it is not looked for" \
+    solve $steel --P 300 --profile worn.csv --k 500 --for f --safety 2
+cannot "rwedge solve: b: the contact would reach farther than the radius, or results leave 1e-60 to 1e60" \
+    solve $steel --P 1e9 --flat 1 --radius 1
+bad() { # MESSAGE LINES
+    printf "$2" >bad.csv
+    cannot "rwedge solve: profile bad.csv: $1" solve $steel $loads --profile bad.csv
+}
+bad "line 3: x -2: left of the place before it; allowed: places from left to right" 'x,slope\n-1,0\n-2,1\n'
+bad "line 3: height 0.1: not convex at 1 place, x = 0; the convex hull is lower by up to 0.1, at x = 0; --hull takes it" \
+    'x,height\n-1,0\n0,0.1\n1,0\n'
+bad "line 3: slope -0.2: less than the slope before it: the profile is not convex there; allowed: slopes that do not fall" \
+    'x,slope\n-1,-0.1\n0,-0.2\n1,0\n'
+bad "line 3: slope b: must be a number, with a decimal point" 'x,slope\n-1,0\n0,b\n'
+bad "line 3: slope 1.6: must be below pi/2 in magnitude" 'x,slope\n-1,0\n0,1.6\n'
+bad "line 3: x 0: there twice; heights need places apart" 'x,height\n0,0\n0,1\n'
+bad "line 3: slope 0.1: all slopes are equal: a plane" 'x,slope\n-1,0.1\n0,0.1\n'
+bad "line 2: 1 places; allowed: 2 to 1000" 'x,slope\n-1,0.1\n'
+bad "column slope: missing; needed: x, and slope or height" 'x,z\n-1,0.1\n'
+bad "column height: given together with slope; allowed: one of the two" 'x,height,slope\n-1,0.1,0\n'
+bad "empty; needed: a header row with the names of the columns" ''
+
+finish

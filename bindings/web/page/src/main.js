@@ -9,6 +9,7 @@ import { makeForm } from "./left/form.js";
 import { makeFinder } from "./left/find.js";
 import { drawingOf } from "./left/drawing.js";
 import { makeModel } from "./model.js";
+import { padOf, pads } from "./pads.js";
 import { narrow } from "./plot/axes.js";
 import { measures } from "./stresses.js";
 import { makeTabs } from "./tabs/tabs.js";
@@ -21,6 +22,7 @@ import { inputNames, inputs } from "./words.js";
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const settings = {
     name: "",
+    pad: "",
     units: "mm",
     digits: "4",
     sign: ".",
@@ -42,13 +44,14 @@ const state = { texts: {}, way: {} };
 function take(given) {
     const anything = inputNames.some((name) => name in given);
     state.texts = Object.fromEntries(
-        inputNames.filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]),
+        [...inputNames, "hull"].filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]),
     );
     if (!anything) state.texts = { ...example };
     state.way = Object.fromEntries(
         ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
     );
     for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
+    if (!Object.hasOwn(pads, state.pad)) state.pad = padOf(state.texts);
     if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
     if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
     if (!Object.hasOwn(criteria, state.criterion)) state.criterion = settings.criterion;
@@ -143,7 +146,7 @@ function render() {
 function rewriteNumbers() {
     const [from, to] = state.sign === "," ? [".", ","] : [",", "."];
     const rewritten = (text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text);
-    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = rewritten(text);
+    for (const [name, text] of Object.entries(state.texts)) if (name !== "profile") state.texts[name] = rewritten(text);
     for (const name of ["probe_x", "probe_y"]) state[name] = rewritten(state[name]);
 }
 
@@ -154,7 +157,7 @@ function convertNumbers(from, to) {
             value = readNumber(text, state.sign);
         return factor === 1 || Number.isNaN(value) ? text : writeNumber(value * factor, 12, state.sign);
     };
-    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name].unit);
+    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name]?.unit);
     for (const name of ["probe_x", "probe_y"]) state[name] = converted(state[name], "length");
 }
 

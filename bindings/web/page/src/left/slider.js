@@ -11,6 +11,7 @@ const ways = {
     P: byFactor,
     theta: byFactor,
     a: byFactor,
+    flat: byFactor,
     k: byFactor,
     f: { to: (_, share) => (share + 1) / 2, from: (_, value) => 2 * value - 1 },
     Q: { to: (limit, share) => limit * share, from: (limit, value) => (limit > 0 ? value / limit : 0) },

@@ -20,10 +20,10 @@ export function padOf(texts) {
 export const textsOfPad = (texts, pad) =>
     Object.fromEntries(Object.entries(texts).filter(([name]) => !ofShapes.has(name) || pads[pad].names.includes(name)));
 
-/** What the inputs of a pad that are empty begin with: sizes of the one before, { a, radius } as numbers. */
-export function beginning(pad, { a, radius }, write) {
-    const R = Number.isFinite(radius) && radius > 0 ? radius : 10,
-        half = Number.isFinite(a) && a > 0 ? a : R / 100;
+/** What the inputs of a pad that are empty begin with: by the radius of the one before, and the half-width of its contact. */
+export function beginning(pad, radius, b, write) {
+    const R = radius > 0 ? radius : 10,
+        half = b > 0 ? b / 2 : R / 100;
     const heights = Array.from({ length: 21 }, (_, i) => (4 * half * (i - 10)) / 10);
     return {
         wedge: { theta: write(half / R), radius: write(R) },

@@ -73,8 +73,8 @@ class PadChoice {
 
     choose(pad) {
         const { state, model } = this,
-            sizes = { ...model.setup, a: model.setup?.flat || model.setup?.a },
-            start = beginning(pad, sizes, (value) => writeNumber(value, 6, state.sign));
+            write = (value) => writeNumber(value, 4, state.sign),
+            start = beginning(pad, model.setup?.radius, model.results?.b, write);
         state.pad = pad;
         if ("radius" in start && "a" in state.texts && pad !== "wedge") delete state.texts.a;
         if (pad !== "wedge") state.way.radius = true;

@@ -203,8 +203,18 @@ function build() {
             () => location.href.replace(/#.*/, "") + address(),
             () => (tooLong.hidden ? "Copied" : "Copied without the pasted rows"),
         ),
-        element("label", { for: "open-case" }, "Open a saved case"),
-        element("input", { type: "file", id: "open-case", accept: ".txt,text/plain", onchange: openCase }),
+        element(
+            "span",
+            {},
+            element("input", {
+                type: "file",
+                id: "open-case",
+                class: "hidden",
+                accept: ".txt,text/plain",
+                onchange: openCase,
+            }),
+            element("label", { for: "open-case", class: "button" }, "Open a saved case"),
+        ),
     );
     const details = element(
         "details",

@@ -61,7 +61,12 @@ class PadChoice {
         this.select.addEventListener("change", () => this.choose(this.select.value));
         this.hull = element("input", { id: "hull", type: "checkbox" });
         this.hull.addEventListener("change", () => this.takeHull());
-        this.ofHull = element("p", {}, this.hull, element("label", { for: "hull" }, "take the convex hull"));
+        this.ofHull = element(
+            "p",
+            { class: "tools" },
+            this.hull,
+            element("label", { for: "hull" }, "take the convex hull"),
+        );
         this.box = element(
             "div",
             { class: "field" },

@@ -123,6 +123,7 @@ function makeEntries() {
 }
 
 function showEntries({ typed }, state) {
+    if (state.material) typed.material.closest("details").open = true;
     for (const [name, part] of Object.entries(typed))
         if (part.type === "checkbox") part.checked = state[name] === "stress";
         else if (document.activeElement !== part) part.value = state[name];
@@ -175,7 +176,7 @@ function criterionParts({ criterion, plane, material }) {
         ),
         element(
             "details",
-            { open: material.value !== "" },
+            {},
             element("summary", {}, "Constants of the material: limit and life"),
             element("label", { for: "material" }, names),
             material,

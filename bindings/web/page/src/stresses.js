@@ -42,32 +42,31 @@ export function placesAcross(left, right, count) {
     return x;
 }
 
-export const NX = 200,
-    NY = 150;
+const CELLS = [200, 150],
+    FEW_CELLS = [100, 75]; // while a slider moves
 
 /** The grid, square cells: as wide as 3.2 half-widths of the contact. */
-export function gridOf({ left, right }) {
+export function gridOf({ left, right }, isMoving) {
+    const [nx, ny] = isMoving ? FEW_CELLS : CELLS;
     const half = (right - left) / 2,
         middle = (left + right) / 2,
-        depth = (3.2 * half * (NY - 1)) / (NX - 1);
-    const x = new Float64Array(NX * NY),
-        y = new Float64Array(NX * NY);
+        depth = (3.2 * half * (ny - 1)) / (nx - 1);
+    const x = new Float64Array(nx * ny),
+        y = new Float64Array(nx * ny);
     const [x0, x1] = [middle - 1.6 * half, middle + 1.6 * half];
-    for (let j = 0, n = 0; j < NY; j++)
-        for (let i = 0; i < NX; i++, n++) {
-            x[n] = x0 + ((x1 - x0) * i) / (NX - 1) || 1e-9 * half; // not the apex of a sharp wedge
-            y[n] = (depth * j) / (NY - 1);
+    for (let j = 0, n = 0; j < ny; j++)
+        for (let i = 0; i < nx; i++, n++) {
+            x[n] = x0 + ((x1 - x0) * i) / (nx - 1) || 1e-9 * half; // not the apex of a sharp wedge
+            y[n] = (depth * j) / (ny - 1);
         }
-    return { x, y, x0, x1, depth };
+    return { x, y, nx, ny, x0, x1, depth };
 }
 
 /** The stresses on the grid, and one measure of them. */
 export function fieldOf({ contact, setup }, grid, measure) {
     const s = contact.stresses(grid.x, grid.y),
-        values = new Float64Array(NX * NY),
         { of } = measures[measure];
-    for (let i = 0; i < values.length; i++) values[i] = of(s.sxx[i], s.syy[i], s.txy[i], setup.nu1);
-    return { ...s, values };
+    return { ...s, values: s.sxx.map((sxx, i) => of(sxx, s.syy[i], s.txy[i], setup.nu1)) };
 }
 
 /** All numbers of one place; null where there are none. */

@@ -46,7 +46,7 @@ class Slider {
 
     letGo() {
         this.input.dataset.moving = "no";
-        this.show(this.name, this.model);
+        this.type(this.model.texts[this.name] ?? ""); // drawn anew, with all its detail
     }
 
     show(name, model) {
@@ -61,6 +61,9 @@ class Slider {
         this.input.setAttribute("aria-valuetext", model.texts[name] ?? "empty");
     }
 }
+
+/** Whether one of them is dragged. */
+export const isMoving = () => document.querySelector('[data-moving="yes"]') !== null;
 
 /** Nothing where the input has no slider. type(text) takes what is dragged to. */
 export const slider = (field, type) => (ways[field] ? new Slider(field, type) : null);

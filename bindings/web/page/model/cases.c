@@ -34,7 +34,7 @@ static bool begin(const csv_row *first, char *lines, char decimal_sign, case_tab
         table->constants.is_cell[i] = header_has_input(&table->names, i);
     table->constants.cell_decimal_sign = decimal_sign;
     table->constants.how_comma = "if that is chosen above";
-    table->constants.where_else = "columns, or the case at the left";
+    table->constants.where_else = "columns, or the case of the form";
     return case_table_begin(table, complaint);
 }
 

@@ -104,6 +104,10 @@ RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double n
  * NaN outside the domain of alpha. Relative error below 4 epsilon. Inverse: rwedge_a_over_b(). */
 RWEDGE_API double rwedge_load(double alpha);
 
+/* Derivative of rwedge_load() by alpha, 0 for the sharp wedge.                                  new
+ * NaN outside the domain of alpha. Relative error below 1e-14. */
+RWEDGE_API double rwedge_load_derivative(double alpha);
+
 /* The contact law solved for its half-width: a/b from A P/(theta a), over the whole range, Hertz
  * (a/b >= 1) included.                                                       Eq. (7), (11), inverse
  *   AP_over_theta_a  > 0, finite
@@ -166,12 +170,42 @@ RWEDGE_API int32_t rwedge_stress(double alpha, double f, double c, double x, dou
 RWEDGE_API int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[],
                                    const double y[], double sxx[], double syy[], double txy[]);
 
+/* How the stresses change with the place: d/dx and d/dy of them, in theta/(A b); closed form.   new
+ *   x, y                 in b, finite, y >= 0; not on the surface at an edge, where |x| is 1, c or
+ *                        alpha, nor the apex of the sharp wedge: there one of them is infinite
+ *   sxx_x, syy_x, txy_x  d/dx, each receives one number
+ *   sxx_y, syy_y, txy_y  d/dy, each receives one number
+ * RWEDGE_EDOMAIN where x is such an edge and y is 0; RWEDGE_ENULL. Error below 1e-12 of the
+ * parts that add up: lib/README.md, "Accuracy". */
+RWEDGE_API int32_t rwedge_stress_gradient(double alpha, double f, double c, double x, double y,
+                                          double *sxx_x, double *syy_x, double *txy_x,
+                                          double *sxx_y, double *syy_y, double *txy_y);
+
+/* How the stresses change with the contact: d/dalpha, d/df and d/dc of them at a place of which x
+ * and y, in b, stay, in theta/A; closed form.                                                   new
+ *   x, y                             as in rwedge_stress_gradient()
+ *   sxx_alpha, syy_alpha, txy_alpha  d/dalpha, each receives one number; 0 for the sharp wedge
+ *   sxx_f, syy_f, txy_f              d/df, each receives one number
+ *   sxx_c, syy_c, txy_c              d/dc, each receives one number; that of a growing c for c = 0
+ * RWEDGE_EDOMAIN where x is such an edge and y is 0; RWEDGE_ENULL. Error as that of
+ * rwedge_stress_gradient(). */
+RWEDGE_API int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, double y,
+                                             double *sxx_alpha, double *syy_alpha,
+                                             double *txy_alpha, double *sxx_f, double *syy_f,
+                                             double *txy_f, double *sxx_c, double *syy_c,
+                                             double *txy_c);
+
 /* ---- Strength -------------------------------------------------------------------------------- */
 
 /* Maximum tension b s1/(fP), at the trailing edge in full sliding: 1 for the sharp wedge, 4/pi
  * for Hertz.                                                                          Eq. (38); new
  * NaN outside the domain. Relative error below 1e-14. */
 RWEDGE_API double rwedge_max_tension(double alpha);
+
+/* Derivative of rwedge_max_tension() by alpha. At alpha = 1 it jumps from 4/pi to 0, which it is
+ * there.                                                                                        new
+ * NaN outside the domain. Relative error below 1e-14. */
+RWEDGE_API double rwedge_max_tension_derivative(double alpha);
 
 /* Elastic limit P/(bk): the load at first yield (von Mises, plane strain) in full sliding, or
  * under a normal load (f = 0).                                                         Figs. 3 to 5
@@ -184,6 +218,19 @@ RWEDGE_API double rwedge_elastic_limit(double alpha, double f, double nu);
 /* The same for n pairs alpha[i], f[i]. Nothing is written unless every pair is in the domain. */
 RWEDGE_API int32_t rwedge_elastic_limits(size_t n, const double alpha[], const double f[],
                                          double nu, double limit[]);
+
+/* How the elastic limit changes with alpha, f and nu, and on which branch it is. At the critical
+ * friction the gradient jumps. At alpha = 1 d_alpha does, to 0: beyond, the limit is constant.
+ *                                                                                               new
+ *   alpha       at least 1e-14
+ *   d_alpha     d/dalpha of the limit
+ *   d_f         d/df, 0 for f = 0
+ *   d_nu        d/dnu
+ *   at_surface  1 where it yields at the surface, 0 where below it
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL. Error below 1e-11 of the larger of the derivative and the limit,
+ * for d_alpha over alpha, where the maximum is not flat and f <= 100. */
+RWEDGE_API int32_t rwedge_elastic_limit_gradient(double alpha, double f, double nu, double *d_alpha,
+                                                 double *d_f, double *d_nu, double *at_surface);
 
 /* The elastic limit and where it yields: y = 0 is at the surface.                            Fig. 5
  *   alpha  0, or at least 1e-14
@@ -1022,7 +1069,7 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
 
 /* Damage of a block of stresses that repeats, by Smith, Watson and Topper's parameter: Miner's sum
  * on the plane where it is largest, of all planes. 1/value blocks are the life.
- *           Bannantine and Socie (1991), Miner (1945), rwedge_smith_watson_topper_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
  * repeats. Each has the largest normal stress between its first load and the one at which it
  * closes. One of the parameter P adds 1/N(P).
@@ -1055,7 +1102,7 @@ RWEDGE_API int32_t rwedge_smith_watson_topper_damage_field(
 
 /* Damage of a block of stresses that repeats, by Fatemi and Socie's parameter. The cycles are those
  * of the plane's shear strain in one direction, the direction of the largest sum.
- *            Bannantine and Socie (1991), Miner (1945), rwedge_fatemi_socie_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  *   n                     number of loads of the block, >= 1, in their order
  *   k_over_sy             as in rwedge_fatemi_socie()
  *   G, tf, b, gf, c, limit  as in rwedge_fatemi_socie_life()

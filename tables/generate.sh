@@ -47,6 +47,10 @@ for nu in 0.25 0.30 0.35; do
 done
 table max-tension max-tension --a-over-b 0:1:0.01 --friction 0.1:0.8:0.1
 table contact-law contact-law --a-over-b 0.01:2:0.01
+for nu in 0.25 0.30 0.35; do
+    table "flat-elastic-limit-nu-$nu" elastic-limit --pad flat --nu "$nu"
+done
+table flat-contact-law contact-law --pad flat --a-over-b 0:0.99:0.01
 table critical-friction critical-friction --a-over-b "$fine" --nu 0.2:0.5:0.025
 
 [ $# -lt 3 ] || exit 0
@@ -114,4 +118,5 @@ book()
 book rounded-wedge.xlsx
 # The fine tables have the rows of the others.
 book rounded-wedge-tables.xlsx elastic-limit-fine-nu-0.25.csv elastic-limit-fine-nu-0.30.csv elastic-limit-fine-nu-0.35.csv \
-    max-tension.csv contact-law.csv critical-friction.csv --digits 8
+    max-tension.csv contact-law.csv critical-friction.csv flat-elastic-limit-nu-0.25.csv flat-elastic-limit-nu-0.30.csv \
+    flat-elastic-limit-nu-0.35.csv flat-contact-law.csv --digits 8

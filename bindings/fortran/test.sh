@@ -76,12 +76,3 @@ grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: '
 
 fortran copies openmp -O2 -fopenmp -Wno-compare-reals
 ./copies
-
-fortran hostile_host serial -O1 -ffpe-trap=invalid,zero,overflow -fno-backtrace
-# in a shell of its own, which says how it ended
-if sh -c './hostile_host 0; exit $?' >trapped.txt 2>&1; then
-    fail "the host does not trap"
-fi
-sh -c './hostile_host; exit $?' >host.txt 2>trap.txt || fail "$(tail -n 1 host.txt): $(cat trap.txt)"
-[ "$(tail -n 1 host.txt)" = "all calls made" ] || fail "not all calls were made"
-echo "$(grep -c '^[0-9]' host.txt) calls in a host that traps: none did, and its modes are as before"

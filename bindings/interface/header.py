@@ -46,7 +46,7 @@ AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
 WITHOUT_SIZE = re.compile(r"Without a size are (.*?)\.")
 SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
 REASON = re.compile(r"(RWEDGE_E[A-Z]+) ((?:after|in|off|when|where) [^;.:]*)")
-REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN where|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
+REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN(?: where|, also for)|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
 ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
 

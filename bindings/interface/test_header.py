@@ -130,6 +130,15 @@ class Reader(unittest.TestCase):
         self.assertLessEqual({"yield_load", "series_residual"}, {f.name for f in interface.functions if f.may_be_infinite})
         self.assertFalse(interface["load"].may_be_infinite or interface["compliance"].may_be_infinite)
 
+    def test_only_what_takes_arrays_is_a_formula_of_arrays(self):
+        """contact_permanent_stick, "the same" of a formula, once stood in for it: Python's loop called it without a contact."""
+        interface = read(HEADER)
+        self.assertIn("The same", interface["contact_permanent_stick"].text)
+        pairs = {f.array_of: f.name for f in interface.functions if f.array_of}
+        self.assertLessEqual({("stress", "stresses"), ("elastic_limit", "elastic_limits")}, set(pairs.items()))
+        self.assertEqual([name for name in pairs.values() if not interface[name].of("in array")], [])
+        self.assertNotIn("contact_permanent_stick", write_python.loops_h(interface).split("POINTS_ROWS")[1].split("\n\n")[0])
+
     def test_arrays_of_two_sizes_and_sizes_that_a_function_tells(self):
         function, _ = declared(
             "/* V.\n *   P  any integer\n *   x  finite\n *   sxx  receives loads * n numbers: load i, point j at [i n + j] */",

@@ -2,6 +2,7 @@
 #include "table.h"
 
 #include "system/ahead.h"
+#include "flat_pad.h"
 #include "layout.h"
 #include "options/threads.h"
 #include "text/list.h"
@@ -17,13 +18,17 @@
 enum {
     OPTION_VARIABLE = OPTION_OWN,
     OPTION_LAYOUT = OPTION_VARIABLE + VARIABLE_COUNT,
-    OPTION_QUANTITY
+    OPTION_QUANTITY,
+    OPTION_PAD
 };
 
 static const struct poptOption options[] = {
     {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + A_OVER_B,
      "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
      "RANGE"},
+    {"pad", '\0', POPT_ARG_STRING, NULL, OPTION_PAD,
+     "Of a flat pad, whose a is half of the flat; elastic-limit and contact-law (default wedge)",
+     "wedge|flat"},
     {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + FRICTION,
      "Coefficient of friction, or --f", "RANGE"},
     {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + NU,
@@ -54,7 +59,8 @@ static void list_columns(const table *which, FILE *stream)
 
 static void describe_table(const table *which, FILE *stream)
 {
-    fprintf(stream, "\n  %s: %s\n", which->name, which->summary);
+    fprintf(stream, "\n  %s%s: %s\n", which->name, which->ratio != NULL ? " --pad flat" : "",
+            which->summary);
     list_columns(which, stream);
     fprintf(stream, "\n    options:");
     for (int i = which->axis_count - 1; i >= 0; i--)
@@ -69,18 +75,19 @@ static void describe_tables(FILE *stream)
           stream);
     for (int i = 0; i < VARIABLE_COUNT; i++)
         fprintf(stream, "  --%-10s %s\n", variables[i].option, variables[i].usual);
+    fprintf(stream, "With --pad flat, --%s %s\n", flat_over_b.option, flat_over_b.usual);
     fputs("\nTables, their columns, and the variables they have:\n", stream);
     for (int i = 0; i < TABLE_COUNT; i++)
         describe_table(&tables[i], stream);
-    fputs("\nLengths are in b, the contact half-width, pressures in theta/A. A cell without a\n"
-          "value is empty.\n",
+    fputs("\nLengths are in b, the contact half-width, pressures in theta/A, of a flat pad in\n"
+          "b/(A R). A cell without a value is empty.\n",
           stream);
 }
 
 static void choose_table(const arguments *line, plan *job)
 {
     char allowed[160] = "";
-    for (int i = 0; i < TABLE_COUNT; i++)
+    for (int i = 0; i < WEDGE_TABLES; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
@@ -89,6 +96,20 @@ static void choose_table(const arguments *line, plan *job)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one table, and options", line->operand[1]);
+}
+
+static void choose_pad(const arguments *line, plan *job)
+{
+    const char *text = line->value[OPTION_PAD];
+    if (text == NULL || strcmp(text, "wedge") == 0)
+        return;
+    if (strcmp(text, "flat") != 0)
+        usage_error("--pad %s: unknown pad; allowed: wedge, flat", text);
+    const table *of_flat = table_of_flat(job->table->name);
+    if (of_flat == NULL)
+        usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
+                    job->table->name);
+    job->table = of_flat;
 }
 
 static void refuse_variable(const table *which, int variable, const char *text)
@@ -105,7 +126,7 @@ static void read_variables(const arguments *line, plan *job)
     for (int i = 0; i < VARIABLE_COUNT; i++) {
         const char *text = line->value[OPTION_VARIABLE + i];
         if (table_depends_on(job->table, i))
-            variable_read(&variables[i], text, &job->axis[i]);
+            variable_read(table_variable_of(job->table, i), text, &job->axis[i]);
         else if (text != NULL)
             refuse_variable(job->table, i, text);
     }
@@ -129,7 +150,7 @@ static double smallest_tip(const range *tips)
 /* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
 static void check_tips(const arguments *line, const plan *job)
 {
-    if (!table_depends_on(job->table, NU))
+    if (!table_depends_on(job->table, NU) || job->table->ratio != NULL)
         return;
     const double tip = smallest_tip(&job->axis[A_OVER_B]);
     if (tip < 1 && isnan(rwedge_elastic_limit(tip, 0, 0)))
@@ -149,7 +170,8 @@ static void check_size(const arguments *line, const plan *job)
             widest = i;
     const char *text = line->value[OPTION_VARIABLE + widest];
     usage_error("--%s %s: must not give the table more than 1000000000 rows in all",
-                variables[widest].option, text != NULL ? text : variables[widest].usual);
+                variables[widest].option,
+                text != NULL ? text : table_variable_of(job->table, widest)->usual);
 }
 
 static void check_grid(const arguments *line, const plan *job)
@@ -198,6 +220,7 @@ static int write_table(const arguments *line)
     plan job = {0};
     output_options how;
     choose_table(line, &job);
+    choose_pad(line, &job);
     read_variables(line, &job);
     check_tips(line, &job);
     read_layout(line, &job);
@@ -213,7 +236,7 @@ static int write_table(const arguments *line)
 
 static const char *table_name(int i)
 {
-    return i < TABLE_COUNT ? tables[i].name : NULL;
+    return i < WEDGE_TABLES ? tables[i].name : NULL;
 }
 
 static const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tables.h"
 
+#include "flat_pad.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -128,7 +130,8 @@ const table tables[TABLE_COUNT] = {
       "P_over_bk_surface"},
      9,
      3,
-     elastic_limit},
+     elastic_limit,
+     NULL},
     {"max-tension",
      "tension at the trailing edge, b sigma/P and b sigma/(fP)",
      {A_OVER_B, FRICTION},
@@ -137,7 +140,8 @@ const table tables[TABLE_COUNT] = {
      {"a_over_b", "f", "b_sigma_over_P", "b_sigma_over_fP"},
      4,
      2,
-     max_tension},
+     max_tension,
+     NULL},
     {"contact-law",
      "load, peak pressure, and pressure where the rounding ends",
      {A_OVER_B},
@@ -146,7 +150,8 @@ const table tables[TABLE_COUNT] = {
      {"a_over_b", "AP_over_theta_b", "AP_over_theta_a", "peak_pressure", "transition_pressure"},
      5,
      1,
-     contact_law},
+     contact_law,
+     NULL},
     {"critical-friction",
      "friction at which yield jumps to the surface, and its load",
      {NU, A_OVER_B},
@@ -155,7 +160,8 @@ const table tables[TABLE_COUNT] = {
      {"a_over_b", "nu", "f_critical", "P_over_bk"},
      4,
      2,
-     critical_friction},
+     critical_friction,
+     NULL},
     {"stick-zone",
      "half-width of the stick zone c/b",
      {A_OVER_B, Q_OVER_FP},
@@ -164,7 +170,28 @@ const table tables[TABLE_COUNT] = {
      {"a_over_b", "Q_over_fP", "c_over_b"},
      3,
      2,
-     stick_zone},
+     stick_zone,
+     NULL},
+    {"elastic-limit",
+     "load at first yield P/(bk) of a flat pad, and where",
+     {NU, A_OVER_B, FRICTION},
+     3,
+     FRICTION,
+     {"a_over_b", "f", "nu", "P_over_bk", "x_over_b", "y_over_b", "branch"},
+     7,
+     3,
+     flat_elastic_limit,
+     &flat_over_b},
+    {"contact-law",
+     "load of a flat pad, largest and middle pressure",
+     {A_OVER_B},
+     1,
+     VARIABLE_COUNT,
+     {"a_over_b", "APR_over_b2", "APR_over_a2", "largest_pressure", "middle_pressure"},
+     5,
+     1,
+     flat_contact_law,
+     &flat_over_b},
 };
 
 const column_kind table_columns[COLUMN_KINDS] = {
@@ -186,14 +213,33 @@ const column_kind table_columns[COLUMN_KINDS] = {
     {"f_critical", "friction from which on yield starts at the surface", "none"},
     {"Q_over_fP", "tangential force over its sliding value", "none"},
     {"c_over_b", "half-width of the stick zone; 0 slides", "b"},
+    {"APR_over_b2", "load A P R/b^2", "none"},
+    {"APR_over_a2", "load A P R/a^2", "none"},
+    {"largest_pressure", "largest pressure, near the edges", "b/(A R)"},
+    {"middle_pressure", "pressure at x = 0", "b/(A R)"},
 };
 
-const table *table_named(const char *name)
+static const table *named(const char *name, int from, int to)
 {
-    for (int i = 0; i < TABLE_COUNT; i++)
+    for (int i = from; i < to; i++)
         if (strcmp(tables[i].name, name) == 0)
             return &tables[i];
     return NULL;
+}
+
+const table *table_named(const char *name)
+{
+    return named(name, 0, WEDGE_TABLES);
+}
+
+const table *table_of_flat(const char *name)
+{
+    return named(name, WEDGE_TABLES, TABLE_COUNT);
+}
+
+const table_variable *table_variable_of(const table *which, int variable)
+{
+    return variable == A_OVER_B && which->ratio != NULL ? which->ratio : &variables[variable];
 }
 
 bool table_depends_on(const table *which, int variable)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The five tables: what each depends on, its columns, and how a row is computed. */
+/* The tables: what each depends on, its columns, and how a row is computed. */
 #ifndef CLI_TABLES_H
 #define CLI_TABLES_H
 
 #include "rows/records.h"
 #include "options/variable.h"
 
-enum { AXES_MAX = 3, COLUMNS_MAX = 10, COLUMN_KINDS = 18 };
+enum { AXES_MAX = 3, COLUMNS_MAX = 10, COLUMN_KINDS = 22 };
 
 typedef struct {
     const char *name;
@@ -21,16 +21,22 @@ typedef struct {
     int quantity;
     /* Fills a row from the values of the variables. RWEDGE_OK, or the library's status. */
     int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
+    const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
 } table;
 
-enum { TABLE_COUNT = 5 };
+/* Those of the wedge, and then some of a flat pad. */
+enum { WEDGE_TABLES = 5, TABLE_COUNT = 7 };
 extern const table tables[TABLE_COUNT];
 
 /* Of all tables. */
 extern const column_kind table_columns[COLUMN_KINDS];
 
-/* By its name; NULL where there is none. */
+/* By its name; NULL where there is none. The second is of a flat pad. */
 const table *table_named(const char *name);
+const table *table_of_flat(const char *name);
+
+/* One of its variables. */
+const table_variable *table_variable_of(const table *which, int variable);
 
 bool table_depends_on(const table *which, int variable);
 

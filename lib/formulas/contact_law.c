@@ -1,9 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contact law: load and half-width. */
-#include "rwedge.h"
+#include "formulas/contact_law.h"
 
 #include "base/domain.h"
 #include "base/root.h"
+#include "rwedge.h"
+
+double rw_asin_excess(double q)
+{
+    if (q > 0.5)
+        return asin(q) - q;
+    /* q^3/6 + 3 q^5/40 + ...: at q = 0.5 the 24th term is below 2e-16 of the first */
+    double term = q, sum = 0;
+    for (int n = 1; n < 26; n++) {
+        term *= q * q * (2 * n - 1) / (2 * n);
+        sum += term / (2 * n + 1);
+    }
+    return sum;
+}
 
 double rwedge_load(double alpha)
 {
@@ -14,6 +28,17 @@ double rwedge_load(double alpha)
     if (alpha >= 1)
         return RW_HALF_PI / alpha; /* only the rounded part touches */
     return asin(alpha) / alpha + rw_cos_asin(alpha);
+}
+
+/* -(phi0 - alpha c0)/alpha^2, of which phi0 - alpha and 1 - c0 are taken apart. */
+double rwedge_load_derivative(double alpha)
+{
+    if (!rw_is_magnitude(alpha))
+        return NAN;
+    if (alpha >= 1)
+        return -RW_HALF_PI / alpha / alpha;
+    const double rise = alpha > 0 ? rw_asin_excess(alpha) / alpha / alpha : 0;
+    return -rise - alpha / (1 + rw_cos_asin(alpha));
 }
 
 /* The difference of the two sides of A P/(theta b) = (A P/(theta a)) alpha. It grows with alpha. */

@@ -8,21 +8,8 @@
 #include "rwedge.h"
 
 #include "base/domain.h"
+#include "formulas/contact_law.h"
 #include "formulas/pressure.h"
-
-/* asin(q) - q for 0 <= q <= 1. */
-static double asin_excess(double q)
-{
-    if (q > 0.5)
-        return asin(q) - q;
-    /* q^3/6 + 3 q^5/40 + ...: at q = 0.5 the 24th term is below 2e-16 of the first */
-    double term = q, sum = 0;
-    for (int n = 1; n < 26; n++) {
-        term *= q * q * (2 * n - 1) / (2 * n);
-        sum += term / (2 * n + 1);
-    }
-    return sum;
-}
 
 /* alpha (F(1) - F(c)), alpha <= c <= 1. With d = sqrt(1-alpha^2) - sqrt(c^2-alpha^2), the two
  * arcsines differ by asin(q), q = alpha d/c. alpha d itself cancels, except for its part (1-c). So
@@ -31,7 +18,7 @@ static double load_lost_on_flank(double alpha, double c)
 {
     const double lost = (1 - c) * (1 + c);
     const double d = lost / (rw_cos_asin(alpha) + sqrt((c - alpha) * (c + alpha)));
-    return lost * asin(alpha) + alpha * d * (1 - c) - c * c * asin_excess(alpha * d / c);
+    return lost * asin(alpha) + alpha * d * (1 - c) - c * c * rw_asin_excess(alpha * d / c);
 }
 
 double rwedge_shear_ratio(double alpha, double c)

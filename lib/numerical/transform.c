@@ -16,6 +16,9 @@ static const double NEAR = 2;
  * displacements have none. */
 static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
 
+/* Of x: a point that is moved by less may stay where it is. */
+static const double LEAST_MOVE = 4 * DBL_EPSILON;
+
 static rw_complex sum_of(rw_complex a, rw_complex b)
 {
     return (rw_complex){a.re + b.re, a.im + b.im};
@@ -135,7 +138,7 @@ static double beside(const rw_traction *t, double x, double part)
 {
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
-        const double least = part * (e->high - e->low);
+        const double least = fmax(part * (e->high - e->low), LEAST_MOVE * fabs(x));
         if (fabs(x - e->low) < least)
             return e->low + least;
         if (fabs(x - e->high) < least)

@@ -26,6 +26,14 @@ double rwedge_max_tension(double alpha)
     return 2 / rwedge_load(shape(alpha));
 }
 
+double rwedge_max_tension_derivative(double alpha)
+{
+    if (!rw_is_magnitude(alpha))
+        return NAN;
+    const double load = rwedge_load(alpha);
+    return alpha < 1 ? -2 * rwedge_load_derivative(alpha) / (load * load) : 0;
+}
+
 static bool is_case(double alpha, double f, double nu)
 {
     return rw_is_tip(alpha) && rw_is_friction(f) && rw_is_poisson(nu);
@@ -130,6 +138,30 @@ int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit, d
                                    : (rw_maximum){.J2 = HUGE_VAL, .x = 0, .y = 0};
     *limit = limit_of(alpha, surface);
     *x = surface.x;
+    return RWEDGE_OK;
+}
+
+/* At a maximum J2 is stationary in the place, which may therefore move with alpha. The logarithm of
+ * the limit is that of the load less half of that of J2. */
+int32_t rwedge_elastic_limit_gradient(double alpha, double f, double nu, double *d_alpha,
+                                      double *d_f, double *d_nu, double *at_surface)
+{
+    if (!d_alpha || !d_f || !d_nu || !at_surface)
+        return RWEDGE_ENULL;
+    if (!is_case(alpha, f, nu) || alpha == 0)
+        return RWEDGE_EDOMAIN;
+    const rw_maximum maximum = global_maximum(alpha, f, nu);
+    rw_potential potential;
+    rw_potential_init(&potential, shape(alpha));
+    const rw_von_mises_change change =
+        rw_von_mises_change_at(&potential, f, rw_plane_strain_weight(nu), maximum.x, maximum.y);
+    const double limit = limit_of(alpha, maximum), per_2J2 = 1 / (2 * change.J2);
+    const double by_load = alpha < 1 ? rwedge_load_derivative(alpha) / rwedge_load(alpha) : 0,
+                 by_J2 = alpha < 1 ? per_2J2 * change.rounding / alpha : 0;
+    *d_alpha = limit * (by_load - by_J2);
+    *d_f = f > 0 ? -limit * per_2J2 * change.f : 0; /* J2 is even in f */
+    *d_nu = limit * per_2J2 * change.kappa * (4 * (1 - 2 * nu) / 3);
+    *at_surface = maximum.y == 0;
     return RWEDGE_OK;
 }
 

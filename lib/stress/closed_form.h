@@ -65,13 +65,19 @@ RW_INLINE double log_part_of_A(const rw_potential *p, const rw_elliptic *e, doub
                                            p->per_alpha);
 }
 
+/* sin(v)^2 - alpha^2. Next to the corner it cancels, but there A is multiplied by z - alpha. */
+RW_INLINE double from_corner_of(const rw_potential *p, const rw_elliptic *e)
+{
+    return e->sin_v * e->sin_v - p->alpha * p->alpha;
+}
+
 /* The real part of A over alpha, phi0/alpha less half the angle of S-/S+. `shrink` is cosh(w) -
  * sinh(w): with it neither coordinate cancels for large w. */
-RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, double shrink)
+RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, double shrink,
+                                 double from_corner)
 {
     const double alpha = p->alpha, c0 = p->c0, cos_2phi0 = 1 - 2 * alpha * alpha,
                  sin_2phi0 = 2 * alpha * c0;
-    const double from_corner = e->sin_v * e->sin_v - alpha * alpha;
     const double x = cos_2phi0 * (from_corner + cos_2phi0 * (e->sinh_w * e->sinh_w)) +
                      sin_2phi0 * sin_2phi0 * (e->sinh_w * e->cosh_w);
     const double y = 2 * c0 * (from_corner - cos_2phi0 * (e->sinh_w * shrink));
@@ -83,7 +89,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
 RW_INLINE rw_field rw_rounded_field_at(const rw_potential *p, rw_place at, rw_elliptic e)
 {
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
-    const double A_im = log_part_of_A(p, &e, at.past), A_re = angle_part_of_A(p, &e, shrink);
+    const double A_im = log_part_of_A(p, &e, at.past),
+                 A_re = angle_part_of_A(p, &e, shrink, from_corner_of(p, &e));
 
     const double E_re = e.sin_v + alpha * e.cosh_w, E_im = c0 * e.sinh_w;
     const double E_size = e.cosh_w + c0 * e.cos_v + alpha * e.sin_v;

@@ -9,6 +9,7 @@
 #include "stress/batch.h"
 #include "base/domain.h"
 #include "base/inline.h"
+#include "stress/gradient.h"
 #include "rwedge.h"
 
 /* The two patches of one contact, both centred at 0. `stick` is used only if c > 0. */
@@ -52,6 +53,57 @@ static void stresses_at(const tractions *t, int count, const double x[], const d
         combine(t->f, rw_field_in(&normal, i), rw_field_in(&stick, i), &sxx[i], &syy[i], &txy[i]);
 }
 
+/* ---- Derivatives: they add up as the stresses do ---- */
+
+typedef struct {
+    double sxx, syy, txy;
+} tensor;
+
+static tensor tensor_of(double f, rw_field normal, rw_field stick)
+{
+    tensor t;
+    combine(f, normal, stick, &t.sxx, &t.syy, &t.txy);
+    return t;
+}
+
+static const rw_field NO_FIELD = {0, 0, 0, 0};
+
+typedef rw_field (*change)(const rw_potential *potential, double x, double y);
+
+static tensor changed(const tractions *t, change by, double x, double y, double factor)
+{
+    const rw_field normal = rw_field_multiple(factor, by(&t->contact, x, y));
+    return tensor_of(t->f, normal,
+                     t->c > 0 ? rw_field_multiple(factor, by(&t->stick, x, y)) : NO_FIELD);
+}
+
+/* What is analytic changes with y by i times what it does with x; y G' has its own y besides. */
+static rw_field by_y(const rw_potential *potential, double x, double y)
+{
+    const rw_field d = rw_potential_by_x(potential, x, y);
+    return (rw_field){-d.G_im, d.G_re, d.G_re - d.H_im, d.G_im + d.H_re};
+}
+
+static tensor by_friction(const tractions *t, double x, double y)
+{
+    const rw_field normal = rw_potential_at(&t->contact, x, y);
+    const rw_field stick = t->c > 0 ? rw_potential_at(&t->stick, x, y) : NO_FIELD;
+    return tensor_of(1, NO_FIELD, difference(stick, normal));
+}
+
+/* The smallest stick zone grows from 0: below the rounding its load does so like c^2, but that of
+ * the sharp wedge like c. */
+static tensor by_stick_zone(const tractions *t, double x, double y)
+{
+    if (t->c == 0 && t->contact.alpha > 0)
+        return tensor_of(0, NO_FIELD, NO_FIELD);
+    const double least = t->c > 0 ? t->c : RW_SMALLEST;
+    rw_potential stick;
+    rw_potential_init_patch(&stick, t->contact.a, least);
+    return tensor_of(t->f, NO_FIELD,
+                     rw_field_multiple(1 / least, rw_potential_by_half_width(&stick, x, y)));
+}
+
 static bool is_contact(double alpha, double f, double c)
 {
     return rw_is_magnitude(alpha) && rw_is_friction(f) && rw_is_stick(c);
@@ -91,5 +143,46 @@ int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double
     for (size_t i = 0; i < n; i += RW_BATCH)
         stresses_at(&t, n - i < RW_BATCH ? (int)(n - i) : RW_BATCH, x + i, y + i, sxx + i, syy + i,
                     txy + i);
+    return RWEDGE_OK;
+}
+
+/* At an edge, and where the rounding ends, derivatives are infinite. */
+static bool is_smooth_at(double alpha, double c, double x, double y)
+{
+    const double place = fabs(x);
+    return y > 0 || (place != 1 && place != alpha && (c == 0 || place != c));
+}
+
+int32_t rwedge_stress_gradient(double alpha, double f, double c, double x, double y, double *sxx_x,
+                               double *syy_x, double *txy_x, double *sxx_y, double *syy_y,
+                               double *txy_y)
+{
+    if (!sxx_x || !syy_x || !txy_x || !sxx_y || !syy_y || !txy_y)
+        return RWEDGE_ENULL;
+    if (!is_contact(alpha, f, c) || !is_point(alpha, x, y) || !is_smooth_at(alpha, c, x, y))
+        return RWEDGE_EDOMAIN;
+    const tractions t = make_tractions(alpha, f, c);
+    const tensor along = changed(&t, rw_potential_by_x, x, y, 1), down = changed(&t, by_y, x, y, 1);
+    *sxx_x = along.sxx, *syy_x = along.syy, *txy_x = along.txy;
+    *sxx_y = down.sxx, *syy_y = down.syy, *txy_y = down.txy;
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, double y,
+                                  double *sxx_alpha, double *syy_alpha, double *txy_alpha,
+                                  double *sxx_f, double *syy_f, double *txy_f, double *sxx_c,
+                                  double *syy_c, double *txy_c)
+{
+    if (!sxx_alpha || !syy_alpha || !txy_alpha || !sxx_f || !syy_f || !txy_f || !sxx_c || !syy_c ||
+        !txy_c)
+        return RWEDGE_ENULL;
+    if (!is_contact(alpha, f, c) || !is_point(alpha, x, y) || !is_smooth_at(alpha, c, x, y))
+        return RWEDGE_EDOMAIN;
+    const tractions t = make_tractions(alpha, f, c);
+    const tensor tip = changed(&t, rw_potential_by_rounding, x, y, alpha > 0 ? 1 / alpha : 0);
+    const tensor friction = by_friction(&t, x, y), zone = by_stick_zone(&t, x, y);
+    *sxx_alpha = tip.sxx, *syy_alpha = tip.syy, *txy_alpha = tip.txy;
+    *sxx_f = friction.sxx, *syy_f = friction.syy, *txy_f = friction.txy;
+    *sxx_c = zone.sxx, *syy_c = zone.syy, *txy_c = zone.txy;
     return RWEDGE_OK;
 }

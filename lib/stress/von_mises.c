@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/von_mises.h"
 
+#include "stress/gradient.h"
+
 #include <complex.h>
 
 double rw_plane_strain_weight(double nu)
@@ -61,5 +63,26 @@ rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kap
         .f_y = 2 * (dot(Df, Dy) + dot(D, Dfy) + kappa * (sf * sy + s * sfy)),
         .kappa_x = 2 * s * sx,
         .kappa_y = 2 * s * sy,
+    };
+}
+
+/* G depends on z, a and the half-width c over each other. So where z grows with a, a dG/da is -c
+ * dG/dc, which is algebraic. */
+rw_von_mises_change rw_von_mises_change_at(const rw_potential *potential, double f, double kappa,
+                                           double x, double y)
+{
+    const rw_field field = rw_potential_at(potential, x, y),
+                   punch = rw_potential_by_half_width(potential, x, y);
+    const double complex G = number(field.G_re, field.G_im), H = number(field.H_re, field.H_im);
+    const double complex Ga = -number(punch.G_re, punch.G_im), Ha = -number(punch.H_re, punch.H_im);
+    const double complex mu = number(-1, f), sigma = number(-f, -1);
+
+    const double complex D = f * G + mu * H, Df = G + turned(H), Da = f * Ga + mu * Ha;
+    const double s = creal(sigma * G), sf = -creal(G), sa = creal(sigma * Ga);
+    return (rw_von_mises_change){
+        .J2 = dot(D, D) + kappa * s * s,
+        .f = 2 * (dot(D, Df) + kappa * s * sf),
+        .kappa = s * s,
+        .rounding = 2 * (dot(D, Da) + kappa * s * sa),
     };
 }

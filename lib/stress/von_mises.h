@@ -21,4 +21,15 @@ double rw_plane_strain_weight(double nu);
 rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
                              double y);
 
+/* What J2 at (x, y), y >= 0, changes by with friction, with kappa, and with the rounding, of which
+ * (x/a, y/a) is constant. Not at the edge of the contact. */
+typedef struct {
+    double J2;
+    double f, kappa;
+    double rounding; /* alpha d/dalpha */
+} rw_von_mises_change;
+
+rw_von_mises_change rw_von_mises_change_at(const rw_potential *potential, double f, double kappa,
+                                           double x, double y);
+
 #endif

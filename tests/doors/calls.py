@@ -70,6 +70,7 @@ OWN = {
     ("contact_create", "f"): [0.6],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
+    ("contact_cycle_friction", "x"): [1.75, -1.9, 2.2, 1.82, -1.72, 1.95, -2.25],  # at the edges, where it slips
     ("contact_create_profile", "slope"): [-0.01, 0, 0.01], ("contact_create_profile", "f"): [0.6], ("contact_create_flat", "f"): [0.6],
     ("contact_cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
@@ -154,18 +155,19 @@ def sampled(function, variant, present={}):
     """The arguments of a call; other arguments take other steps through their values. present: loads that a cycle keeps."""
     given = []
     for j, p in enumerate(function.inputs):
-        of, step = values(function, p), 1 + j % 3
+        of, stride = values(function, p), 1 + j % 3
         if of == "@":
             given.append(of)
         elif len(p.size) == 2:
-            given.append([[of[(step * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
+            given.append([[of[(stride * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.name in present and p.size == ("loads",):
-            given.append([present[p.name] + 10 * i * (p.name == "Q") for i in range(LOADS)])
+            step = {"P": 0 if present["M"] else 5, "Q": 60}.get(p.name, 0)
+            given.append([present[p.name] + i * step for i in range(LOADS)])
         elif p.size:
             size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
-            given.append([of[(step * variant + i) % len(of)] for i in range(size)])
+            given.append([of[(stride * variant + i) % len(of)] for i in range(size)])
         else:
-            given.append(of[step * variant % len(of)])
+            given.append(of[stride * variant % len(of)])
     return given
 
 

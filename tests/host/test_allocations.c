@@ -127,10 +127,9 @@ static void look(const rwedge_contact *contact, outcome *seen)
     RUN(n[1] = rwedge_contact_stick_half_width(contact));
     RUN(n[2] = rwedge_contact_dissipated_energy(contact));
     RUN(n[3] = (double)rwedge_contact_memory(contact));
-    assert_int_equal(STATUS_OF(rwedge_contact_tractions(contact, 3, x, n + 4, n + 7)), RWEDGE_OK);
-    assert_int_equal(STATUS_OF(rwedge_contact_slip(contact, 3, x, n + 10)), RWEDGE_OK);
-    assert_int_equal(STATUS_OF(rwedge_contact_stresses(contact, 3, x, y, n + 13, n + 16, n + 19)),
-                     RWEDGE_OK);
+    assert_ok(STATUS_OF(rwedge_contact_tractions(contact, 3, x, n + 4, n + 7)));
+    assert_ok(STATUS_OF(rwedge_contact_slip(contact, 3, x, n + 10)));
+    assert_ok(STATUS_OF(rwedge_contact_stresses(contact, 3, x, y, n + 13, n + 16, n + 19)));
 }
 
 /* A contact, its loads, a copy that goes on: a call that fails is made again, when the heap is
@@ -228,7 +227,6 @@ static outcome the_rest(void)
  * for them too. */
 static void allocations_of_other_libraries_are_seen(void **state)
 {
-    (void)state;
 #ifdef PROGRAM_HEAP
     gsl_root_fsolver *solver = NULL;
     const long before = heap.outstanding;
@@ -251,7 +249,7 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
     arm(0, false);
     const outcome expected = call();
     const size_t allocations = heap.calls;
-    assert_int_equal(expected.status, RWEDGE_OK);
+    assert_ok(expected.status);
     for (size_t k = 1; k <= allocations; k++)
         for (int for_ever = 0; for_ever < 2; for_ever++) {
             arm(k, for_ever != 0);
@@ -272,7 +270,6 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
 
 static void every_failed_allocation_is_survived(void **state)
 {
-    (void)state;
     assert_true(every_allocation_of("contact", history) >= 10);
     assert_int_equal(every_allocation_of("series_create", series_create), 1);
     assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
@@ -280,14 +277,13 @@ static void every_failed_allocation_is_survived(void **state)
 
 static void nothing_else_allocates(void **state)
 {
-    (void)state;
     arm(1, true);
     const outcome without = the_rest();
     const size_t calls = heap.calls;
     arm(0, false);
     const outcome with = the_rest();
     assert_int_equal(calls, 0);
-    assert_int_equal(without.status, RWEDGE_OK);
+    assert_ok(without.status);
     assert_memory_equal(&without, &with, sizeof with);
 }
 

@@ -122,13 +122,11 @@ static const char *answers(const public_call *call, const double v[])
 
 static void every_answer_follows_the_rules_for_errors(void **state)
 {
-    (void)state;
     ask_of_every_call(answers);
 }
 
 static void a_pointer_that_is_needed_may_not_be_null(void **state)
 {
-    (void)state;
     const size_t most = most_calls;
     most_calls = most < 100 ? most : 100;
     ask_of_every_call(complaint_about_null);
@@ -155,7 +153,6 @@ static const char *flags(const public_call *call, const double v[])
 
 static void no_call_raises_an_exception_but_inexact_and_underflow(void **state)
 {
-    (void)state;
     ask_of_every_call(flags);
 }
 
@@ -189,7 +186,6 @@ static const char *keeps_flags(const public_call *call, const double v[])
 
 static void no_call_clears_an_exception_of_the_host(void **state)
 {
-    (void)state;
     raise_everything();
     assert_int_equal(fetestexcept(EVERYTHING), EVERYTHING);
     ask_of_every_call(keeps_flags);
@@ -224,7 +220,6 @@ static const char *traps(const public_call *call, const double v[])
 
 static void no_call_is_trapped_in_a_host_that_traps(void **state)
 {
-    (void)state;
     if (feenableexcept(FE_DIVBYZERO) == -1) {
         print_message("SKIPPED: this machine cannot trap floating-point exceptions\n");
         skip();
@@ -266,7 +261,6 @@ static const char *rounds(const public_call *call, const double v[])
 
 static void every_rounding_mode_gives_answers_by_the_rules(void **state)
 {
-    (void)state;
     const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     for (int i = 0; i < 4; i++) {
         mode = modes[i];
@@ -306,7 +300,6 @@ static digest digest_of_everything(void)
 /* tests/host/locale.sh runs this where it has made a locale with a comma. */
 static void a_decimal_comma_changes_no_bit(void **state)
 {
-    (void)state;
     const char *name = getenv("COMMA_LOCALE");
     if (name == NULL) {
         print_message("    only with COMMA_LOCALE, which tests/host/locale.sh sets\n");
@@ -368,7 +361,6 @@ static size_t used_stack(void *(*run)(void *), void *argument)
 
 static void a_stack_of_64_KiB_is_enough(void **state)
 {
-    (void)state;
     size_t most = 0, count;
     const public_call *calls = public_calls(&count);
     for (size_t i = 0; i < count; i++) {

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { NUMBERS = 80, MOST_FUNCTIONS = 1000 };
+enum { NUMBERS = 40, MOST_FUNCTIONS = 1000 };
 
 static bool has_result[MOST_FUNCTIONS];
 

@@ -72,7 +72,6 @@ static difference along_a_history(uint64_t number, double a, double f, int level
  * about halve it. */
 static void the_memory_diagram_is_the_limit_of_boundary_elements(void **state)
 {
-    (void)state;
     static const double ROUNDINGS[] = {0, 0.1, 0.4, 0.8, 2};
     enum { HISTORIES = sizeof ROUNDINGS / sizeof *ROUNDINGS };
     difference mean[LEVELS] = {{0, 0, 0}};

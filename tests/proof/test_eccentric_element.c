@@ -107,7 +107,6 @@ static boundary_element solver;
 /* Centred, tilted, and so far tilted that an edge has passed the rounding's end. */
 static void a_moment_moves_the_patch(void **state)
 {
-    (void)state;
     static const double loads[][2] = {{4, 0}, {4, 1.2}, {4, -3}, {1, 0.2}};
     enum { CASES = sizeof loads / sizeof *loads };
     double difference[LEVELS] = {0};
@@ -129,7 +128,6 @@ static void a_moment_moves_the_patch(void **state)
  * patch of the load P - Q/f and of the tilt + sigma/(4 f). Then back, over half of that. */
 static void monotonic_and_reversed_slip(void **state)
 {
-    (void)state;
     static const double moments[] = {0, 1.2}, tensions[] = {0, 0.5, -0.9};
     enum { CASES = 6 };
     const double P = 4, Q = 0.6 * F * P, back = -0.1 * F * P;
@@ -162,7 +160,6 @@ static void monotonic_and_reversed_slip(void **state)
  * 10 mm, f = 0.3, sigma = 100 MPa. */
 static void nowell_and_hills_cylinder(void **state)
 {
-    (void)state;
     const double A = 4 * (1 - 0.33 * 0.33) / 72.1e3, theta = 0.1, P = 543 / 4.0, Q = 155 / 4.0;
     for (int level = 0; level < LEVELS; level++) {
         boundary_element_start(&solver, theta, 10 * theta, A, 0.3, (size_t)COARSEST << level, 0.25);
@@ -183,7 +180,6 @@ static void nowell_and_hills_cylinder(void **state)
  * T1), P and M constant or not. */
 static void the_permanent_stick_zone(void **state)
 {
-    (void)state;
     static const boundary_loads cycles[][2] = {
         {{4, 0, -0.6, 0.1}, {4, 0, 0.9, 0.5}},
         {{4, 1.2, -0.6, 0.1}, {4, 1.2, 0.9, 0.5}},

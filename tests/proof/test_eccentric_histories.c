@@ -93,7 +93,7 @@ static void compare(const rwedge_contact *contact, const boundary_element *solve
                     difference *sum)
 {
     double left, right, off[3] = {0}, limit = 0, touching = 0;
-    assert_int_equal(rwedge_contact_edges(contact, &left, &right), RWEDGE_OK);
+    assert_ok(rwedge_contact_edges(contact, &left, &right));
     for (size_t i = 0; i < solver->n; i++) {
         const double x = solver->x[i];
         off[0] += fabs(pressure(contact, x) - solver->p[i]);
@@ -132,7 +132,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
         const int32_t status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
         if (status == RWEDGE_EPATH || status == RWEDGE_ESLIDING)
             continue;
-        assert_int_equal(status, RWEDGE_OK);
+        assert_ok(status);
         half = rwedge_contact_half_width(contact);
         go(&solver, leg == 0 ? 1 : 5 << level, to);
         now = to;
@@ -144,7 +144,6 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
 
 static void contacts_are_the_limit_of_boundary_elements(void **state)
 {
-    (void)state;
     for (path kind = 0; kind < KINDS; kind++) {
         difference mean[LEVELS];
         for (int level = 0; level < LEVELS; level++) {
@@ -175,7 +174,6 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
  * slips. */
 static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
 {
-    (void)state;
     static const boundary_loads loads[] = {{.4779, 0, 0, 0},
                                            {.4779, 0, -.1494, -.0994},
                                            {.4779, 0, -.1029, -.0537},

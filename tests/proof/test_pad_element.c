@@ -86,7 +86,7 @@ static difference along_the_history(rwedge_contact *contact, double (*height)(do
     solver.height = height;
     for (int leg = 0; leg < LEGS; leg++) {
         const boundary_loads to = LOADS[leg];
-        assert_int_equal(rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma), RWEDGE_OK);
+        assert_ok(rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma));
         go(&solver, leg == 0 ? 1 : 20, to);
         compare(contact, &solver, &worst);
     }
@@ -107,27 +107,25 @@ static void assert_limit(difference coarse, difference fine)
 static rwedge_contact *flat(void)
 {
     rwedge_contact *contact;
-    assert_int_equal(rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact), RWEDGE_OK);
+    assert_ok(rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact));
     return contact;
 }
 
 static rwedge_contact *worn(void)
 {
     rwedge_contact *contact;
-    assert_int_equal(rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact), RWEDGE_OK);
+    assert_ok(rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact));
     return contact;
 }
 
 static void a_flat_pad_is_the_limit_of_boundary_elements(void **state)
 {
-    (void)state;
     assert_limit(along_the_history(flat(), flat_height, 60),
                  along_the_history(flat(), flat_height, 180));
 }
 
 static void a_worn_pad_is_the_limit_of_boundary_elements(void **state)
 {
-    (void)state;
     assert_limit(along_the_history(worn(), worn_height, 60),
                  along_the_history(worn(), worn_height, 180));
 }

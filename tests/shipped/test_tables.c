@@ -52,7 +52,6 @@ static const char *const nus[] = {"0.25", "0.30", "0.35"};
 
 static void elastic_limits_are_the_library_s(void **state)
 {
-    (void)state;
     for (int n = 0; n < 3; n++)
         for (int fine = 0; fine < 2; fine++) {
             char name[64];
@@ -63,8 +62,7 @@ static void elastic_limits_are_the_library_s(void **state)
                 const double *v = loaded.cell[i];
                 double limit, x, y;
                 assert_close(v[NU], atof(nus[n]), 0);
-                assert_int_equal(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y),
-                                 RWEDGE_OK);
+                assert_ok(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y));
                 assert_close(v[LIMIT], limit, PRINTED);
                 assert_close(v[X], x, PRINTED);
                 assert_close(v[Y], y, PRINTED);
@@ -103,7 +101,7 @@ static errors interpolate_limits(int across, double from)
         const double below = mean_of_corners(i, across, BELOW),
                      surface = mean_of_corners(i, across, SURFACE);
         double exact, x, y;
-        assert_int_equal(rwedge_surface_yield(alpha, f, nu, &exact, &x), RWEDGE_OK);
+        assert_ok(rwedge_surface_yield(alpha, f, nu, &exact, &x));
         keep_larger(&worst.surface, surface, exact);
         if (!isnan(below) && rwedge_subsurface_yield(alpha, f, nu, &exact, &x, &y) == RWEDGE_OK)
             keep_larger(&worst.below, below, exact);
@@ -116,7 +114,6 @@ static errors interpolate_limits(int across, double from)
 
 static void interpolating_the_branches_apart_is_accurate(void **state)
 {
-    (void)state;
     /* table, from which a/b, and the error of the limit that tables/README.md states */
     static const struct {
         const char *name;
@@ -142,7 +139,6 @@ static void interpolating_the_branches_apart_is_accurate(void **state)
 
 static void max_tension_interpolates(void **state)
 {
-    (void)state;
     load("max-tension");
     assert_int_equal(loaded.rows, 101 * 8);
     double worst = 0;
@@ -158,7 +154,6 @@ static void max_tension_interpolates(void **state)
 
 static void contact_law_interpolates(void **state)
 {
-    (void)state;
     load("contact-law");
     assert_int_equal(loaded.rows, 200);
     double load_worst = 0, peak_worst = 0, inverse_worst = 0;
@@ -180,7 +175,6 @@ static void contact_law_interpolates(void **state)
 
 static void critical_friction_interpolates(void **state)
 {
-    (void)state;
     enum { ACROSS = 100 }; /* Poisson's ratio down, a/b across */
     load("critical-friction");
     assert_int_equal(loaded.rows, 13 * ACROSS);

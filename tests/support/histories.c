@@ -4,33 +4,52 @@
 rwedge_contact *create(double a, double f)
 {
     rwedge_contact *contact = NULL;
-    assert_int_equal(rwedge_contact_create(THETA, a, A, f, &contact), RWEDGE_OK);
+    assert_ok(rwedge_contact_create(THETA, a, A, f, &contact));
     return contact;
 }
 
 void load(rwedge_contact *contact, double P, double Q)
 {
-    assert_int_equal(rwedge_contact_load(contact, P, Q), RWEDGE_OK);
+    assert_ok(rwedge_contact_load(contact, P, Q));
+}
+
+void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
+}
+
+rw_patch edges_of(const rwedge_contact *contact)
+{
+    rw_patch patch;
+    assert_ok(rwedge_contact_edges(contact, &patch.left, &patch.right));
+    return patch;
+}
+
+rw_patch stick_zone_of(const rwedge_contact *contact)
+{
+    rw_patch patch;
+    assert_ok(rwedge_contact_stick_zone(contact, &patch.left, &patch.right));
+    return patch;
 }
 
 double shear(const rwedge_contact *contact, double x)
 {
     double p, q;
-    assert_int_equal(rwedge_contact_tractions(contact, 1, &x, &p, &q), RWEDGE_OK);
+    assert_ok(rwedge_contact_tractions(contact, 1, &x, &p, &q));
     return q;
 }
 
 double pressure(const rwedge_contact *contact, double x)
 {
     double p, q;
-    assert_int_equal(rwedge_contact_tractions(contact, 1, &x, &p, &q), RWEDGE_OK);
+    assert_ok(rwedge_contact_tractions(contact, 1, &x, &p, &q));
     return p;
 }
 
 double slip(const rwedge_contact *contact, double x)
 {
     double s;
-    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &s), RWEDGE_OK);
+    assert_ok(rwedge_contact_slip(contact, 1, &x, &s));
     return s;
 }
 

@@ -12,6 +12,10 @@ static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
 rwedge_contact *create(double a, double f);
 void load(rwedge_contact *contact, double P, double Q);
+void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
+
+rw_patch edges_of(const rwedge_contact *contact);
+rw_patch stick_zone_of(const rwedge_contact *contact);
 
 /* At the point x of the surface. */
 double pressure(const rwedge_contact *contact, double x);

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests share. test.sh says in the environment where the private build of the library is."""
-import csv
 import os
 import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import rwedge
@@ -39,18 +37,6 @@ def compiled(tmp_path_factory):
         return folder / name
 
     return compile_it
-
-
-@pytest.fixture
-def table():
-    """table(name): the columns of tests/data/name.csv, as arrays."""
-
-    def read(name):
-        with open(TOP / "tests" / "data" / f"{name}.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
-        return {column: np.array([row[column] for row in rows]).astype(float) for column in rows[0] if column != "branch"}
-
-    return read
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shared library in its host: the bits of the C library, what it needs, other libraries beside it, documentation."""
+"""The shared library: the bits of the C library, what it needs, documentation."""
 import inspect
 import re
 import subprocess
@@ -11,14 +11,6 @@ import rwedge
 from conftest import PACKAGE, TOP
 from rwedge._header import FUNCTIONS
 from rwedge._library import library
-
-FIT = """
-import sys{first}
-import rwedge{then}
-x = [-0.8, -0.5, -0.1, 0.3, 0.6, 0.9]
-fitted = rwedge.Series.fit(x, [-1, -2, -3, -2.5, -1.5, -0.5], 4)
-print([a.hex() for a in fitted.coefficients.tolist()], rwedge.elastic_limit(0.25, 0.1, 0.3).hex())
-"""
 
 
 def test_version_is_that_of_the_header():
@@ -47,19 +39,6 @@ def test_it_needs_the_c_and_the_math_library_only():
 def test_without_numpy_it_says_what_to_install(run):
     script = "import sys; sys.modules['numpy'] = None\ntry: import rwedge\nexcept ImportError as error: print(error)"
     assert run("-c", script) == "rwedge needs numpy, which is not installed: pip install numpy\n"
-
-
-@pytest.fixture(scope="module")
-def fit_alone(run):
-    """What FIT prints without other libraries."""
-    return run("-c", FIT.format(first="", then=""))
-
-
-@pytest.mark.parametrize("first, then", [("", ""), (", numpy, numpy.linalg", ""), ("", ", numpy.linalg")])
-def test_other_libraries_do_not_change_its_bits(compiled, run, fit_alone, first, then):
-    """NumPy before and after; and other functions under the names of GSL's and LAPACK's, loaded before everything."""
-    foreign = compiled("foreign.so", PACKAGE / "tests/foreign.c", "-shared", "-fPIC")
-    assert run("-c", FIT.format(first=first, then=then), LD_PRELOAD=str(foreign)) == fit_alone
 
 
 def documented():

@@ -8,19 +8,8 @@ from hypothesis.extra import numpy as arrays
 
 import rwedge
 
-ALPHA = st.floats(1e-60, 100) | st.sampled_from([0.0, 1e-60, 1e-8, 1 - 2**-53, 1.0, 1e60])
 ANY = st.floats(allow_nan=True, allow_infinity=True)
 pytestmark = pytest.mark.filterwarnings("ignore:invalid value")
-
-
-@given(ALPHA, st.just(0.0) | st.floats(1e-60, 1))
-def test_stick_width_and_shear_ratio_are_inverse(alpha, c):
-    assert rwedge.stick_width(alpha, rwedge.shear_ratio(alpha, c)) == pytest.approx(c, rel=1e-6, abs=1e-6)
-
-
-@given(st.floats(1e-8, 1e8))
-def test_the_contact_law_and_its_inverse(alpha):
-    assert rwedge.a_over_b(rwedge.load(alpha) / alpha) == pytest.approx(alpha, rel=1e-13)
 
 
 @given(ANY, ANY)

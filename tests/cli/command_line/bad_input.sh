@@ -24,7 +24,7 @@ refuses "rwedge table: elastic: unknown table; allowed: $tables" table elastic
 refuses "rwedge table: contact-law: unexpected; allowed: one table, and options" $limit contact-law
 
 # Options that do not exist, lack a value, or have one too many.
-options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity"
+options="--a-over-b, --friction, --nu, --q-over-fp, --layout, --quantity, --pad"
 common="--help, --format, --digits, --decimal-comma, --output, --quiet, --threads"
 refuses "rwedge table: --colour: unknown option; allowed: $options, $common" $limit --colour 0.3
 nearest() { # COMMAND OPTION NEAREST

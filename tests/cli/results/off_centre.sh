@@ -56,6 +56,9 @@ unlike="--E1 10 --nu1 .5 --E2 inf --theta .1 --radius 100 --f .5"
 run solve $unlike --P 1 --Q .2 --sigma .04
 close_to "middle of the stick zone under a rigid body" 0.6 "$(echo "$(value stick_left) $(value stick_right)" | awk '{ print ($1 + $2) / 2 }')" 1e-6
 cp out rigid
+# With 0.05 the right edge slips the other way; the left one does as if nothing had happened: 0.75 - c, where A/4 has 0.375 - c.
+run solve $unlike --P 1 --Q .2 --sigma .05
+close_to "left edge of the stick zone" "$(awk 'BEGIN { b = sqrt(30 / 3.14159265358979); print 0.75 - b * sqrt(0.6) }')" "$(value stick_left)" 5e-4
 run solve $unlike --load 1,0,0,0 --load 1,0,.2,.04
 same "the same after a history" "$(grep stick_ rigid)" "$(grep stick_ out)"
 run profile $unlike --P 1 --Q .2 --sigma .04

@@ -44,31 +44,6 @@ close_rows "P_over_bk is that of its branch" 0 0
 same "rows where the other branch has the smaller limit" "" \
     "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
 
-# Scattered cases, one run each. Where nu = 0.5 the surface's maximum is not one point.
-{
-    read -r header
-    while IFS=, read -r alpha f nu limit x y branch; do
-        run table elastic-limit --a-over-b "$alpha" --friction "$f" --nu "$nu"
-        tail -n 1 out | awk -F, -v limit="$limit" '{ print limit, $4 }' >both
-        close_rows "P_over_bk" 1e-12 0
-        [ "$nu" = 0.5 ] && continue
-        same "branch" "$branch" "$(column branch out)"
-        tail -n 1 out | awk -F, -v x="$x" '{ print x, $5 }' >both
-        close_rows "x_over_b" 1e-5 1e-7
-        tail -n 1 out | awk -F, -v y="$y" '{ print y, $6 }' >both
-        close_rows "y_over_b" 1e-5 1e-7
-    done
-} <"$data/elastic_limit.csv"
-
-{
-    read -r header
-    while IFS=, read -r alpha nu f; do
-        run table critical-friction --a-over-b "$alpha" --nu "$nu"
-        tail -n 1 out | awk -F, -v f="$f" '{ print f, $3 }' >both
-        close_rows "f_critical" 1e-8 1e-9
-    done
-} <"$data/critical_friction.csv"
-
 # At the critical friction both branches yield at once.
 run table critical-friction --a-over-b 0.5 --nu 0.3
 f=$(column f_critical out)
@@ -77,17 +52,12 @@ run table elastic-limit --a-over-b 0.5 --friction "$f"
 awk -F, -v limit="$limit" 'NR > 1 { print limit, $8; print limit, $9 }' out >both
 close_rows "both branches at the critical friction" 1e-10 0
 
-# Near Q/(fP) = 1 the last bit of the ratio moves c by half of its digits.
-{
-    read -r header
-    while IFS=, read -r alpha f c x y ratio rest; do
-        run table stick-zone --a-over-b "$alpha" --q-over-fp "$ratio"
-        tail -n 1 out | awk -F, -v c="$c" '{ print c, $3 }' >both
-        close_rows "c_over_b" 1e-7 1e-8
-    done
-} <<REFERENCE
-$(head -n 60 "$data/stress_partial_slip.csv")
-REFERENCE
+run table critical-friction --a-over-b "$(list a_over_b critical_friction.csv)" --nu 0.3
+awk -F, 'NR == FNR { f[$1, $2] = $3; next } ($1, $2) in f { print f[$1, $2], $3 }' "$data/critical_friction.csv" out >both
+close_rows "f_critical" 1e-8 1e-9
+run table stick-zone --a-over-b 1 --q-over-fp 0.1,0.75
+awk -F, -v OFMT=%.17g 'NR > 1 { print sqrt(1 - $2), $3 }' out >both # Cattaneo and Mindlin
+close_rows "c_over_b" 1e-14 0
 
 # The sharp wedge yields at its apex, and has no branches.
 prints "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface
@@ -101,5 +71,32 @@ same "subsurface branch" - "$(column P_over_bk_subsurface out)"
 run table elastic-limit --a-over-b 0.01 --friction 0 --nu 0.5
 same "surface branch" - "$(column P_over_bk_surface out)"
 same "branch" subsurface "$(column branch out)"
+
+# A flat pad with rounded edges: Hertz less a rounded wedge; Hertz itself for a = 0; one of its contacts.
+run table contact-law --a-over-b 0.5
+p0=$(column peak_pressure out)
+run table contact-law --pad flat --a-over-b 0,0.5,0.99
+column APR_over_b2 out >got
+awk 'BEGIN { pi = 3.141592653589793
+    for (i = 0; i < 3; i++) { a = i == 0 ? 0 : i == 1 ? 0.5 : 0.99; s = sqrt(1 - a * a); printf "%.17g\n", atan2(s, a) - a * s } }' |
+    paste -d ' ' - got >both
+close_rows "load of a flat pad" 1e-12 0
+echo "1 $(sed -n 2p out | cut -d , -f 4)
+1 $(sed -n 2p out | cut -d , -f 5)
+$(awk -v p="$p0" 'BEGIN { printf "%.17g", 1 - 0.5 * p }') $(sed -n 3p out | cut -d , -f 5)" >both
+close_rows "pressures of a flat pad" 1e-13 0
+run table elastic-limit --a-over-b 1 --friction 0,0.1,0.5
+column P_over_bk out >hertz
+run table elastic-limit --pad flat --a-over-b 0 --friction 0,0.1,0.5
+column P_over_bk out | paste -d ' ' hertz - >both
+close_rows "a flat of no width is a cylinder" 1e-12 0
+run table elastic-limit --pad flat --a-over-b 0.5 --friction 0,0.3 --digits 9
+same "without friction on the right" yes "$(awk -F, 'NR == 2 && $5 > 0.8 && $6 > 0.2 { print "yes" }' out)"
+limit=$(sed -n 3p out | cut -d , -f 4)
+run solve --E1 4e5 --nu1 0.3 --flat 1 --radius 100 --P "$(awk 'BEGIN { printf "%.17g", 4e5 / 91 * (atan2(sqrt(0.75), 0.5) - sqrt(0.75) / 2) }')" --f 0.3 --Q 0
+close_to "limit of one contact" "$(value P_over_bk)" "$limit" 1e-8
+refuses "rwedge table: --pad flat: not for max-tension; allowed: elastic-limit, contact-law" table max-tension --pad flat
+refuses "rwedge table: --pad square: unknown pad; allowed: wedge, flat" table contact-law --pad square
+refuses "rwedge table: --a-over-b 1: a/b of a flat pad must be a number from 0 to 0.999" table contact-law --pad flat --a-over-b 1
 
 finish

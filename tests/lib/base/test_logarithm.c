@@ -38,7 +38,6 @@ static void need_more_digits_than_a_double(void)
 
 static void logarithms_are_as_accurate_as_stated(void **state)
 {
-    (void)state;
     need_more_digits_than_a_double();
     static const double ranges[] = {1e-15, 1e-8, 1e-3, 0.6, 3, 50, 499};
     uint64_t seed = 1;
@@ -53,7 +52,6 @@ static void logarithms_are_as_accurate_as_stated(void **state)
 
 static void angles_are_as_accurate_as_stated(void **state)
 {
-    (void)state;
     need_more_digits_than_a_double();
     static const double ranges[] = {0.01, 1, 3, 60, 900};
     uint64_t seed = 2;
@@ -67,7 +65,6 @@ static void angles_are_as_accurate_as_stated(void **state)
 
 static void angles_on_the_axes(void **state)
 {
-    (void)state;
     const double PI = 3.14159265358979323846;
     assert_within(rw_angle(1, 0), 0, 0);
     assert_within(rw_angle(0, 0), 0, 0);
@@ -81,7 +78,6 @@ static void angles_on_the_axes(void **state)
 /* ln(1 + a)/a and atan(a)/a for a down to 0, where they are 1. */
 static void quotients_by_a_small_parameter_are_relative(void **state)
 {
-    (void)state;
     need_more_digits_than_a_double();
     uint64_t seed = 3;
     for (int i = 0; i < 100000; i++) {

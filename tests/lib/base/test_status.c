@@ -4,7 +4,6 @@
 
 static void every_status_has_a_text(void **state)
 {
-    (void)state;
     for (int32_t status = RWEDGE_OK; status <= RWEDGE_EPATH; status++)
         assert_string_not_equal(rwedge_strerror(status), "unknown status");
     assert_string_equal(rwedge_strerror(RWEDGE_EPATH + 1), "unknown status");
@@ -13,7 +12,6 @@ static void every_status_has_a_text(void **state)
 
 static void the_version_is_that_of_the_header(void **state)
 {
-    (void)state;
     assert_string_equal(rwedge_version(), RWEDGE_VERSION);
 }
 

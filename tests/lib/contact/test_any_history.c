@@ -14,11 +14,6 @@ static rwedge_contact *allowing(double tolerance)
     return contact;
 }
 
-static void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
-{
-    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), RWEDGE_OK);
-}
-
 /* A contact that lost its closed form: tension of more than 4 Q/(pi b). */
 static rwedge_contact *computed(void)
 {

@@ -61,10 +61,9 @@ static appearance look(const rwedge_contact *contact)
         x[i] = seen.half_width * (i - 4.1) / 5;
         y[i] = 0.1 * i;
     }
-    assert_int_equal(rwedge_contact_tractions(contact, 9, x, seen.p, seen.q), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_slip(contact, 9, x, seen.slip), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy),
-                     RWEDGE_OK);
+    assert_ok(rwedge_contact_tractions(contact, 9, x, seen.p, seen.q));
+    assert_ok(rwedge_contact_slip(contact, 9, x, seen.slip));
+    assert_ok(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy));
     return seen;
 }
 
@@ -76,7 +75,6 @@ static void assert_looks(const rwedge_contact *contact, const appearance *before
 
 static void a_load_without_memory_leaves_the_contact_as_it_was(void **state)
 {
-    (void)state;
     int refused = 0;
     for (int number = 1; number <= 20; number++) {
         random_history h;
@@ -84,7 +82,7 @@ static void a_load_without_memory_leaves_the_contact_as_it_was(void **state)
         for (int step = 0; step < 15; step++) {
             random_history next = h;
             rwedge_contact *copy = NULL;
-            assert_int_equal(rwedge_contact_copy(contact, &copy), RWEDGE_OK);
+            assert_ok(rwedge_contact_copy(contact, &copy));
             go_on(&next, copy); /* what the load will be, and give */
             const appearance before = look(contact), after = look(copy);
             int32_t status = RWEDGE_ENOMEM;
@@ -109,7 +107,6 @@ static void a_load_without_memory_leaves_the_contact_as_it_was(void **state)
 
 static void creating_and_copying_without_memory_says_so(void **state)
 {
-    (void)state;
     random_history h;
     rwedge_contact *contact = begin(&h, 3), *other = NULL;
     for (int step = 0; step < 15; step++)
@@ -147,7 +144,7 @@ static size_t numbers_of(const rwedge_contact *contact, double numbers[NUMBERS])
 {
     const size_t n = rwedge_contact_state_size(contact);
     assert_true(n <= NUMBERS);
-    assert_int_equal(rwedge_contact_state(contact, n, numbers), RWEDGE_OK);
+    assert_ok(rwedge_contact_state(contact, n, numbers));
     return n;
 }
 
@@ -167,7 +164,6 @@ enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS };
 
 static void steps_off_centre_without_memory_leave_the_contact_as_it_was(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.4, 0.5);
     int refused = 0;
     for (int i = 0; i < STEP_COUNT; i++) {
@@ -189,7 +185,6 @@ static void steps_off_centre_without_memory_leave_the_contact_as_it_was(void **s
 
 static void a_stress_history_without_memory_leaves_the_contact_as_it_was(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.4, 0.5);
     double P[STEP_COUNT], M[STEP_COUNT], Q[STEP_COUNT], sigma[STEP_COUNT], before[NUMBERS];
     for (int i = 0; i < STEP_COUNT; i++) {
@@ -229,7 +224,6 @@ static int32_t worst_and_friction(const rwedge_contact *contact, double out[6])
 
 static void a_cycle_without_memory_says_so(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.4, 0.5);
     double out[6] = {7, 7, 7, 7, 7, 7};
     int32_t status = RWEDGE_ENOMEM;
@@ -248,7 +242,6 @@ static void a_cycle_without_memory_says_so(void **state)
 
 static void restoring_and_cycles_without_memory_say_so(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.4, 0.5), *restored = NULL;
     double numbers[NUMBERS], left = 7, right = 7;
     load(contact, 0.5, 0);
@@ -284,12 +277,11 @@ static void restoring_and_cycles_without_memory_say_so(void **state)
 
 static void a_copy_is_independent(void **state)
 {
-    (void)state;
     random_history h;
     rwedge_contact *contact = begin(&h, 6), *copy = NULL;
     for (int step = 0; step < 10; step++)
         go_on(&h, contact);
-    assert_int_equal(rwedge_contact_copy(contact, &copy), RWEDGE_OK);
+    assert_ok(rwedge_contact_copy(contact, &copy));
     const appearance before = look(contact);
     assert_looks(copy, &before);
     random_history other = h;
@@ -309,7 +301,6 @@ static void a_copy_is_independent(void **state)
 
 static void a_refused_load_changes_nothing(void **state)
 {
-    (void)state;
     const double f = 0.5, P = 0.2;
     rwedge_contact *contact = create(0.1, f);
     load(contact, P, 0);
@@ -342,7 +333,6 @@ static void a_refused_load_changes_nothing(void **state)
 
 static void equality_is_full_sliding_to_rounding(void **state)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int i = 0; i < 1000; i++) {
         const double f = random_fraction(&seed), P = random_fraction(&seed);
@@ -361,7 +351,6 @@ static void equality_is_full_sliding_to_rounding(void **state)
 /* A caller who interpolates along the line of full sliding rounds like the larger load. */
 static void an_interpolated_load_may_slide(void **state)
 {
-    (void)state;
     const double f = 0.3, from = 0.7, to = 0.003;
     rwedge_contact *contact = create(0.1, f);
     for (int i = 1; i < 1000; i++) {
@@ -376,7 +365,6 @@ static void an_interpolated_load_may_slide(void **state)
 /* In many steps all are rounded like the first: once refused, or a ring of rounding stuck. */
 static void a_ramp_between_two_sliding_loads_slides(void **state)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int number = 0; number < 200; number++) {
         const double f = 0.05 + random_fraction(&seed), from = 0.1 + random_fraction(&seed),
@@ -400,7 +388,6 @@ static void a_ramp_between_two_sliding_loads_slides(void **state)
  * be as steep as friction. */
 static void a_ring_that_grows_by_roundings_does_not_slip(void **state)
 {
-    (void)state;
     const double f = 0.5;
     rwedge_contact *contact = create(0.1, f);
     load(contact, 1, 0);
@@ -414,13 +401,12 @@ static void a_ring_that_grows_by_roundings_does_not_slip(void **state)
 
 static void far_points_have_no_stress(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(1e-3, 0.3);
     load(contact, 1e-4, 0);
     load(contact, 1e-4, 1e-5);
     const double far[3] = {1e56, -1e56, 1e50}, deep[3] = {0, 1e56, 1e50};
     double s[3][3];
-    assert_int_equal(rwedge_contact_stresses(contact, 3, far, deep, s[0], s[1], s[2]), RWEDGE_OK);
+    assert_ok(rwedge_contact_stresses(contact, 3, far, deep, s[0], s[1], s[2]));
     for (int i = 0; i < 9; i++)
         assert_true(fabs(s[i / 3][i % 3]) < 1e-45);
     const double beyond = 1.1e60;
@@ -431,7 +417,6 @@ static void far_points_have_no_stress(void **state)
 
 static void without_friction_there_is_no_tangential_load(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.1, 0);
     load(contact, 0.2, 0);
     assert_int_equal(rwedge_contact_load(contact, 0.2, 1e-60), RWEDGE_ESLIDING);
@@ -441,7 +426,6 @@ static void without_friction_there_is_no_tangential_load(void **state)
 
 static void bad_arguments_are_refused(void **state)
 {
-    (void)state;
     static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL};
     rwedge_contact *contact = NULL;
     for (int i = 0; i < 4; i++)
@@ -498,13 +482,12 @@ static void bad_arguments_are_refused(void **state)
 
 static void bad_points_write_nothing(void **state)
 {
-    (void)state;
     rwedge_contact *sharp = create(0, 0.5), *contact = create(0.1, 0.5);
     double x[2] = {0.1, 0}, y[2] = {0, 0}, s[3][2] = {{7, 7}, {7, 7}, {7, 7}}, factor = 7;
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, NULL, NULL),
                      RWEDGE_EABSENT);
     /* separated: no apex yet */
-    assert_int_equal(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]), RWEDGE_OK);
+    assert_ok(rwedge_contact_stresses(sharp, 2, x, y, s[0], s[1], s[2]));
     assert_true(s[0][1] == 0);
     s[0][0] = s[0][1] = s[1][0] = s[2][0] = 7;
     load(sharp, 0.2, 0);
@@ -529,7 +512,7 @@ static void bad_points_write_nothing(void **state)
     assert_int_equal(rwedge_contact_stresses(contact, 1, x, y, s[0], s[1], NULL), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_tractions(contact, 1, NULL, s[0], s[1]), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_slip(NULL, 1, x, s[0]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_contact_slip(contact, 0, NULL, NULL), RWEDGE_OK);
+    assert_ok(rwedge_contact_slip(contact, 0, NULL, NULL));
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.6, 1, &factor, NULL, NULL),
                      RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 0, &factor, NULL, NULL),
@@ -542,7 +525,6 @@ static void bad_points_write_nothing(void **state)
 
 static void outputs_may_be_the_inputs(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.1, 0.5);
     load(contact, 0.2, 0.05);
     double x[70], y[70], sxx[70], syy[70], txy[70];
@@ -550,8 +532,8 @@ static void outputs_may_be_the_inputs(void **state)
         x[i] = 0.01 * i - 0.3;
         y[i] = 0.005 * i;
     }
-    assert_int_equal(rwedge_contact_stresses(contact, 70, x, y, sxx, syy, txy), RWEDGE_OK);
-    assert_int_equal(rwedge_contact_stresses(contact, 70, x, y, y, x, txy), RWEDGE_OK);
+    assert_ok(rwedge_contact_stresses(contact, 70, x, y, sxx, syy, txy));
+    assert_ok(rwedge_contact_stresses(contact, 70, x, y, y, x, txy));
     assert_memory_equal(x, syy, sizeof x);
     assert_memory_equal(y, sxx, sizeof y);
     rwedge_contact_destroy(contact);
@@ -560,12 +542,11 @@ static void outputs_may_be_the_inputs(void **state)
 /* Scales far from 1, where a careless intermediate result would over- or underflow. */
 static void results_scale_with_the_units(void **state)
 {
-    (void)state;
     for (int length = -60; length <= 60; length += 15)
         for (int stress = -40; stress <= 40; stress += 20) {
             const double L = ldexp(1, length), S = ldexp(1, stress);
             rwedge_contact *unit = create(0.1, 0.5), *scaled = NULL;
-            assert_int_equal(rwedge_contact_create(THETA, 0.1 * L, A / S, 0.5, &scaled), RWEDGE_OK);
+            assert_ok(rwedge_contact_create(THETA, 0.1 * L, A / S, 0.5, &scaled));
             for (int i = 0; i < 3; i++) {
                 const double Q = i == 0 ? 0 : i == 1 ? 0.05 : -0.02;
                 load(unit, 0.2, Q);

@@ -16,7 +16,7 @@ static const struct {
     {"then apply sigma with P = 0, then P and M, then Q", ANEW},
 };
 
-static int32_t apply(rwedge_contact *contact, rw_loads to)
+static int32_t applied(rwedge_contact *contact, rw_loads to)
 {
     return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
@@ -27,9 +27,9 @@ static int32_t follow(rwedge_contact *contact, int way, rw_loads to)
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     int32_t status = RWEDGE_OK;
     if (way == PRESSING)
-        status = apply(contact, (rw_loads){to.P, to.M, now.Q, now.sigma});
+        status = applied(contact, (rw_loads){to.P, to.M, now.Q, now.sigma});
     else if (way == SHEAR)
-        status = apply(contact, (rw_loads){now.P, now.M, to.Q, to.sigma});
+        status = applied(contact, (rw_loads){now.P, now.M, to.Q, to.sigma});
     else if (way == TENSION) {
         const double change = to.sigma - now.sigma;
         assert_true(fabs(change) > 0);
@@ -38,10 +38,10 @@ static int32_t follow(rwedge_contact *contact, int way, rw_loads to)
         to = (rw_loads){2 * to.P - now.P, 2 * to.M - now.M, 2 * to.Q - now.Q,
                         2 * to.sigma - now.sigma};
     else {
-        status = apply(contact, (rw_loads){0, 0, 0, to.sigma});
-        assert_int_equal(apply(contact, (rw_loads){to.P, to.M, 0, to.sigma}), RWEDGE_OK);
+        status = applied(contact, (rw_loads){0, 0, 0, to.sigma});
+        assert_ok(applied(contact, (rw_loads){to.P, to.M, 0, to.sigma}));
     }
-    return status == RWEDGE_OK ? apply(contact, to) : status;
+    return status == RWEDGE_OK ? applied(contact, to) : status;
 }
 
 /* The advice for a load that is refused, after it was followed. */
@@ -52,8 +52,8 @@ static int advice_for(const rwedge_contact *contact, rw_loads to)
         if (!strstr(text, ADVICE[i].words))
             continue;
         rwedge_contact *trial;
-        assert_int_equal(rwedge_contact_copy(contact, &trial), RWEDGE_OK);
-        assert_int_equal(follow(trial, ADVICE[i].way, to), RWEDGE_OK);
+        assert_ok(rwedge_contact_copy(contact, &trial));
+        assert_ok(follow(trial, ADVICE[i].way, to));
         rwedge_contact_destroy(trial);
         return ADVICE[i].way;
     }
@@ -82,17 +82,16 @@ static rw_loads next_loads(const rwedge_contact *contact, double f, uint64_t *se
 /* Every advice comes up, and what it says leads there, on the very history. */
 static void advice_leads_there(void **state)
 {
-    (void)state;
     const double f = 0.5;
     uint64_t seed = 7;
     int times[5] = {0};
     for (int number = 0; number < 60; number++) {
         rwedge_contact *contact = create(0.2 * (number % 4), f);
         if (number % 3 > 0)
-            assert_int_equal(apply(contact, (rw_loads){0.5, 0.05 * (number % 5), 0, 0}), RWEDGE_OK);
+            assert_ok(applied(contact, (rw_loads){0.5, 0.05 * (number % 5), 0, 0}));
         for (int i = 0; i < 8; i++) {
             const rw_loads to = next_loads(contact, f, &seed);
-            if (apply(contact, to) == RWEDGE_EPATH)
+            if (applied(contact, to) == RWEDGE_EPATH)
                 times[advice_for(contact, to)]++;
         }
         rwedge_contact_destroy(contact);
@@ -104,9 +103,8 @@ static void advice_leads_there(void **state)
 /* A load that one says to be in the way of slip, although it is one of Q and sigma alone. */
 static void a_load_of_q_and_sigma_is_not_told_to_be_one(void **state)
 {
-    (void)state;
     rwedge_contact *contact = create(0.4, 0.5);
-    assert_int_equal(apply(contact, (rw_loads){0.5, 0.1, 0, 0}), RWEDGE_OK);
+    assert_ok(applied(contact, (rw_loads){0.5, 0.1, 0, 0}));
     const rw_loads to = {0.5, 0.1, 0.1, 1};
     assert_int_equal(advice_for(contact, to), TENSION);
     rwedge_contact_destroy(contact);

@@ -9,7 +9,6 @@ static const double PI = 3.14159265358979323846;
 
 static void load_matches_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table))
         assert_close(rwedge_load(table.cell[0]), table.cell[1], 4 * DBL_EPSILON);
@@ -25,7 +24,6 @@ static double slope_times_t(double tau, const void *alpha)
 /* Eq. (5), integrated. */
 static void load_is_the_integral_of_the_profile(void **state)
 {
-    (void)state;
     for (double alpha = 0.05; alpha < 1.01; alpha += 0.05) {
         const double points[] = {0, asin(fmin(alpha, 1)), PI / 2};
         assert_close(2 * integral(slope_times_t, &alpha, 2, points), rwedge_load(alpha), 1e-12);
@@ -34,7 +32,6 @@ static void load_is_the_integral_of_the_profile(void **state)
 
 static void load_has_the_hertz_and_the_sharp_limit(void **state)
 {
-    (void)state;
     assert_close(rwedge_load(0), 2, 0);                /* Eq. (13) */
     assert_close(rwedge_load(1), PI / 2, DBL_EPSILON); /* Eq. (11) */
     assert_close(rwedge_load(4), PI / 8, DBL_EPSILON);
@@ -44,7 +41,6 @@ static void load_has_the_hertz_and_the_sharp_limit(void **state)
 
 static void a_over_b_inverts_the_load(void **state)
 {
-    (void)state;
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table)) {
         const double alpha = table.cell[0];
@@ -54,7 +50,6 @@ static void a_over_b_inverts_the_load(void **state)
 
 static void a_over_b_covers_the_whole_range(void **state)
 {
-    (void)state;
     for (double decade = -119.7; decade <= 60; decade += 7.3) {
         const double load = pow(10, decade), alpha = rwedge_a_over_b(load);
         assert_true(isfinite(alpha) && alpha > 0);
@@ -68,14 +63,27 @@ static void a_over_b_covers_the_whole_range(void **state)
 
 static void bad_arguments_are_not_numbers(void **state)
 {
-    (void)state;
     const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e-121, 1e61};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_load(bad[i]));
+        assert_nan(rwedge_load_derivative(bad[i]));
         assert_nan(rwedge_a_over_b(bad[i]));
     }
     assert_nan(rwedge_a_over_b(0));
     assert_nan(rwedge_a_over_b(-0.0));
+}
+
+static void load_derivative_matches_reference(void **state)
+{
+    (void)state;
+    reference table = reference_open("contact_law_derivatives.csv");
+    while (reference_next(&table))
+        assert_close(rwedge_load_derivative(table.cell[0]), table.cell[1], 1e-14);
+    assert_int_equal(table.row, 40);
+    assert_close(rwedge_load_derivative(0), 0, 0);
+    assert_close(rwedge_load_derivative(1), -PI / 2, DBL_EPSILON); /* from both sides */
+    assert_close(rwedge_load_derivative(nextafter(1, 0)), -PI / 2, 1e-7);
+    assert_close(rwedge_load_derivative(1e-60), -2e-60 / 3, DBL_EPSILON);
 }
 
 int main(void)
@@ -86,6 +94,7 @@ int main(void)
         cmocka_unit_test(load_has_the_hertz_and_the_sharp_limit),
         cmocka_unit_test(a_over_b_inverts_the_load),
         cmocka_unit_test(a_over_b_covers_the_whole_range),
+        cmocka_unit_test(load_derivative_matches_reference),
         cmocka_unit_test(bad_arguments_are_not_numbers),
     };
     return RUN_CLAIMS("contact_law", tests);

@@ -9,7 +9,6 @@ static const double PI = 3.14159265358979323846;
 
 static void shear_ratio_matches_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("stress_partial_slip.csv");
     while (reference_next(&table))
         assert_close(rwedge_shear_ratio(table.cell[0], table.cell[2]), table.cell[5], 1e-14);
@@ -18,7 +17,6 @@ static void shear_ratio_matches_reference(void **state)
 
 static void stick_width_inverts_the_shear_ratio(void **state)
 {
-    (void)state;
     uint64_t seed = 7;
     for (int i = 0; i < 20000; i++) {
         const double alpha = pow(10, -8 * random_fraction(&seed)) * (i % 3 == 0 ? 20 : 1);
@@ -34,7 +32,6 @@ static void stick_width_inverts_the_shear_ratio(void **state)
  * inverse. */
 static void round_trips_stay_in_the_domain(void **state)
 {
-    (void)state;
     uint64_t seed = 13;
     for (int i = 0; i < 20000; i++) {
         const double alpha =
@@ -47,7 +44,6 @@ static void round_trips_stay_in_the_domain(void **state)
 
 static void stick_zone_has_its_limits(void **state)
 {
-    (void)state;
     for (double alpha = 0; alpha < 3; alpha += 0.3) {
         assert_within(rwedge_stick_width(alpha, 0), 1, 0);
         assert_within(rwedge_stick_width(alpha, 1), 0, 0);
@@ -66,7 +62,6 @@ static void stick_zone_has_its_limits(void **state)
 /* Eq. (25) as printed, for c > a. */
 static void shear_ratio_is_equation_25(void **state)
 {
-    (void)state;
     const double alpha = 0.25, c = 0.5, omega0 = asin(alpha / c), phi0 = asin(alpha);
     const double corrective = alpha / pow(sin(omega0), 2) * (sin(2 * omega0) / 2 + omega0);
     const double whole = alpha / pow(sin(phi0), 2) * (sin(2 * phi0) / 2 + phi0);
@@ -87,7 +82,6 @@ static double shear_in_phi(double phi, const void *context)
 
 static void shear_integrates_to_Q(void **state)
 {
-    (void)state;
     for (double alpha = 0; alpha < 1.3; alpha += 0.25)
         for (double c = 0.05; c < 1; c += 0.13) {
             const partial_slip s = {alpha, c};
@@ -101,7 +95,6 @@ static void shear_integrates_to_Q(void **state)
 /* Eq. (20): slip zones carry f p, the stick zone less. */
 static void shear_is_limited_by_friction(void **state)
 {
-    (void)state;
     for (double x = 0.01; x < 1; x += 0.01) {
         const double p = rwedge_pressure(0.25, x), q = rwedge_shear(0.25, 0.5, x);
         if (x > 0.5)
@@ -116,7 +109,6 @@ static void shear_is_limited_by_friction(void **state)
 /* Eq. (23): for c < a the corrective traction is Cattaneo's and Mindlin's. */
 static void corrective_shear_is_elliptic_inside_the_rounding(void **state)
 {
-    (void)state;
     const double alpha = 0.25, c = 1.0 / 6;
     for (double x = 0; x < c; x += 0.01)
         assert_close(rwedge_shear(alpha, c, x),
@@ -125,7 +117,6 @@ static void corrective_shear_is_elliptic_inside_the_rounding(void **state)
 
 static void sharp_wedge_sticks_at_its_apex(void **state)
 {
-    (void)state;
     /* two logarithmic infinities, less each other */
     assert_close(rwedge_shear(0, 0.5, 0), -2 / PI * log(2), 1e-15);
     assert_close(rwedge_shear(0, 0.5, 1e-9), -2 / PI * log(2), 1e-15);
@@ -134,7 +125,6 @@ static void sharp_wedge_sticks_at_its_apex(void **state)
 
 static void the_smallest_tips_slip_like_the_sharp_wedge(void **state)
 {
-    (void)state;
     const double lost = 0x1p-52;
     assert_close(rwedge_shear_ratio(1e-60, 1 - lost), lost, 1e-15);
     assert_close(rwedge_shear_ratio(1e-60, 0.25), 0.75, 1e-15);
@@ -142,7 +132,6 @@ static void the_smallest_tips_slip_like_the_sharp_wedge(void **state)
 
 static void bad_arguments_are_not_numbers(void **state)
 {
-    (void)state;
     const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e61};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_stick_width(bad[i], 0.3));
@@ -162,14 +151,12 @@ static void bad_arguments_are_not_numbers(void **state)
 
 static void a_stick_zone_too_narrow_to_be_seen_changes_nothing(void **state)
 {
-    (void)state;
     assert_close(rwedge_shear(0.5, 1e-59, 0), rwedge_pressure(0.5, 0), 0);
     assert_close(rwedge_shear(0.5, 1e-59, 5e-60), rwedge_pressure(0.5, 0), 1e-15);
 }
 
 static void shear_is_even(void **state)
 {
-    (void)state;
     for (double x = 0.05; x < 1.2; x += 0.1)
         assert_close(rwedge_shear(0.3, 0.5, -x), rwedge_shear(0.3, 0.5, x), 0);
 }

@@ -10,7 +10,6 @@ static const double PI = 3.14159265358979323846;
 /* The same in 60 digits. Near a tilt of 1 the loads of a patch are as badly determined. */
 static void laws_agree_with_60_digits(void **state)
 {
-    (void)state;
     reference rows = reference_open("off_centre.csv");
     while (reference_next(&rows)) {
         const double *c = rows.cell, a = c[0], left = c[1], right = c[2], tilt = c[11];
@@ -58,7 +57,6 @@ static double tilt_of_rise(double x, const void *context)
 
 static void laws_are_means_over_the_rounding(void **state)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < 40; i++) {
         const double a = 0.2 + random_fraction(&seed), middle = 2 * random_fraction(&seed) - 1;
@@ -78,7 +76,6 @@ static void laws_are_means_over_the_rounding(void **state)
 /* dP = u dr - v dl and pi s d(delta) = u dr + v dl, dM = (m + s/2) u dr - (m - s/2) v dl. */
 static void edges_move_at_their_rates(void **state)
 {
-    (void)state;
     static const rw_patch patches[] = {{-0.8, 1.7}, {0.2, 1.9}, {-2.5, 0.1}, {-1, 4}};
     for (size_t i = 0; i < sizeof patches / sizeof *patches; i++) {
         const rw_patch p = patches[i];
@@ -96,7 +93,6 @@ static void edges_move_at_their_rates(void **state)
 
 static void hertz_and_the_sharp_wedge(void **state)
 {
-    (void)state;
     const rw_patch hertz = rw_patch_of_moment(2, 0.3, 0.12); /* s = sqrt(2 a P/pi), m = M/P */
     assert_close(rw_patch_middle(hertz), 0.4, 1e-15);
     assert_close(rw_patch_half_width(hertz), sqrt(2 * 2 * 0.3 / PI), 1e-15);
@@ -111,7 +107,6 @@ static void hertz_and_the_sharp_wedge(void **state)
 /* The centred contact law. */
 static void without_moment_the_patch_is_centred(void **state)
 {
-    (void)state;
     for (double alpha = 0.01; alpha < 3; alpha *= 1.7) {
         const rw_patch patch = rw_patch_of_moment(alpha, rwedge_load(alpha), 0);
         assert_close(patch.right, 1, 3e-15);
@@ -122,7 +117,6 @@ static void without_moment_the_patch_is_centred(void **state)
 /* A tilt of 1 is a flank on the surface: it has no edges. */
 static void a_flank_on_the_surface_has_no_patch(void **state)
 {
-    (void)state;
     assert_nan(rw_patch_of_moment(1, 1e-3, 1e40).left);
 }
 

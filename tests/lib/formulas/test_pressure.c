@@ -9,7 +9,6 @@ static const double PI = 3.14159265358979323846;
 
 static void pressure_matches_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("pressure.csv");
     while (reference_next(&table))
         assert_close(rwedge_pressure(table.cell[0], table.cell[1]), table.cell[2], 1e-14);
@@ -18,7 +17,6 @@ static void pressure_matches_reference(void **state)
 
 static void named_pressures_match_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table)) {
         assert_close(rwedge_peak_pressure(table.cell[0]), table.cell[2], 1e-14);
@@ -28,7 +26,6 @@ static void named_pressures_match_reference(void **state)
 
 static void named_pressures_are_the_pressure_there(void **state)
 {
-    (void)state;
     for (double alpha = 1e-6; alpha < 1; alpha *= 1.7) {
         /* Eq. (10) */
         assert_close(rwedge_peak_pressure(alpha), -rwedge_pressure(alpha, 0), 1e-14);
@@ -54,7 +51,6 @@ static double profile_in_tau(double tau, const void *context)
 
 static void pressure_is_the_inverted_integral(void **state)
 {
-    (void)state;
     for (double alpha = 0.1; alpha < 1; alpha += 0.2)
         for (double x = 0.03; x < 1; x += 0.11) {
             const inversion c = {alpha, asin(x)};
@@ -71,7 +67,6 @@ static double pressure_in_phi(double phi, const void *alpha)
 
 static void pressure_integrates_to_the_load(void **state)
 {
-    (void)state;
     const double alphas[] = {1e-6, 1e-3, 0.05, 0.3, 0.9, 1 - 1e-9, 1, 3};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
         const double points[] = {0, asin(fmin(1, alphas[i])), PI / 2};
@@ -82,7 +77,6 @@ static void pressure_integrates_to_the_load(void **state)
 
 static void pressure_has_its_limits(void **state)
 {
-    (void)state;
     for (double x = 0.05; x < 1; x += 0.1) {
         /* Eq. (12) */
         assert_close(rwedge_pressure(2, x), -sqrt(1 - x * x) / 2, 1e-15);
@@ -102,7 +96,6 @@ static void pressure_has_its_limits(void **state)
 
 static void pressure_vanishes_outside(void **state)
 {
-    (void)state;
     assert_within(rwedge_pressure(0.3, 1), 0, 0);
     assert_within(rwedge_pressure(0, -1.5), 0, 0);
     assert_within(rwedge_pressure(7, 1e60), 0, 0);
@@ -112,7 +105,6 @@ static void pressure_vanishes_outside(void **state)
 
 static void bad_arguments_are_not_numbers(void **state)
 {
-    (void)state;
     const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 9e-61, 1.1e60};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_nan(rwedge_pressure(bad[i], 0.3));

@@ -33,21 +33,18 @@ static int32_t of_safety(double safety)
 
 static void a_sound_contact_has_no_doubts(void **state)
 {
-    (void)state;
     assert_int_equal(rwedge_validity(0.01, 0.5, 0, 0.3, 2e-3, 1.5), 0);
     assert_int_equal(rwedge_validity(0.01, 0, 0.2, 0, 2e-3, HUGE_VAL), 0); /* sharp; frictionless */
 }
 
 static void an_angle_above_a_tenth_is_doubted(void **state)
 {
-    (void)state;
     assert_int_equal(of_angle(0.1), 0);
     assert_int_equal(of_angle(nextafter(0.1, 1)), RWEDGE_DOUBT_ANGLE);
 }
 
 static void dissimilar_bodies_are_doubted_with_friction(void **state)
 {
-    (void)state;
     assert_int_equal(of_bodies(0.1, 0), 0);
     assert_int_equal(of_bodies(0, 0.3), 0);
     assert_int_equal(of_bodies(rwedge_dundurs_beta(2.1e5, 0.3, 2.1e5, 0.3), 0.3), 0);
@@ -58,7 +55,6 @@ static void dissimilar_bodies_are_doubted_with_friction(void **state)
 
 static void a_load_above_yield_is_doubted(void **state)
 {
-    (void)state;
     assert_int_equal(of_safety(1), 0);
     assert_int_equal(of_safety(nextafter(1, 0)), RWEDGE_DOUBT_YIELD);
     assert_int_equal(of_safety(0), RWEDGE_DOUBT_YIELD); /* the sharp wedge */
@@ -67,7 +63,6 @@ static void a_load_above_yield_is_doubted(void **state)
 /* Steel in GPa beside a load in N/mm: a/b = 0.0046 in place of 4.6. */
 static void mixed_units_are_doubted(void **state)
 {
-    (void)state;
     assert_int_equal(of_rounding(0.01), 0);
     assert_int_equal(of_rounding(1e4), 0);
     assert_int_equal(of_rounding(nextafter(0.01, 0)), RWEDGE_DOUBT_ROUNDING);
@@ -85,13 +80,11 @@ static void mixed_units_are_doubted(void **state)
 
 static void doubts_add_up(void **state)
 {
-    (void)state;
     assert_int_equal(rwedge_validity(1.15, 1e-3, 0.1, 0.6, 1, 0.5), 1 + 2 + 4 + 8 + 16);
 }
 
 static void what_is_not_known_is_not_doubted_and_raises_nothing(void **state)
 {
-    (void)state;
     feclearexcept(FE_ALL_EXCEPT);
     assert_int_equal(rwedge_validity(NAN, NAN, NAN, NAN, NAN, NAN), 0);
     assert_int_equal(fetestexcept(FE_INVALID), 0);
@@ -99,7 +92,6 @@ static void what_is_not_known_is_not_doubted_and_raises_nothing(void **state)
 
 static void every_bit_has_its_own_text_and_nothing_else_has_one(void **state)
 {
-    (void)state;
     int32_t all = 0;
     for (int32_t bit = 1; rwedge_validity_text(bit)[0] != '\0'; bit *= 2) {
         all |= bit;

@@ -33,7 +33,6 @@ static void assert_corner(const rw_memory *path, size_t i, double load, double s
  * shear. */
 static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
@@ -59,7 +58,6 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
  * slips must have |D| = 1 to the last bit; else the stick zone would end at the edge. */
 static void rounding_of_the_load_hides_no_slip(void **state)
 {
-    (void)state;
     static const double ROUNDINGS[][8] = {
         {17, 0, -8, -3, 0, 19, 0, 0}, {0, -8, -16, -1, 3, 0, -11, 2}, {0, 5, -7, 0, 0, 0, 0, 0}};
     for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
@@ -82,7 +80,6 @@ static void rounding_of_the_load_hides_no_slip(void **state)
  * corner. */
 static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 0.5, 0.5);
@@ -95,7 +92,6 @@ static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
 
 static void a_rising_load_sticks_where_it_can(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 1, 0.25);
@@ -111,7 +107,6 @@ static void a_rising_load_sticks_where_it_can(void **state)
 
 static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 1, 0.25);
@@ -126,7 +121,6 @@ static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
 
 static void collinear_steps_are_one(void **state)
 {
-    (void)state;
     rw_memory line, steep;
     assert_true(rw_memory_create(&line) && rw_memory_create(&steep));
     advance(&steep, 0.3, 0.1);
@@ -147,7 +141,6 @@ static void collinear_steps_are_one(void **state)
 /* Each step differs from a straight one by less than rounding; all together do not. */
 static void a_slow_bend_is_not_straightened(void **state)
 {
-    (void)state;
     for (int sign = -1; sign <= 1; sign += 2) {
         rw_memory bend;
         assert_true(rw_memory_create(&bend));
@@ -166,7 +159,6 @@ static void a_slow_bend_is_not_straightened(void **state)
 /* 1e6 steps of half an epsilon each: none may be lost, nor may they pile up. */
 static void creep_below_rounding_is_not_lost(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
@@ -192,7 +184,6 @@ static void random_load(uint64_t *seed, double *load, double *shear)
  * highest or lowest of all since, so that there are about as many as digits in their number. */
 static void dithering_leaves_few_corners(void **state)
 {
-    (void)state;
     uint64_t seed = 21;
     for (double far = DBL_EPSILON; far < 1e-8; far *= 4)
         for (int kind = 0; kind < 3; kind++) {
@@ -214,7 +205,6 @@ static void dithering_leaves_few_corners(void **state)
  * a path of slopes up to 1 is straight to within its length. */
 static void growth_by_roundings_leaves_no_more_than_it_is_long(void **state)
 {
-    (void)state;
     uint64_t seed = 22;
     for (double step = DBL_EPSILON / 4; step < 2 * DBL_EPSILON; step *= 2) {
         rw_memory path;
@@ -230,7 +220,6 @@ static void growth_by_roundings_leaves_no_more_than_it_is_long(void **state)
 
 static void a_million_equal_cycles_keep_the_size_of_one(void **state)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int kind = 0; kind < 6; kind++) {
         enum { LOADS = 6 };
@@ -255,7 +244,6 @@ static void a_million_equal_cycles_keep_the_size_of_one(void **state)
 
 static void each_load_adds_two_corners_at_most(void **state)
 {
-    (void)state;
     rw_memory path;
     assert_true(rw_memory_create(&path));
     advance(&path, 1, 0);
@@ -273,7 +261,6 @@ static void each_load_adds_two_corners_at_most(void **state)
 /* A step in one and in parts gives the same, also where the sign of slip changes inside it. */
 static void a_step_is_the_sum_of_its_parts(void **state)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int history = 0; history < 300; history++) {
         rw_memory whole, parts;
@@ -324,7 +311,6 @@ static double punches(double w, const void *context)
 
 static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
 {
-    (void)state;
     static const double ALPHAS[] = {0, 1e-8, 1e-3, 0.1, 0.5, 0.99, 0.999999, 1, 1.001, 1.5, 3, 100};
     static const double XS[] = {1.001, 1.1, 1.4, 2, 2.24, 2.26, 5, 50, 1e3};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
@@ -344,7 +330,6 @@ static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
  * cancellation. */
 static void the_gap_opens_with_the_power_three_halves(void **state)
 {
-    (void)state;
     static const double ALPHAS[] = {0, 1e-8, 0.1, 0.5, 0.9, 2};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++) {
         const double alpha = ALPHAS[i], x = 1 + 1e-9, X = sqrt((x - 1) * (x + 1));
@@ -357,7 +342,6 @@ static void the_gap_opens_with_the_power_three_halves(void **state)
 
 static void inside_its_patch_the_gap_is_closed(void **state)
 {
-    (void)state;
     rw_potential patch;
     rw_potential_init(&patch, 0.3);
     assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
@@ -367,7 +351,6 @@ static void inside_its_patch_the_gap_is_closed(void **state)
  * log(x)/x of the profile. */
 static void far_from_its_patch_the_gap_is_the_profile(void **state)
 {
-    (void)state;
     static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250},
                         XS[] = {1e20, 1e154, 1e200, 1e280};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)

@@ -8,7 +8,6 @@ static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
 static void the_yield_load_is_where_the_elastic_limit_says(void **state)
 {
-    (void)state;
     uint64_t seed = 8;
     for (int i = 0; i < 200; i++) {
         const double a = 0.3, alpha = pow(10, 2 * random_fraction(&seed) - 1.7);
@@ -23,7 +22,6 @@ static void the_yield_load_is_where_the_elastic_limit_says(void **state)
 /* Down to the smallest tip that has an elastic limit. */
 static void tiny_tips_have_a_yield_load(void **state)
 {
-    (void)state;
     const double a = 0.3, alpha = 1.1e-14, b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
     const double k = P / (b * rwedge_elastic_limit(alpha, 0.1, 0.3));
     assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
@@ -32,7 +30,6 @@ static void tiny_tips_have_a_yield_load(void **state)
 /* Far from the usual units: exact powers of two. */
 static void the_yield_load_scales_with_the_units(void **state)
 {
-    (void)state;
     static const struct {
         double f, nu, k;
         int length, stress; /* octaves */
@@ -52,7 +49,6 @@ static void the_yield_load_scales_with_the_units(void **state)
 
 static void what_never_yields_has_an_infinite_yield_load(void **state)
 {
-    (void)state;
     const double bound = 2 / PI * THETA / A;
     assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
     assert_true(isfinite(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 0.999 * bound)));
@@ -67,7 +63,6 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
 
 static void bad_arguments_have_no_yield_load(void **state)
 {
-    (void)state;
     static const double BAD[] = {-1, NAN, HUGE_VAL, -HUGE_VAL, 9e-61, 1.1e60};
     for (size_t i = 0; i < sizeof BAD / sizeof *BAD; i++) {
         const double v = BAD[i];

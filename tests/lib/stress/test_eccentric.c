@@ -10,7 +10,6 @@ static const double PI = 3.14159265358979323846;
  * to the edges, to the ends and far away. */
 static void agrees_with_60_digits(void **state)
 {
-    (void)state;
     reference rows = reference_open("off_centre.csv");
     while (reference_next(&rows)) {
         const double *c = rows.cell, half = (c[2] - c[1]) / 2;
@@ -37,7 +36,6 @@ enum { COUNT = sizeof CASES / sizeof *CASES };
 /* The pressure under the patch, and the slope less the tilt: what it is made of. */
 static void is_slope_and_pressure_on_the_surface(void **state)
 {
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric potential;
         rw_eccentric_init(&potential, CASES[i].a, CASES[i].patch);
@@ -71,7 +69,6 @@ static double kernel(double v, const void *context)
 
 static void is_the_integral_of_the_pressure(void **state)
 {
-    (void)state;
     for (int i = 1; i < 4; i++) {
         rw_eccentric p;
         rw_eccentric_init(&p, CASES[i].a, CASES[i].patch);
@@ -91,7 +88,6 @@ static void is_the_integral_of_the_pressure(void **state)
 
 static void a_batch_has_the_bits_of_its_points(void **state)
 {
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric potential;
         rw_eccentric_init(&potential, CASES[i].a, CASES[i].patch);
@@ -115,7 +111,6 @@ static void a_batch_has_the_bits_of_its_points(void **state)
 
 static void a_centred_patch_has_the_bits_of_the_contact(void **state)
 {
-    (void)state;
     rw_eccentric patch;
     rw_potential contact;
     rw_eccentric_init(&patch, 0.3, (rw_patch){-1.1, 1.1});
@@ -130,7 +125,6 @@ static void a_centred_patch_has_the_bits_of_the_contact(void **state)
 /* P/(pi z), the field of a force. */
 static void far_away_it_is_that_of_a_force(void **state)
 {
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric p;
         rw_eccentric_init(&p, CASES[i].a, CASES[i].patch);

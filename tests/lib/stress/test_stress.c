@@ -19,12 +19,11 @@ static double relative_error(const double stress[3], const double expected[3], d
 
 static void stress(double alpha, double f, double c, double x, double y, double s[3])
 {
-    assert_int_equal(rwedge_stress(alpha, f, c, x, y, &s[0], &s[1], &s[2]), RWEDGE_OK);
+    assert_ok(rwedge_stress(alpha, f, c, x, y, &s[0], &s[1], &s[2]));
 }
 
 static void sliding_stresses_match_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("stress_sliding.csv");
     while (reference_next(&table)) {
         const double *v = table.cell;
@@ -37,7 +36,6 @@ static void sliding_stresses_match_reference(void **state)
 
 static void partial_slip_stresses_match_reference(void **state)
 {
-    (void)state;
     reference table = reference_open("stress_partial_slip.csv");
     while (reference_next(&table)) {
         const double *v = table.cell;
@@ -53,7 +51,6 @@ static void partial_slip_stresses_match_reference(void **state)
  * ball arithmetic with 600 bits. */
 static void stick_edges_keep_their_digits(void **state)
 {
-    (void)state;
     static const double cases[][8] = {
         /* alpha, f, c, x, y, sxx, syy, txy */
         {0.469067885573485, 1.0062261138521063, 0.4690678855862623, 0.46906788557350104,
@@ -75,7 +72,6 @@ static void stick_edges_keep_their_digits(void **state)
 
 static void stresses_are_flamant_integrated(void **state)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < 60; i++) {
         const tractions_case t = {.alpha = 1.2 * random_fraction(&seed),
@@ -91,7 +87,6 @@ static void stresses_are_flamant_integrated(void **state)
 
 static void surface_carries_the_tractions(void **state)
 {
-    (void)state;
     const double alphas[] = {1e-7, 0.01, 0.4, 1 - 1e-12, 1, 2};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
         for (double x = -0.97; x < 1; x += 0.02) {
@@ -105,7 +100,6 @@ static void surface_carries_the_tractions(void **state)
 
 static void surface_is_free_outside(void **state)
 {
-    (void)state;
     const double outside[] = {1, -1, 1 + 1e-15, 1.5, -3, 1e9, -1e60};
     for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
         double s[3];
@@ -118,7 +112,6 @@ static void surface_is_free_outside(void **state)
 /* Along the surface sxx = p - 2 f g in full sliding: Eq. (32), (33) with G = g + i p. */
 static void tension_at_the_trailing_edge_is_twice_friction(void **state)
 {
-    (void)state;
     double s[3];
     stress(0.3, 0.5, 0, -1, 0, s);
     assert_close(s[0], 1, 1e-14);
@@ -144,7 +137,6 @@ static double stress_on_level(double x, const void *context)
 /* What crosses any level below the contact is P and Q. */
 static void levels_carry_the_forces(void **state)
 {
-    (void)state;
     for (double y = 0.5; y < 4; y += 0.7) {
         level l = {.alpha = 0.3, .f = 0.6, .c = 0.4, .y = y, .component = 1};
         const double P = rwedge_load(0.3);
@@ -157,7 +149,6 @@ static void levels_carry_the_forces(void **state)
 
 static void normal_load_is_symmetric(void **state)
 {
-    (void)state;
     double right[3], left[3];
     stress(0.2, 0, 0, 0.3, 0.4, right);
     stress(0.2, 0, 0, -0.3, 0.4, left);
@@ -168,7 +159,6 @@ static void normal_load_is_symmetric(void **state)
 
 static void full_stick_leaves_the_normal_load(void **state)
 {
-    (void)state;
     double stuck[3], normal[3];
     stress(0.2, 0.7, 1, 0.3, 0.4, stuck);
     stress(0.2, 0, 0, 0.3, 0.4, normal);
@@ -178,7 +168,6 @@ static void full_stick_leaves_the_normal_load(void **state)
 
 static void hertz_depends_on_alpha_as_a_factor(void **state)
 {
-    (void)state;
     double one[3], three[3];
     stress(1, 0.2, 0.5, 0.3, 0.4, one);
     stress(3, 0.2, 0.5, 0.3, 0.4, three);
@@ -188,7 +177,6 @@ static void hertz_depends_on_alpha_as_a_factor(void **state)
 
 static void sharp_wedge_is_the_limit_of_small_tips(void **state)
 {
-    (void)state;
     double sharp[3], tip[3];
     stress(0, 0.3, 0.4, 0.02, 0.01, sharp);
     stress(1e-9, 0.3, 0.4, 0.02, 0.01, tip);
@@ -198,7 +186,6 @@ static void sharp_wedge_is_the_limit_of_small_tips(void **state)
 /* The whole domain gives finite tensors. */
 static void the_ends_of_the_domain_give_finite_stresses(void **state)
 {
-    (void)state;
     const double size[] = {0, 1e-60, 1e-50, 1e-30, 1e-20, 1e-3, 0.5, 1, 2, 1e5, 1e20, 1e50, 1e60};
     enum { SIZES = sizeof size / sizeof size[0] };
     for (int a = 0; a < SIZES; a++)
@@ -216,7 +203,6 @@ static void the_ends_of_the_domain_give_finite_stresses(void **state)
 /* Next to z = a, where the potential is finite but its parts are not, and next to the edge. */
 static void singular_points_are_approached_continuously(void **state)
 {
-    (void)state;
     const double near[] = {1e-60, 1e-45, 1e-30, 1e-18};
     for (size_t i = 0; i < sizeof near / sizeof near[0]; i++)
         for (int edge = 0; edge < 2; edge++) {
@@ -233,7 +219,6 @@ static void singular_points_are_approached_continuously(void **state)
  * logarithm in the mean stress. */
 static void tiny_tips_are_alike(void **state)
 {
-    (void)state;
     const double tip = 1e-8, tinier = 1e-59, PI = 3.14159265358979323846;
     double a[3], b[3];
     stress(tip, 0, 0, 0.7 * tip, 0.4 * tip, a);
@@ -245,7 +230,6 @@ static void tiny_tips_are_alike(void **state)
 
 static void arrays_are_points_one_by_one(void **state)
 {
-    (void)state;
     enum { N = 500 };
     double x[N], y[N], sxx[N], syy[N], txy[N];
     uint64_t seed = 11;
@@ -253,21 +237,20 @@ static void arrays_are_points_one_by_one(void **state)
         x[i] = 6 * random_fraction(&seed) - 3;
         y[i] = 3 * random_fraction(&seed);
     }
-    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, sxx, syy, txy), RWEDGE_OK);
+    assert_ok(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, sxx, syy, txy));
     for (int i = 0; i < N; i++) {
         double s[3];
         stress(0.2, 0.4, 0.3, x[i], y[i], s);
         assert_true(s[0] == sxx[i] && s[1] == syy[i] && s[2] == txy[i]);
     }
-    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, x, y, txy), RWEDGE_OK); /* in place */
+    assert_ok(rwedge_stresses(0.2, 0.4, 0.3, N, x, y, x, y, txy)); /* in place */
     assert_memory_equal(x, sxx, sizeof x);
     assert_memory_equal(y, syy, sizeof y);
-    assert_int_equal(rwedge_stresses(0.2, 0.4, 0.3, 0, NULL, NULL, NULL, NULL, NULL), RWEDGE_OK);
+    assert_ok(rwedge_stresses(0.2, 0.4, 0.3, 0, NULL, NULL, NULL, NULL, NULL));
 }
 
 static void bad_arguments_leave_outputs_untouched(void **state)
 {
-    (void)state;
     static const double bad[][5] = {
         /* alpha, f, c, x, y */
         {-1, 0, 0, 0, 1},     {NAN, 0, 0, 0, 1},        {HUGE_VAL, 0, 0, 0, 1},
@@ -298,7 +281,6 @@ static void bad_arguments_leave_outputs_untouched(void **state)
 
 static void missing_arrays_are_refused(void **state)
 {
-    (void)state;
     for (int missing = 0; missing < 5; missing++) {
         double v[5] = {0.1, 0.2, 7, 8, 9}, *at[5];
         for (int i = 0; i < 5; i++)
@@ -311,6 +293,132 @@ static void missing_arrays_are_refused(void **state)
     double s[3] = {7, 8, 9};
     assert_int_equal(rwedge_stresses(-1, 0.1, 0, 1, &x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
     assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
+}
+
+/* ---- Derivatives ---- */
+
+/* How far three components are from the reference, over the larger of its norm and that scale. */
+static double distance(const double d[3], const double expected[3], double scale)
+{
+    const double norm =
+        sqrt(expected[0] * expected[0] + expected[1] * expected[1] + 2 * expected[2] * expected[2]);
+    double worst = 0;
+    for (int i = 0; i < 3; i++)
+        worst = fmax(worst, fabs(d[i] - expected[i]));
+    return worst / fmax(norm, scale);
+}
+
+static int32_t gradient(const double v[5], double d[6])
+{
+    return rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
+                                  &d[5]);
+}
+
+static int32_t sensitivity(const double v[5], double d[9])
+{
+    return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3],
+                                     &d[4], &d[5], &d[6], &d[7], &d[8]);
+}
+
+static void derivatives_are_difference_quotients(void **state)
+{
+    (void)state;
+    reference table = reference_open("stress_gradient.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell, far = 1 + hypot(v[3], v[4]);
+        double d[15];
+        assert_int_equal(gradient(v, d), RWEDGE_OK);
+        assert_int_equal(sensitivity(v, d + 6), RWEDGE_OK);
+        for (int i = 0; i < 15; i += 3)
+            assert_within(distance(&d[i], &v[5 + i], 1 / far / (i < 6 ? far : 1)), 0, 1e-13);
+    }
+    assert_int_equal(table.row, 67);
+}
+
+static void stresses_are_in_equilibrium(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int i = 0; i < 1000; i++) {
+        const double v[5] = {pow(10, 3 * random_fraction(&seed) - 2), random_fraction(&seed),
+                             random_fraction(&seed), 3 * random_fraction(&seed) - 1.5,
+                             random_fraction(&seed)};
+        double d[6];
+        assert_int_equal(gradient(v, d), RWEDGE_OK);
+        const double scale = fabs(d[0]) + fabs(d[1]) + fabs(d[2]) + 1;
+        assert_within(d[0] + d[5], 0, 1e-13 * scale); /* dsxx/dx + dtxy/dy */
+        assert_within(d[2] + d[4], 0, 1e-13 * scale);
+    }
+}
+
+static void derivatives_end_at_the_edges(void **state)
+{
+    (void)state;
+    const double singular[][5] = {
+        {0.5, 0.3, 0.7, 1, 0},   {0.5, 0.3, 0.7, -0.5, 0}, {0.5, 0.3, 0.7, 0.7, 0},
+        {0, 0.3, 0, 0, 0},       {0.5, 0.3, 2, 0, 1},      {0.5, -1, 0, 0, 1},
+        {0.5, 0.3, 0.7, NAN, 1}, {0.5, 0.3, 0.7, 0, -1},
+    };
+    for (size_t i = 0; i < sizeof singular / sizeof singular[0]; i++) {
+        double d[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
+        assert_int_equal(gradient(singular[i], d), RWEDGE_EDOMAIN);
+        assert_int_equal(sensitivity(singular[i], d), RWEDGE_EDOMAIN);
+        for (int k = 0; k < 9; k++)
+            assert_true(d[k] == 7);
+    }
+    const double beside[5] = {0.5, 0.3, 0, 0, 0}; /* no stick zone, so no edge of it */
+    double d[9];
+    assert_int_equal(gradient(beside, d), RWEDGE_OK);
+    assert_int_equal(sensitivity(beside, d), RWEDGE_OK);
+}
+
+static void derivatives_refuse_missing_outputs(void **state)
+{
+    (void)state;
+    for (int missing = 0; missing < 9; missing++) {
+        double d[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7}, *p[9];
+        for (int k = 0; k < 9; k++)
+            p[k] = k == missing ? NULL : &d[k];
+        if (missing < 6)
+            assert_int_equal(
+                rwedge_stress_gradient(0.5, 0.3, 0.7, 0, 1, p[0], p[1], p[2], p[3], p[4], p[5]),
+                RWEDGE_ENULL);
+        assert_int_equal(rwedge_stress_sensitivity(0.5, 0.3, 0.7, 0, 1, p[0], p[1], p[2], p[3],
+                                                   p[4], p[5], p[6], p[7], p[8]),
+                         RWEDGE_ENULL);
+        for (int k = 0; k < 9; k++)
+            assert_true(d[k] == 7);
+    }
+}
+
+/* The sharp wedge's stick zone grows from 0 as the load does: q changes by a flat punch's force. */
+static void derivatives_at_the_ends_of_the_domain(void **state)
+{
+    (void)state;
+    const double sharp[5] = {0, 0.3, 0, 0.6, 0.4}, hertz[5] = {2, 0.3, 0, 0.6, 0.4};
+    double d[9], next[9], s[3];
+    assert_int_equal(sensitivity(sharp, d), RWEDGE_OK);
+    for (int i = 0; i < 3; i++)
+        assert_true(d[i] == 0);
+    const double soon[5] = {0, 0.3, 1e-9, 0.6, 0.4};
+    assert_int_equal(sensitivity(soon, next), RWEDGE_OK);
+    assert_within(distance(&d[6], &next[6], 0), 0, 1e-9);
+    stress(2, 0.3, 0, 0.6, 0.4, s); /* as 1/alpha */
+    assert_int_equal(sensitivity(hertz, d), RWEDGE_OK);
+    for (int i = 0; i < 3; i++) {
+        assert_close(d[i], -s[i] / 2, 1e-14);
+        assert_true(d[6 + i] == 0);
+    }
+    const double ends[] = {1e-60, 3e59};
+    for (int i = 0; i < 16; i++) {
+        const double v[5] = {ends[i & 1], 1e6, i & 2 ? 1e-60 : 0.3, ends[i >> 2 & 1] * 3,
+                             ends[i >> 3 & 1] * 0.1 + 1e-60};
+        double e[15];
+        assert_int_equal(gradient(v, e), RWEDGE_OK);
+        assert_int_equal(sensitivity(v, e + 6), RWEDGE_OK);
+        for (int k = 0; k < 15; k++)
+            assert_true(isfinite(e[k]));
+    }
 }
 
 int main(void)
@@ -334,6 +442,11 @@ int main(void)
         cmocka_unit_test(arrays_are_points_one_by_one),
         cmocka_unit_test(bad_arguments_leave_outputs_untouched),
         cmocka_unit_test(missing_arrays_are_refused),
+        cmocka_unit_test(derivatives_are_difference_quotients),
+        cmocka_unit_test(stresses_are_in_equilibrium),
+        cmocka_unit_test(derivatives_end_at_the_edges),
+        cmocka_unit_test(derivatives_refuse_missing_outputs),
+        cmocka_unit_test(derivatives_at_the_ends_of_the_domain),
     };
     return RUN_CLAIMS("stress", tests);
 }

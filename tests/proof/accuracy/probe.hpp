@@ -10,7 +10,7 @@
 
 #include "references/field.hpp"
 
-enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 8, LOADS_MAX = 12 };
+enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 9, LOADS_MAX = 12 };
 
 struct probe {
     uint64_t random; /* state of the random numbers */

@@ -100,6 +100,37 @@ ball judge_load(const probe &call)
     return relative_error(call.result[0], force(call.value[0], 1));
 }
 
+bool draw_load_derivative(probe *call)
+{
+    call->result[0] = rwedge_load_derivative(argument(call, "alpha", some_alpha(call)));
+    return true;
+}
+
+/* alpha^2 d/dalpha of the load is alpha c0 - phi0. */
+ball load_slope(double alpha)
+{
+    const angle phi = angle_of(alpha, 1);
+    return alpha > 0 ? (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha)) : 0;
+}
+
+ball judge_load_derivative(const probe &call)
+{
+    return relative_error(call.result[0], load_slope(call.value[0]));
+}
+
+bool draw_tension_derivative(probe *call)
+{
+    call->result[0] = rwedge_max_tension_derivative(argument(call, "alpha", some_alpha(call)));
+    return true;
+}
+
+ball judge_tension_derivative(const probe &call)
+{
+    const double alpha = call.value[0];
+    return relative_error(call.result[0],
+                          alpha < 1 ? -2 * load_slope(alpha) / sqr(force(alpha, 1)) : 0);
+}
+
 bool draw_a_over_b(probe *call)
 {
     const double hertz = 1.5707963267948966, kind = uniform(call);
@@ -227,6 +258,10 @@ const row LAW_ROWS[] = {
      draw_compliance, judge_compliance},
     {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_beta, judge_beta},
     {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, draw_load, judge_load},
+    {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1, draw_load_derivative,
+     judge_load_derivative},
+    {"max_tension_derivative", ALPHA, "relative", 1e-14, "1e-14", 1, draw_tension_derivative,
+     judge_tension_derivative},
     {"a_over_b", "1e-119 to 1e60; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1, draw_a_over_b,
      judge_a_over_b},
     {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1, draw_pressure,

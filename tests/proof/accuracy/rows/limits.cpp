@@ -58,6 +58,62 @@ bool draw_elastic_limit(probe *call)
     return v[1] > 0 || v[2] < 0.5 || v[0] < 1; /* the whole surface yields */
 }
 
+/* ---- Its gradient ---- */
+
+bool draw_limit_gradient(probe *call)
+{
+    double v[3], *r = call->result, limit;
+    some_strength(call, v);
+    if (rwedge_yield_point(v[0], v[1], v[2], &limit, &r[1], &r[2]) != RWEDGE_OK ||
+        rwedge_elastic_limit_gradient(v[0], v[1], v[2], &r[3], &r[4], &r[5], &r[6]) != RWEDGE_OK ||
+        r[6] != (r[2] == 0))
+        r[3] = NAN;
+    return v[1] > 0 || v[2] < 0.5 || v[0] < 1;
+}
+
+/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
+ * = -Re G. */
+ball J2_by_friction(const traction &t, const complex_ball &z)
+{
+    const complex_ball G = t.whole().potential(z), H = t.whole().depth_slope(z);
+    const complex_ball Df = times_i(H) + G, D = t.f * Df - H;
+    return 2 * (dot(D, Df) + t.kappa * (t.f * re(G) - im(G)) * re(G));
+}
+
+/* alpha d/dalpha of J2 at a place that keeps its x/a, y/a: dG is -(2/pi) (phi0/alpha)/X. */
+ball J2_by_rounding(const traction &t, const complex_ball &z)
+{
+    const complex_ball X = root(z - 1) * root(z + 1), W = -2 / pi() * t.whole().phi0 / t.a * inv(X),
+                       V = -im(z) * (z * W * inv(X) * inv(X)), G = t.whole().potential(z),
+                       H = t.whole().depth_slope(z);
+    const complex_ball D = t.f * G + times_i(t.f * H) - H, Da = t.f * W + times_i(t.f * V) - V;
+    return 2 * (dot(D, Da) + t.kappa * (im(G) - t.f * re(G)) * (im(W) - t.f * re(W)));
+}
+
+/* Over the derivative or the limit, the limit over alpha for that by alpha, and times the flatness
+ * where the maximum is flat. Beyond f = 100 a maximum may be next to the edge, within so many
+ * roundings of x. */
+ball judge_limit_gradient(const probe &call)
+{
+    const double *v = call.value, *r = call.result, alpha = fmin(v[0], 1);
+    extremum at;
+    if (!enclose(&at, call))
+        return unknown();
+    const traction t = sliding_contact(alpha, v[1], v[2]);
+    const complex_ball z(at.x, at.y);
+    const ball limit = limit_of(alpha, at.J2), half = limit / (2 * at.J2);
+    const ball mean = im(t.whole().potential(z)) - t.f * re(t.whole().potential(z));
+    const angle phi = angle_of(alpha, 1);
+    const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
+    const ball by_alpha = v[0] < 1 ? of_load - half * J2_by_rounding(t, z) / alpha : ball(0);
+    const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
+    const ball by_nu = half * sqr(mean) * 4 * (1 - 2 * ball(v[2])) / 3;
+    return max(error_over(r[3], by_alpha, max(abs(by_alpha), limit / alpha)),
+               max(error_over(r[4], by_f, max(abs(by_f), limit)),
+                   error_over(r[5], by_nu, max(abs(by_nu), limit)))) *
+           fmin(1, at.flatness) * fmin(1, 1e4 / (v[1] * v[1] + 1));
+}
+
 bool draw_elastic_limits(probe *call)
 {
     double v[3], alpha[3], f[3], limit[3], *r = call->result;
@@ -109,15 +165,6 @@ ball judge_place(const probe &call)
 }
 
 /* ---- Critical friction ---- */
-
-/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
- * = -Re G. */
-ball J2_by_friction(const traction &t, const complex_ball &z)
-{
-    const complex_ball G = t.whole().potential(z), H = t.whole().depth_slope(z);
-    const complex_ball Df = times_i(H) + G, D = t.f * Df - H;
-    return 2 * (dot(D, Df) + t.kappa * (t.f * re(G) - im(G)) * re(G));
-}
 
 /* By how much the maximum below exceeds that of the surface, for all f of the ball, and its
  * derivative by f (that of J2 at the maxima). False where one of them is not proved. */
@@ -182,6 +229,9 @@ ball judge_critical_friction(const probe &call)
 const row STRENGTH_ROWS[] = {
     {"elastic_limit, yield_point", "alpha 1e-14 to 1e60; f 0 to 1e6; nu 0 to 0.5", "relative",
      1e-12, "1e-12", 1, draw_elastic_limit, judge_limit},
+    {"elastic_limit_gradient", "the same",
+     "of max(derivative, limit; limit/alpha), times flatness, over max(1, (f/100)^2)", 1e-11,
+     "1e-11", 0.1, draw_limit_gradient, judge_limit_gradient},
     {"elastic_limits", "the same", "relative", 1e-12, "1e-12", 1, draw_elastic_limits, judge_limit},
     {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface,
      judge_limit},

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Derivatives of the stresses by the place and by the contact. G has no dimension: z dG/dz + a
+ * dG/da + c dG/dc = 0, and c dG/dc is the flat punch (2/pi) (phi0/alpha)/X. */
+#include <math.h>
+
+#include "rows/rows.hpp"
+#include "rwedge.h"
+
+namespace
+{
+
+/* alpha, f, c, x, y; false on the surface at an edge. */
+bool some_smooth_case(probe *call, double v[5])
+{
+    v[0] = argument(call, "alpha", some_alpha(call));
+    v[1] = argument(call, "f", some_friction(call));
+    v[2] = argument(call, "c", chance(call, 0.3) ? 0 : some_fraction(call, fmin(v[0], 1)));
+    some_point(call, v[0], v[2], &v[3], &v[4]);
+    const double place = fabs(v[3]);
+    return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
+}
+
+/* How G and H = y G' of a patch change. */
+struct change {
+    complex_ball G, H;
+};
+
+change operator*(const ball &factor, const change &c)
+{
+    return {factor * c.G, factor * c.H};
+}
+change operator-(const change &a, const change &b)
+{
+    return {a.G - b.G, a.H - b.H};
+}
+
+/* y G'', 0 on the surface. */
+complex_ball depth_bend(const patch &p, const complex_ball &z)
+{
+    return is_zero(im(z)) ? complex_ball() : im(z) * p.bends(z).second;
+}
+
+change by_x(const patch &p, const complex_ball &z)
+{
+    return {p.slope(z), depth_bend(p, z)};
+}
+
+change by_y(const patch &p, const complex_ball &z)
+{
+    const change x = by_x(p, z);
+    return {times_i(x.G), x.G + times_i(x.H)};
+}
+
+/* c d/dc; the points are over c in X. */
+change by_half_width(const patch &p, const complex_ball &point)
+{
+    const complex_ball z = point / p.half_width, X = root(z - 1) * root(z + 1);
+    const ball edge = is_zero(p.alpha) ? ball(1) : p.phi0 / p.alpha;
+    const ball factor = 2 / pi() * edge;
+    return {factor * inv(X), -im(z) * factor * (z * inv(X) * inv(X) * inv(X))};
+}
+
+change by_rounding(const patch &p, const complex_ball &z)
+{
+    const change x = by_x(p, z), width = by_half_width(p, z);
+    const ball y = im(z);
+    return {-width.G - z * x.G, -width.H - y * x.G - z * x.H};
+}
+
+change value(const patch &p, const complex_ball &z)
+{
+    return {p.potential(z), p.depth_slope(z)};
+}
+
+tensor superposed(const change &N, const change &T)
+{
+    const complex_ball D = T.G + times_i(T.H) - N.H;
+    const ball s = im(N.G) - re(T.G);
+    return {s - re(D), s + re(D), im(D)};
+}
+
+/* The fields that add up, and what their parts have in magnitude. */
+struct fields {
+    change N, T;
+    ball size;
+};
+
+ball size_of(const change &c)
+{
+    return abs(c.G) + abs(c.H);
+}
+
+typedef change (*derivative)(const patch &p, const complex_ball &z);
+
+fields changed(const probe &call, derivative by, const ball &factor)
+{
+    const double *v = call.value;
+    const complex_ball z(v[3], v[4]);
+    const change N = factor * by(patch(v[0], 1), z);
+    if (v[2] == 0)
+        return {N, ball(v[1]) * N, fmax(1, v[1]) * size_of(N)};
+    const change stick = factor * by(patch(v[0], v[2]), z);
+    return {N, ball(v[1]) * (N - stick), fmax(1, v[1]) * size_of(N) + v[1] * size_of(stick)};
+}
+
+fields by_friction(const probe &call)
+{
+    const double *v = call.value;
+    const complex_ball z(v[3], v[4]);
+    const change N = value(patch(v[0], 1), z);
+    if (v[2] == 0)
+        return {{}, N, size_of(N)};
+    const change stick = value(patch(v[0], v[2]), z);
+    return {{}, N - stick, size_of(N) + size_of(stick)};
+}
+
+/* c = 0: a force f times the rate of the load, 2 for the sharp wedge. */
+fields by_stick_zone(const probe &call)
+{
+    const double *v = call.value;
+    const complex_ball z(v[3], v[4]);
+    change stick;
+    if (v[2] > 0)
+        stick = ball(v[1]) / v[2] * by_half_width(patch(v[0], v[2]), z);
+    else if (v[0] == 0)
+        stick = 2 / pi() * v[1] * change{inv(z), -im(z) * inv(sqr(z))};
+    return {{}, change{} - stick, size_of(stick)};
+}
+
+/* The largest of the components' errors, over the size; 0 where all rightly are. */
+ball error_of(const double *result, const fields &exact)
+{
+    if (is_zero(exact.size) && result[0] == 0 && result[1] == 0 && result[2] == 0)
+        return 0;
+    return error_over(result, superposed(exact.N, exact.T), exact.size);
+}
+
+bool draw_gradient(probe *call)
+{
+    double v[5], *d = call->result;
+    if (!some_smooth_case(call, v))
+        return false;
+    if (rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
+                               &d[5]) != RWEDGE_OK)
+        d[0] = NAN;
+    return true;
+}
+
+ball judge_gradient(const probe &call)
+{
+    return max(error_of(call.result, changed(call, by_x, 1)),
+               error_of(call.result + 3, changed(call, by_y, 1)));
+}
+
+bool draw_sensitivity(probe *call)
+{
+    double v[5], *d = call->result;
+    if (!some_smooth_case(call, v))
+        return false;
+    if (rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
+                                  &d[5], &d[6], &d[7], &d[8]) != RWEDGE_OK)
+        d[0] = NAN;
+    return true;
+}
+
+/* How fast the load of a patch grows with the rounding, but for a factor; over the distance. */
+ball rate_of_force(const probe &call, double c)
+{
+    const double alpha = call.value[0] / c;
+    return (alpha < 1 ? alpha : 1 / alpha / alpha) /
+           (c + abs(complex_ball(call.value[3], call.value[4])));
+}
+
+/* At an edge the parts by alpha are 0: there it is the rates of the forces that count. */
+fields by_alpha(const probe &call)
+{
+    const double *v = call.value;
+    fields tip = changed(call, by_rounding, 1 / ball(v[0]));
+    tip.size += fmax(1, v[1]) * rate_of_force(call, 1);
+    if (v[2] > 0)
+        tip.size += v[1] * rate_of_force(call, v[2]);
+    return tip;
+}
+
+ball judge_sensitivity(const probe &call)
+{
+    const fields tip = call.value[0] > 0 ? by_alpha(call) : fields{};
+    return max(error_of(call.result, tip), max(error_of(call.result + 3, by_friction(call)),
+                                               error_of(call.result + 6, by_stick_zone(call))));
+}
+
+#define PLACES "as for `stress`, but not the edges themselves"
+
+} // namespace
+
+const row GRADIENT_ROWS[] = {
+    {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1, draw_gradient, judge_gradient},
+    {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1, draw_sensitivity,
+     judge_sensitivity},
+    {},
+};

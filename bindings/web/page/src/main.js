@@ -41,16 +41,16 @@ const LONGEST = 20000; // characters of an address that every browser takes
 
 const state = { texts: {}, way: {} };
 
-function take(given) {
-    const anything = inputNames.some((name) => name in given);
+function take(texts) {
+    const anything = inputNames.some((name) => name in texts);
     state.texts = Object.fromEntries(
-        [...inputNames, "hull"].filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]),
+        [...inputNames, "hull"].filter((name) => (texts[name] ?? "") !== "").map((name) => [name, texts[name]]),
     );
     if (!anything) state.texts = { ...example };
     state.way = Object.fromEntries(
         ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
     );
-    for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
+    for (const [name, usual] of Object.entries(settings)) state[name] = texts[name] ?? usual;
     if (!Object.hasOwn(pads, state.pad)) state.pad = padOf(state.texts);
     if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
     if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
@@ -130,8 +130,8 @@ function render() {
     form.show(model);
     finder.show(model);
     if (model.results || drawing.innerHTML === "") drawing.innerHTML = drawingOf(model);
-    drawing.classList.toggle("old", !model.results && drawing.dataset.of === "case");
-    if (model.results) drawing.dataset.of = "case";
+    drawing.classList.toggle("old", !model.results && drawing.dataset.kind === "case");
+    if (model.results) drawing.dataset.kind = "case";
     tabs.show(model);
     verdict.show(model, state.tab);
     if (exports.querySelector("details").open) showExports();
@@ -196,7 +196,7 @@ const chosen = [
 function build() {
     document.getElementById("settings").append(
         element("span", {}, element("label", { for: "case-name" }, "Name"), caseName),
-        ...chosen.map((one) => element("span", {}, ...one.parts)),
+        ...chosen.map(({ parts }) => element("span", {}, ...parts)),
         element("span", {}, converts, element("label", { for: "convert" }, "convert numbers with the units")),
         copyButton(
             "Copy a link to this case",
@@ -245,7 +245,7 @@ function build() {
 function show(texts) {
     take(texts);
     if (state.sign === ",") rewriteNumbers();
-    for (const one of chosen) one.show();
+    for (const each of chosen) each.show();
     caseName.value = state.name;
     render();
 }

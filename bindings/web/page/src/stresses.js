@@ -8,25 +8,25 @@ const inPlane = (sxx, syy, txy) => Math.hypot((sxx - syy) / 2, txy);
 export const measures = {
     von_mises: {
         name: "von Mises",
-        of: (sxx, syy, txy, nu) => {
+        measure: (sxx, syy, txy, nu) => {
             const szz = nu * (sxx + syy),
                 [a, b, c] = [sxx - syy, syy - szz, szz - sxx];
             return Math.sqrt((a * a + b * b + c * c) / 2 + 3 * txy * txy);
         },
     },
-    s1: { name: "largest principal stress s1", of: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
+    s1: { name: "largest principal stress s1", measure: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
     tau_max: {
         name: "largest shear stress \u03c4max",
-        of: (sxx, syy, txy, nu) => {
+        measure: (sxx, syy, txy, nu) => {
             const mean = (sxx + syy) / 2,
                 radius = inPlane(sxx, syy, txy),
                 szz = nu * (sxx + syy);
             return (Math.max(mean + radius, szz) - Math.min(mean - radius, szz)) / 2;
         },
     },
-    sxx: { name: "stress along the surface sxx", of: (sxx) => sxx },
-    syy: { name: "stress across the surface syy", of: (sxx, syy) => syy },
-    txy: { name: "shear stress txy", of: (sxx, syy, txy) => txy },
+    sxx: { name: "stress along the surface sxx", measure: (sxx) => sxx },
+    syy: { name: "stress across the surface syy", measure: (sxx, syy) => syy },
+    txy: { name: "shear stress txy", measure: (sxx, syy, txy) => txy },
 };
 
 /** Places across the contact, dense at its edges; none is the apex of a sharp wedge, where the pressure is infinite. */
@@ -65,8 +65,8 @@ export function gridOf({ left, right }, isMoving) {
 /** The stresses on the grid, and one measure of them. */
 export function fieldOf({ contact, setup }, grid, measure) {
     const s = contact.stresses(grid.x, grid.y),
-        { of } = measures[measure];
-    return { ...s, values: s.sxx.map((sxx, i) => of(sxx, s.syy[i], s.txy[i], setup.nu1)) };
+        { measure: number } = measures[measure];
+    return { ...s, values: s.sxx.map((sxx, i) => number(sxx, s.syy[i], s.txy[i], setup.nu1)) };
 }
 
 /** All numbers of one place; null where there are none. */

@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { asAddress, chance, randomCase } from "./random_cases.mjs";
-import { enter, openPage, openTab, pause, reopen, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { enter, openPage, openTab, pause, reopen, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
@@ -267,17 +267,17 @@ export async function a_thousand_pasted_rows_are_solved({ session, file, tool })
         [...document.querySelectorAll("button")].find((b) => b.textContent.startsWith("Copy the solved")).click(),
     );
     await pause(200);
-    const found = (await page.evaluate(() => window.copied))
+    const copied = (await page.evaluate(() => window.copied))
         .trimEnd()
         .split("\n")
         .map((line) => line.split("\t"));
-    assert.equal(found.length, 1001);
-    assert.deepEqual(found[0], told[0]);
+    assert.equal(copied.length, 1001);
+    assert.deepEqual(copied[0], told[0]);
     let refused = 0;
-    for (let i = 1; i < found.length; i++) {
-        if (found[i].at(-1) !== "") refused++;
+    for (let i = 1; i < copied.length; i++) {
+        if (copied[i].at(-1) !== "") refused++;
         else
-            found[i].forEach((cell, k) => {
+            copied[i].forEach((cell, k) => {
                 const [a, b] = [Number(cell), Number(told[i][k])];
                 assert.ok(
                     cell === told[i][k] || Math.abs(a - b) <= 1e-11 * Math.abs(b),
@@ -366,18 +366,18 @@ export async function plots_are_saved({ session, file }) {
         const files = await page.evaluate(() =>
             Promise.all(window.files.map(async (blob) => [blob.type, blob.size, (await blob.text()).slice(0, 3000)])),
         );
-        const of = (type) => files.filter((one) => one[0] === type);
+        const saved = (type) => files.filter((file) => file[0] === type);
         const plots = tab === "cycle" ? 3 : 1;
         assert.deepEqual(
-            ["image/svg+xml", "image/png", "text/csv"].map((type) => of(type).length),
+            ["image/svg+xml", "image/png", "text/csv"].map((type) => saved(type).length),
             [plots, plots, plots],
             `${tab}: ${files.map((f) => f[0])}`,
         );
-        for (const [, , text] of of("image/svg+xml"))
+        for (const [, , text] of saved("image/svg+xml"))
             assert.ok(text.startsWith("<svg") && !/var\(--/.test(text), `${tab}: ${text.slice(0, 200)}`);
-        for (const [, size, text] of of("image/png"))
+        for (const [, size, text] of saved("image/png"))
             assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
-        for (const [, , text] of of("text/csv"))
+        for (const [, , text] of saved("text/csv"))
             assert.ok(
                 /^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20,
                 `${tab}: ${text.slice(0, 100)}`,
@@ -577,20 +577,11 @@ export async function a_course_without_a_closed_form_is_computed({ session, file
 /** At one place of the grid: each measure in the saved table beside what the library says of the same place. */
 export async function contours_show_what_the_library_says({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
-    const saved = (name) =>
-        page.evaluate(async (value) => {
-            const select = document.getElementById("measure");
-            select.value = value;
-            select.dispatchEvent(new Event("change"));
-            let blob;
-            URL.createObjectURL = (given) => ((blob = given), "#");
-            HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-            document.querySelector('#panel-stress .save button[aria-label$="CSV"]').click();
-            const lines = (await blob.text()).split("\n").map((line) => line.split(","));
-            return [lines[0], lines[200 * 20 + 131]];
-        }, name);
     for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
-        const [names, row] = await saved(measure);
+        await enter(page, { measure });
+        const table = await savedBy(page, '#panel-stress .save button[aria-label$="CSV"]');
+        const lines = table.split("\n").map((line) => line.split(",")),
+            [names, row] = [lines[0], lines[200 * 20 + 131]];
         assert.equal(names.at(-1), `${measure} [MPa]`);
         await enter(page, { "probe-x": row[0], "probe-y": row[1] });
         const told = Number((await shownNumbers(page))[measure]);
@@ -669,13 +660,7 @@ export async function rows_that_no_link_takes_are_told_and_saved({ session, file
     await enter(page, { batch: `P\tQ\n${rows}` });
     await settled(page);
     assert.match(await said(), /too long for a link/);
-    const saved = await page.evaluate(async () => {
-        let blob;
-        URL.createObjectURL = (one) => ((blob = one), "#");
-        HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-        document.querySelector("#too-long button").click();
-        return blob.text();
-    });
+    const saved = await savedBy(page, "#too-long button");
     assert.equal(new URLSearchParams(saved.slice(1)).get("batch").split("\n").length, 3001);
     await enter(page, { batch: "" });
     const transfer = await page.evaluateHandle((text) => {
@@ -723,13 +708,7 @@ export async function one_decimal_sign_is_everywhere({ session, file }) {
     assert.equal(await page.$eval("#in-theta", (input) => input.value), "0,01");
     const ticks = await page.$$eval("#panel-contact .tick", (texts) => texts.map((text) => text.textContent));
     assert.ok(ticks.some((text) => text.includes(",")) && !ticks.some((text) => text.includes(".")), ticks.join(" "));
-    const lines = await page.evaluate(async () => {
-        let blob;
-        URL.createObjectURL = (one) => ((blob = one), "#");
-        HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-        document.querySelector('#panel-contact .save button[aria-label$="CSV"]').click();
-        return (await blob.text()).split("\n");
-    });
+    const lines = (await savedBy(page, '#panel-contact .save button[aria-label$="CSV"]')).split("\n");
     assert.match(lines[5], /^-\d,\d+;\d+,\d+;/);
     await page.close();
 }
@@ -760,7 +739,7 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
             await reopen(page, file, asAddress(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" }));
             if (dark) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
             await page.evaluate(source);
-            const found = await page.evaluate(async () =>
+            const violations = await page.evaluate(async () =>
                 (await window.axe.run()).violations
                     .filter((v) => ["serious", "critical"].includes(v.impact))
                     .map(
@@ -771,7 +750,7 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
                                 .join(" | ")}`,
                     ),
             );
-            assert.deepEqual(found, [], `${tab}, ${scheme}`);
+            assert.deepEqual(violations, [], `${tab}, ${scheme}`);
         }
     await page.close();
 }

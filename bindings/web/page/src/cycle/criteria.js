@@ -85,10 +85,10 @@ export const allowable = (name, constants) => (name === "mcdiarmid" ? 1 : consta
 
 /** The cycles to failure at a value; undefined where the constants are not given. */
 export function lifeAt(name, value, E, constants) {
-    const given = (lives[name] ?? []).map((each) => constants[each]),
+    const values = (lives[name] ?? []).map((each) => constants[each]),
         limit = allowable(name, constants) ?? 0;
-    if (given.length === 0 || given.includes(undefined)) return undefined;
+    if (values.length === 0 || values.includes(undefined)) return undefined;
     return name === "swt"
-        ? rwedge.smith_watson_topper_life(value, E, ...given, limit)
-        : rwedge.fatemi_socie_life(value, ...given, limit);
+        ? rwedge.smith_watson_topper_life(value, E, ...values, limit)
+        : rwedge.fatemi_socie_life(value, ...values, limit);
 }

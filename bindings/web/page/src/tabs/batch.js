@@ -53,9 +53,9 @@ function tableOf({ columns, results, rows }, write) {
 
 /** Why the first rows that have no answer have none. */
 function faultsOf({ rows }) {
-    const found = rows.map(({ error }, i) => [i + 1, error]).filter(([, error]) => error !== "");
-    const first = found.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`);
-    return first.join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "");
+    const faults = rows.map(({ error }, i) => [i + 1, error]).filter(([, error]) => error !== "");
+    const first = faults.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`);
+    return first.join(" ") + (faults.length > 5 ? ` And ${faults.length - 5} more.` : "");
 }
 
 /** What is said above the table. */

@@ -38,12 +38,12 @@ const known = new Set([
     ...ofLength,
 ]);
 
+/** A name and the rest of its line. */
 const linesOf = (text) =>
-    text
-        .split(/[\r\n]+/)
-        .filter((line) => line.trim() !== "")
-        .map((line) => line.trim().split(/\s*[\t;=:]\s*|\s*,\s*(?=\S)|\s+/))
-        .map(([name, ...rest]) => [name, rest.join(" ")]);
+    [...text.matchAll(/^\s*([^\s,;=:]+)[^\S\r\n]*[,;=:\t ]?[^\S\r\n]*(.*?)\s*$/gm)].map(([, name, rest]) => [
+        name,
+        rest,
+    ]);
 
 function entriesOf(text) {
     if (!text.trim().startsWith("{")) return linesOf(text);

@@ -434,6 +434,7 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
         );
         const shown = await shownNumbers(page);
         assert.ok(Object.keys(worst).length >= 3, told.stderr);
+        assert.equal(await page.$eval(".drawing .worst", (part) => part.textContent), "worst");
         for (const [name, value] of Object.entries(worst))
             assert.ok(
                 Math.abs(Number(shown[name]) - value) <= 2e-6 * Math.abs(value),

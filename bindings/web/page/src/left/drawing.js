@@ -122,7 +122,7 @@ function drawingText(shape) {
     const title = `Body 2, a ${name}, on a half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
     const middle = (shape.left + shape.right) / 2;
     return (
-        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+        `<svg class="plot" data-reach="${reach}" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.floor - box.surface}"/>` +
         `<path class="solid" d="M20,30L${outline.join("L")}L620,30Z"/>` +
         `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
@@ -134,8 +134,17 @@ function drawingText(shape) {
         (shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "") +
         loads(shape) +
         `<text class="mark" x="34" y="52">${escaped(name.replace(", pasted", ""))}, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
-        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text></svg>`
+        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text><g class="worst"></g></svg>`
     );
+}
+
+/** Marks the worst place of a cycle on the surface; none where x is undefined. */
+export function markWorst(svg, x) {
+    const u = box.middle + (x / Number(svg.dataset.reach)) * 300;
+    svg.querySelector(".worst").innerHTML =
+        u > 0 && u < box.width
+            ? `<circle class="point" cx="${u.toFixed(1)}" cy="${box.surface}" r="5"/><text class="mark" x="${u.toFixed(1)}" y="${box.surface - 10}" text-anchor="middle">worst</text>`
+            : "";
 }
 
 const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };

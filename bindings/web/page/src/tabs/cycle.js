@@ -4,6 +4,7 @@ import { copyButton, element, escaped } from "../elements.js";
 import { Aside } from "../aside.js";
 import { allowable, criteria, lifeAt } from "../cycle/criteria.js";
 import { asFretting } from "../export.js";
+import { markWorst } from "../left/drawing.js";
 import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
@@ -251,6 +252,8 @@ export function makeCycle(state, changed) {
         showRemark(entries, state, answer);
         showCommand(entries, state, answer, model);
         answers.show(answer, model);
+        const drawing = document.querySelector(".drawing svg");
+        if (drawing) markWorst(drawing, answer.worst?.[answer.criterion.name]?.x);
     };
     const show = (present) => {
         model = present;

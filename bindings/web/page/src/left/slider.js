@@ -56,7 +56,7 @@ class Slider {
         const ifEmpty = this.field === "Q" || this.field === "f" ? 0 : NaN;
         const share = ways[this.field].from(this.base, model.inputs[name] || ifEmpty);
         this.input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
-        const ends = [-1, 1].map((end) => writeNumber(ways[this.field].to(this.base, end), 3, model.sign));
+        const ends = [-1, 1].map((end) => writeNumber(ways[this.field].to(this.base, end), 4, model.sign));
         this.ends.textContent = ends[1] === "" ? "" : ends.join(" \u2026 ");
         this.input.setAttribute("aria-valuetext", model.texts[name] ?? "empty");
     }

@@ -74,11 +74,11 @@ enum {
     NOTES = 4
 };
 
-static bool is_heading(xlsx *book, int row, const line *what)
+static bool is_heading(xlsx *book, int row, const line *entry)
 {
-    if (what->cell == RESULTS_END)
-        xlsx_text(book, row, LABEL, what->text, XLSX_HEADING);
-    return what->cell == RESULTS_END;
+    if (entry->cell == RESULTS_END)
+        xlsx_text(book, row, LABEL, entry->text, XLSX_HEADING);
+    return entry->cell == RESULTS_END;
 }
 
 static void describe(xlsx *book, int row, int cell, const char *hint)

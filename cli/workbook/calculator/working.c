@@ -70,10 +70,10 @@ static void write_table(xlsx *book, int row, int tips, const double values[][NUS
                     xlsx_number(book, row + i, j * FRICTIONS + k, values[i][j][k], XLSX_PLAIN);
 }
 
-static void write_branch(xlsx *book, int row, const char *name, const char *what,
+static void write_branch(xlsx *book, int row, const char *name, const char *title,
                          const double values[TIPS][NUS][FRICTIONS])
 {
-    xlsx_text(book, row - 1, 0, what, XLSX_NOTE);
+    xlsx_text(book, row - 1, 0, title, XLSX_NOTE);
     write_table(book, row, TIPS, values);
     xlsx_name_range(book, name, row, 0, TIPS, TABLE_COLUMNS);
 }
@@ -111,7 +111,7 @@ static void write_limits(xlsx *book, const yield_table *table, const double v[])
     write_column(book, CURVE_FRICTION_LIMIT, limit_at_friction, FRICTIONS, at_friction);
 }
 
-/* The charts leave out what is #N/A. */
+/* The charts leave out title is #N/A. */
 static void write_marks(xlsx *book, const case_values *values)
 {
     const double *v = values->number;
@@ -180,7 +180,7 @@ static void write_sketch(xlsx *book)
 }
 
 /* From 0 to the factor, and from there to the end; then the line at 1. One column of heights is for
- * a factor that is good, one for a bad one: what is not to be seen is above the picture. */
+ * a factor that is good, one for a bad one: title is not to be seen is above the picture. */
 static void write_bar(xlsx *book, const case_values *values)
 {
     static const char *const height[] = {"=IF(rwt_factor<1,9,0)", "=IF(rwt_factor<1,0,9)"};

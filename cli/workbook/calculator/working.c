@@ -111,7 +111,7 @@ static void write_limits(xlsx *book, const yield_table *table, const double v[])
     write_column(book, CURVE_FRICTION_LIMIT, limit_at_friction, FRICTIONS, at_friction);
 }
 
-/* The charts leave out title is #N/A. */
+/* The charts leave out what is #N/A. */
 static void write_marks(xlsx *book, const case_values *values)
 {
     const double *v = values->number;
@@ -180,7 +180,7 @@ static void write_sketch(xlsx *book)
 }
 
 /* From 0 to the factor, and from there to the end; then the line at 1. One column of heights is for
- * a factor that is good, one for a bad one: title is not to be seen is above the picture. */
+ * a factor that is good, one for a bad one: what is not to be seen is above the picture. */
 static void write_bar(xlsx *book, const case_values *values)
 {
     static const char *const height[] = {"=IF(rwt_factor<1,9,0)", "=IF(rwt_factor<1,0,9)"};

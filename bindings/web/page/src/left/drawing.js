@@ -98,6 +98,16 @@ function stickText({ stickLeft, stickRight }, toX) {
     );
 }
 
+/** Where the stress is largest; depths are half as large as widths. */
+function hardestText({ hardest, reach }, toX) {
+    const [u, v] = hardest ? [toX(hardest.x), box.surface + (150 * hardest.y) / reach] : [NaN, NaN];
+    if (!(v < box.floor - 8)) return "";
+    return (
+        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="4"/>` +
+        `<text class="mark" x="${(u - 8).toFixed(1)}" y="${(v + (v < box.surface + 12 ? 18 : 4)).toFixed(1)}" text-anchor="end">yields first</text>`
+    );
+}
+
 /** Half of what is marked as a: the rounding of a wedge, the flat. */
 const markedOf = ({ pad, a, flat }) => (pad === "wedge" ? a : pad === "flat" ? flat : 0);
 
@@ -132,6 +142,7 @@ function drawingText(shape) {
         (marked > 0 ? size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a") : "") +
         size(toX(middle), toX(shape.right), box.floor + 20, "b") +
         (shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "") +
+        hardestText({ ...shape, reach }, toX) +
         loads(shape) +
         `<text class="mark" x="34" y="52">${escaped(name.replace(", pasted", ""))}, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
         `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text><g class="worst"></g></svg>`
@@ -156,7 +167,7 @@ const shapes = {
 };
 
 /** The drawing of a case; one of no particular contact where there are no results. */
-export function drawingOf({ pad, setup, contact, results }) {
+export function drawingOf({ pad, setup, contact, results, hardest }) {
     if (!results) {
         const shape = { ...schematic, pad, ...shapes[pad] };
         return drawingText({ ...shape, height: heightOf({ ...shape, places: [] }) });
@@ -167,6 +178,7 @@ export function drawingOf({ pad, setup, contact, results }) {
     return drawingText({
         ...setup,
         pad,
+        hardest: Number.isNaN(setup.k) ? null : hardest,
         height: heightOf(setup),
         left: results.left,
         right: results.right,

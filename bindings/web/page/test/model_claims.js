@@ -150,6 +150,13 @@ test("a profile is read with tabs, spaces or decimal commas, with names or as x 
     assert.match(width(",", ["x,depth"], "."), /^CHECK THE INPUTS: profile .*column slope: missing/);
 });
 
+test("rows of flat pads take nothing of the wedge of the form", () => {
+    const { theta, a, ...rest } = usual,
+        { rows, results } = solveRows("flat\tradius\n0.5\t10\n", usual, ".");
+    const alone = solveHolding({ ...rest, flat: "0.5", radius: "10" }, ".");
+    assert.equal(Number(rows[0].values[results.indexOf("b")]), alone.results.b, rows[0].error);
+});
+
 test("constants of a material are read as lines or JSON; what is unknown is named", () => {
     const told = { constants: { swt_limit: 0.5, t_A: 150 } };
     for (const text of ["swt_limit\t0.5\nt_A, 150\nsource,a paper", '{"swt_limit": 0.5, "t_A": 150, "name": "x"}'])

@@ -378,8 +378,8 @@ RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, doub
                                               rwedge_contact **contact);
 
 /* The same of any convex profile, by its slopes: linear between the places, constant beyond. Of an
- * asymmetric one the contact is off the centre, and tilted, under P alone. It takes the time of as
- * many wedges as there are parts of the profile in contact.                                     new
+ * asymmetric one the contact is off the centre, and tilted, under P alone. It takes twice the
+ * time of a wedge for each part of the profile in contact.                                      new
  *   x      length, finite: of each place, from left to right; equal places are a kink
  *   slope  finite, |slope| < pi/2: the slope there, positive where the profile rises to the right
  * RWEDGE_EDOMAIN where a place or a slope is less than the one before, where all slopes are equal,
@@ -744,6 +744,23 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
                                               double E, double nu, int32_t plane_stress,
                                               double constant, double su, double *worst_x,
                                               double *worst_value);
+
+/* Stresses of the cycle by the theory of critical distances, from a place of the surface into the
+ * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
+ * line). Criteria of them take rwedge_criterion_field() and its kin. L is a property of the
+ * material, (dK_th/ds0)^2/pi.                              Taylor (1999), see lib/README.md; new
+ *   x              length, finite; not the apex 0 of a loaded sharp wedge
+ *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
+ *   length         L, length, 1e-60 to 1e60
+ *   line           0 <= line <= 1: 0 for the point, 1 for the line
+ *   sxx, syy, txy  each receives loads numbers
+ * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV where the means do not settle to 1e-10 of the stresses, which is their error. */
+RWEDGE_API int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads,
+                                              const double P[], const double M[], const double Q[],
+                                              const double sigma[], double x, double angle,
+                                              double length, int32_t line, double sxx[],
+                                              double syy[], double txy[]);
 
 /* How far remote points of the half-plane have moved along the surface against the wedge's, further
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy

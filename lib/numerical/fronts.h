@@ -37,6 +37,24 @@ typedef struct {
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
+/* What sticks. */
+typedef struct {
+    int count;
+    double end[RW_MOST_FRONTS];
+    double middle, half; /* of the contact */
+} rw_stuck;
+
+rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
+
+/* X outside of what sticks, and its size inside, over half^count. */
+double rw_X_at(const rw_stuck *stuck, double x);
+
+/* The quadrature for these zones, with so many panels at the fronts. */
+bool rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, rw_layers layers, int panels);
+
+/* The coefficients of 1/sqrt of dt, over sqrt(half), at the fronts and then at edges that stick. */
+bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
+
 /* For zones that alternate between stick and slip. false where memory is short. */
 bool rw_fronts_create(rw_fronts *fronts, int order);
 void rw_fronts_destroy(rw_fronts *fronts);

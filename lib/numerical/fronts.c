@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* Panels at a front, for the residual and for the traction next to it. */
-enum { COARSE = 3, FINE = 7 };
+/* Panels at a front, for the residual. */
+enum { COARSE = 3 };
 
 /* Chebyshev points on a gap, and terms of X there. */
 enum { GAP_POINTS = 40, GAP_TERMS = 48 };
@@ -151,7 +151,17 @@ static void conditions(const rw_fronts *f, const rw_stuck *s, rw_layers layers,
     }
 }
 
-/* The coefficients of 1/sqrt of dt, over sqrt(half), at the fronts and then at edges that stick. */
+/* p, and the fronts in the unit of the half-width. */
+static bool solve_polynomial(const rw_fronts *f, const rw_stuck *s, rw_layers layers,
+                             double front[], double p[])
+{
+    double A[RW_MOST_FRONTS * RW_MOST_FRONTS];
+    for (int i = 0; i < RW_MOST_FRONTS; i++)
+        front[i] = (s->end[i] - s->middle) / s->half;
+    conditions(f, s, layers, front, A, p);
+    return rw_solve((size_t)(2 * s->count), A, p);
+}
+
 bool rw_fronts_residual(rw_fronts *f, double r[])
 {
     rw_zones zones;
@@ -160,11 +170,8 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
         return false;
     const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;
-    double A[RW_MOST_FRONTS * RW_MOST_FRONTS], B[RW_MOST_FRONTS], front[RW_MOST_FRONTS];
-    for (int i = 0; i < n; i++)
-        front[i] = (s.end[i] - s.middle) / s.half;
-    conditions(f, &s, layers, front, A, B);
-    if (!rw_solve((size_t)n, A, B))
+    double B[RW_MOST_FRONTS], front[RW_MOST_FRONTS];
+    if (!solve_polynomial(f, &s, layers, front, B))
         return false;
     double K[RW_MOST_FRONTS];
     for (int j = 0; j < n; j++) {
@@ -218,25 +225,23 @@ static double wrong_slip(const rw_stuck *s, const double polynomial[], rw_zone z
     return most;
 }
 
+/* Many zones are those of a grid, which is not that exact. */
 double rw_fronts_wrong_rate(const rw_problem *p, const rw_zones *zones, double shear,
                             double stretch)
 {
+    if (zones->count > RW_MOST_FRONTS)
+        return 0;
     rw_problem rates = *p;
     rates.shear = shear;
     rates.stretch = stretch;
     const rw_fronts f = {.problem = &rates};
     const rw_stuck s = rw_stuck_of(&f, zones);
-    double A[RW_MOST_FRONTS * RW_MOST_FRONTS], B[RW_MOST_FRONTS], front[RW_MOST_FRONTS], most = 0;
-    if (s.count == 0 || s.count > RW_MOST_STICK)
-        return 0;
-    for (int i = 0; i < 2 * s.count; i++)
-        front[i] = (s.end[i] - s.middle) / s.half;
-    conditions(&f, &s, (rw_layers){0, 0}, front, A, B);
-    if (!rw_solve((size_t)(2 * s.count), A, B))
+    double p_of_rates[RW_MOST_FRONTS], front[RW_MOST_FRONTS], most = 0;
+    if (s.count == 0 || !solve_polynomial(&f, &s, (rw_layers){0, 0}, front, p_of_rates))
         return 0;
     for (int i = 0; i < zones->count; i++)
         if (zones->zone[i].label != 0)
-            most = fmax(most, wrong_slip(&s, B, zones->zone[i], i == 0));
+            most = fmax(most, wrong_slip(&s, p_of_rates, zones->zone[i], i == 0));
     return most / (p->scale * p->half);
 }
 
@@ -244,7 +249,7 @@ double rw_fronts_wrong_rate(const rw_problem *p, const rw_zones *zones, double s
 
 bool rw_fronts_prepare_stick(rw_fronts *f, const rw_zones *zones, rw_layers layers)
 {
-    if (!rw_fronts_collect(f, zones, layers, FINE))
+    if (!rw_fronts_collect(f, zones, layers, f->finest))
         return false;
     for (size_t i = 0; i < f->count; i++)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
@@ -260,11 +265,12 @@ double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, rw_la
     int after = 0; /* zones that stick beyond this one */
     for (int k = 0; k < s.count; k++)
         after += x < s.end[2 * k];
-    double sum = 0;
-    for (size_t i = 0; i < f->count; i++) {
-        const double d = f->x[i] - x;
-        sum += f->change[i] / (d == 0 ? 1 : d) * (d != 0);
-    }
+    double sum[2] = {0, 0}; /* the points come in pairs; divisions are done two at a time */
+    for (size_t i = 0; i + 1 < f->count; i += 2)
+        for (int k = 0; k < 2; k++) {
+            const double d = f->x[i + k] - x;
+            sum[k] += f->change[i + k] / (d == 0 ? HUGE_VAL : d);
+        }
     return rw_base_traction(f->problem, layers, x) +
-           sum * fabs(rw_X_at(&s, x)) * (after % 2 ? -1 : 1);
+           (sum[0] + sum[1]) * fabs(rw_X_at(&s, x)) * (after % 2 ? -1 : 1);
 }

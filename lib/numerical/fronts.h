@@ -27,7 +27,7 @@ typedef struct {
     bool sticks_to_edge[2];   /* left, right: of a growing contact */
     double y[RW_MOST_FRONTS]; /* angles of the fronts, then the layers */
     /* the quadrature: places, weights, changes of traction, X there */
-    int order;
+    int order, finest; /* of a panel; how many at a front, for the traction next to it */
     double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
@@ -56,7 +56,7 @@ bool rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, rw_layers layer
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
 /* For zones that alternate between stick and slip. false where memory is short. */
-bool rw_fronts_create(rw_fronts *fronts, int order);
+bool rw_fronts_create(rw_fronts *fronts, int order, int finest);
 void rw_fronts_destroy(rw_fronts *fronts);
 
 /* Takes over the zones; false where they are no pattern of such a problem. */

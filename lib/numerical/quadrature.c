@@ -13,10 +13,15 @@ static const double RATIO = 0.12;
 /* Of the half-width: distances from a front are not less. */
 static const double AT_FRONT = 1e-15;
 
-bool rw_fronts_create(rw_fronts *f, int order)
+bool rw_fronts_create(rw_fronts *f, int order, int finest)
 {
-    *f = (rw_fronts){.order = order, .capacity = 4096};
+    *f = (rw_fronts){.order = order, .finest = finest, .capacity = 4096};
     rw_gauss(order, f->node, f->weight);
+    for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
+        const double angle = RW_PI * f->node[i], half = sin(angle / 2);
+        f->weight[i] *= RW_HALF_PI * sin(angle);
+        f->node[i] = half * half;
+    }
     f->x = malloc(4 * f->capacity * sizeof *f->x);
     f->step = f->x + f->capacity;
     f->change = f->step + f->capacity;
@@ -92,16 +97,14 @@ static double change_at(const rw_fronts *f, rw_layers layers, int label, double 
     return label == 0 ? -base : label * rw_friction_after(f->problem, x) - base;
 }
 
-/* A panel at the distances from `near` to `far` of both ends, like square roots at its own. */
+/* A panel at the distances from `near` to `far` of both ends. */
 static bool put_panel(rw_fronts *f, const rw_segment *s, rw_layers layers, double near, double far)
 {
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < f->order; i++) {
-            const double angle = RW_PI * f->node[i], half = sin(angle / 2);
-            const double distance = near + (far - near) * half * half;
-            const double step = (far - near) / 2 * RW_PI * sin(angle) * f->weight[i];
+            const double distance = near + (far - near) * f->node[i];
             const double x = side == 0 ? s->from + distance : s->to - distance;
-            if (!put(f, x, step, change_at(f, layers, s->label, x)))
+            if (!put(f, x, (far - near) * f->weight[i], change_at(f, layers, s->label, x)))
                 return false;
         }
     return true;

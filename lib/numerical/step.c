@@ -16,7 +16,7 @@ enum { ANGLES = 96 };
 enum { BUDGET = 400 };
 
 /* Residuals that take as long as a traction and its conditions. */
-enum { OUTCOME = 30 };
+enum { OUTCOME = 20 };
 
 /* Violations over the tolerance that count as none. */
 static const double ALLOWED = 0.2;
@@ -338,7 +338,7 @@ bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
     const double digits = -log10(frame->tolerance);
-    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 1.5));
+    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 2.5));
 }
 
 void rw_work_destroy(rw_work *w)

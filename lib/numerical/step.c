@@ -55,8 +55,9 @@ static bool is_ordered(const rw_fronts *f)
     return true;
 }
 
-/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of them,
- * and what they would change is below the tolerance. Between two ways of slip one may be a point. */
+/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of
+ * them, and what they would change is below the tolerance. Between two ways of slip one may be a
+ * point. */
 static bool has_sliver(const rw_work *w, const rw_fronts *f)
 {
     const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);

@@ -149,7 +149,7 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
 static double change_of_displacement(const rw_problem *p, const rw_outcome *o, double x)
 {
     return rw_traction_displacement(&o->state.traction, x) -
-           rw_traction_displacement(&p->old->traction, x) + p->stretch * (x - p->middle);
+           rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
 }
 
 /* That of a contact which grows under full friction: material comes into contact with it. */

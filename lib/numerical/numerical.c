@@ -92,6 +92,9 @@ static bool do_meet(rw_patch one, rw_patch other)
     return one.left < other.right && other.left < one.right;
 }
 
+/* What steps differ by is about what they err by, and may be less. */
+static const double CAUTION = 1.5;
+
 /* Errors at different places do not add up. */
 double rw_numerical_error(const rw_numerical *n)
 {
@@ -102,7 +105,7 @@ double rw_numerical_error(const rw_numerical *n)
             sum += do_meet(n->error[i].place, n->error[k].place) ? n->error[k].error : 0;
         most = fmax(most, sum);
     }
-    return most;
+    return CAUTION * most + n->elements;
 }
 
 static bool sticks_in(const rw_zones *zones, rw_patch place)
@@ -183,8 +186,8 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* Halvings of a load. */
 enum { HALVINGS = 6 };
 
-/* The error of the elements, of the tolerance. */
-static const double ELEMENTS = 2e-3;
+/* The error of the elements, of the tolerance; step by step it is another one. */
+static const double ELEMENTS = 1e-2;
 
 /* Takes over where a step has led. */
 static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
@@ -194,8 +197,10 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
         rw_shear_state_destroy(&now->shear);
         return false;
     }
-    now->error += ELEMENTS * w->frame->tolerance;
-    note_error(n, now);
+    const double elements = ELEMENTS * w->frame->tolerance;
+    n->elements = hypot(n->elements, elements);
+    if (now->error > 0.01 * elements)
+        note_error(n, now);
     rw_shear_state_destroy(&n->now.shear);
     n->now = *now;
     return true;

@@ -19,6 +19,7 @@ typedef struct {
     rw_stance now;
     bool has_origin;    /* slip is known */
     rw_traction origin; /* slip less the displacement, at each place since it came into contact */
+    double elements;    /* their error */
     int errors;
     rw_load_error error[RW_MOST_ERRORS];
 } rw_numerical;

@@ -6,11 +6,17 @@
 
 #include <string.h>
 
+/* Of the quadrature, where few digits are asked for. */
+enum { ORDER = 10 };
+
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
 /* Residuals that a pattern may cost. */
 enum { BUDGET = 400 };
+
+/* Residuals that take as long as a traction and its conditions. */
+enum { OUTCOME = 20 };
 
 /* Violations over the tolerance that count as none. */
 static const double ALLOWED = 0.2;
@@ -49,8 +55,9 @@ static bool is_ordered(const rw_fronts *f)
     return true;
 }
 
-/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of them,
- * and what they would change is below the tolerance. Between two ways of slip one may be a point. */
+/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of
+ * them, and what they would change is below the tolerance. Between two ways of slip one may be a
+ * point. */
 static bool has_sliver(const rw_work *w, const rw_fronts *f)
 {
     const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
@@ -89,13 +96,13 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
-/* An element of an outcome costs about as much as two residuals; one that fails has many. */
-static bool find_outcome(rw_work *w, rw_outcome *outcome)
+static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                       rw_outcome *outcome)
 {
-    enum { FAILED = 200 };
-    const bool is_found = rw_outcome_of_fronts(&w->fronts, outcome);
-    w->effort += 2 * (is_found ? (int)outcome->state.traction.count : FAILED);
-    return is_found;
+    if (!find_fronts(w, p, zones, angle))
+        return false;
+    w->effort += OUTCOME;
+    return rw_outcome_of_fronts(&w->fronts, outcome);
 }
 
 /* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
@@ -103,13 +110,13 @@ static bool find_outcome(rw_work *w, rw_outcome *outcome)
 static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                         double least, rw_outcome *best)
 {
-    if (!find_fronts(w, p, zones, angle) || !find_outcome(w, best))
+    if (!try_fronts(w, p, zones, angle, best))
         return false;
     for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
         if (!rw_pattern_insert(&mended, &best->wrong, least) ||
-            !find_fronts(w, p, &mended, angle) || !find_outcome(w, &other))
+            !try_fronts(w, p, &mended, angle, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))
@@ -331,7 +338,8 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
 bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
-    return rw_fronts_create(&w->fronts, RW_TERMS);
+    const double digits = -log10(frame->tolerance);
+    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 2.5));
 }
 
 void rw_work_destroy(rw_work *w)

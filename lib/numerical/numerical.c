@@ -338,9 +338,9 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_cour
         return RW_STEP_NO_MEMORY;
     }
     trial whole = try_step(&w, &next.now, to, false);
-    const bool is_done =
-        advance(&w, &next, to, &whole, HALVINGS) &&
-        rw_numerical_error(&next) - rw_numerical_error(n) <= fmax(FAR_OFF, TIMES_OFF * frame->tolerance);
+    const bool is_done = advance(&w, &next, to, &whole, HALVINGS) &&
+                         rw_numerical_error(&next) - rw_numerical_error(n) <=
+                             fmax(FAR_OFF, TIMES_OFF * frame->tolerance);
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)

@@ -1069,7 +1069,7 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
 
 /* Damage of a block of stresses that repeats, by Smith, Watson and Topper's parameter: Miner's sum
  * on the plane where it is largest, of all planes. 1/value blocks are the life.
- *           Bannantine and Socie (1991), Miner (1945), rwedge_smith_watson_topper_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
  * repeats. Each has the largest normal stress between its first load and the one at which it
  * closes. One of the parameter P adds 1/N(P).
@@ -1102,7 +1102,7 @@ RWEDGE_API int32_t rwedge_smith_watson_topper_damage_field(
 
 /* Damage of a block of stresses that repeats, by Fatemi and Socie's parameter. The cycles are those
  * of the plane's shear strain in one direction, the direction of the largest sum.
- *            Bannantine and Socie (1991), Miner (1945), rwedge_fatemi_socie_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  *   n                     number of loads of the block, >= 1, in their order
  *   k_over_sy             as in rwedge_fatemi_socie()
  *   G, tf, b, gf, c, limit  as in rwedge_fatemi_socie_life()

@@ -76,7 +76,10 @@ static void describe(FILE *stream)
           "\nCriteria are the largest of all planes, also of those that do not contain z. A\n"
           "shear amplitude is the radius of the smallest circle around the path of the shear\n"
           "stress, that of sqrt(J2) of the smallest sphere. Nothing is a range but\n"
-          "stress_range and slip_range.\n",
+          "stress_range and slip_range.\n"
+          "\nWith the constants of a curve of life, damage is that of a pass of the loads,\n"
+          "which repeats. Its cycles are counted by rainflow (ASTM E1049). A life is a\n"
+          "number of passes.\n",
           stream);
 }
 
@@ -189,10 +192,8 @@ static void read_plan(arguments *given, plan *job, output_options *how)
     places_spare_files(given, how);
     job->threads = threads_read(given);
     material_read(given->value[OPTION_MATERIAL], given, &job->constants);
-    criteria_read(given, &asked);
-    job->worst = (worst_table){.last = &job->last,
-                               .material = &job->constants,
-                               .below = read_distance(given, &job->constants)};
+    criteria_read(given, &job->constants, &asked);
+    job->worst = (worst_table){.last = &job->last, .below = read_distance(given, &job->constants)};
     course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
     criteria_read_strength(given, &job->whole.what, &asked);
     last_cycle_begin(&job->whole, &asked, &job->last);

@@ -245,3 +245,20 @@ bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severit
     return falls_away(severity, &r) || rw_severity_of(severity, most_amplitude(severity, &r),
                                                       rw_larger(r.most_peak, r.z)) <= value;
 }
+
+/* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
+ * (1-u) p + u z, and r p at most the value. What is left of the product is u (1-u) (r z + p beyond)
+ * + u^2 z beyond. */
+bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
+{
+    double r = 0, p = 0, z = 0, top = -DBL_MAX, bottom = DBL_MAX;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const rw_item *load = &cycle->item[i];
+        r = rw_larger(r, fabs(load->level - load->swing_lift) + load->swing_size);
+        p = rw_larger(p, load->z - load->lift + load->size);
+        z = rw_larger(z, load->z);
+        top = rw_larger(top, load->level), bottom = rw_smaller(bottom, load->level);
+    }
+    const double beyond = (top - bottom) / 2;
+    return r * z + p * beyond <= 2 * value && z * beyond <= value;
+}

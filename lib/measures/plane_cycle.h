@@ -7,14 +7,11 @@
 #ifndef RW_PLANE_CYCLE_H
 #define RW_PLANE_CYCLE_H
 
+#include "measures/plane_search.h"
 #include "measures/smallest_ball.h"
 #include "measures/worst_plane.h"
 
 #include <math.h>
-
-typedef struct {
-    double cosine, sine;
-} rw_direction;
 
 /* One component at the centre of a cell, its rates of change, and bounds of what they leave out. */
 typedef struct {
@@ -36,6 +33,7 @@ typedef struct {
 
 struct rw_plane_cycle {
     size_t loads;
+    double *sxx, *syy, *txy;
     rw_item *item;
     rw_local *local;
     rw_point *point;

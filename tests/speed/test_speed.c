@@ -267,11 +267,11 @@ static double all_planes(long n)
     return value[0];
 }
 
-/* Seen: 0.06, once 0.02, because circles were drawn around points on a line. */
+/* Seen: 0.5 to 0.55. It was 0.06, as all arcs were searched for what may be above them. */
 static void all_planes_take_a_few_times_those_with_z(void **state)
 {
     stress_a_field();
-    assert_ratio("SWT, planes with z / all planes", planes_with_z, 1, all_planes, 1, 0.03);
+    assert_ratio("SWT, planes with z / all planes", planes_with_z, 1, all_planes, 1, 0.3);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every allocation of the library fails in turn: only once, or from then on. The call returns
- * RWEDGE_ENOMEM, changes nothing and leaks nothing, or does without that one. When there is memory
- * again, it gives the same result as before.
+ * RWEDGE_ENOMEM, changes nothing and leaks nothing. When there is memory again, it gives the same
+ * result as before.
  *
  * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
  * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
@@ -227,26 +227,28 @@ static outcome off_centre(void)
     return seen;
 }
 
+/* Where memory was short at a place of the search, the worst one was once sought without it. */
 static outcome cycles(void)
 {
+    static const int32_t measures[] = {RWEDGE_MEASURE_STRESS_RANGE, RWEDGE_MEASURE_DANG_VAN};
     outcome seen = {0};
     const double P[] = {0.6, 0.5}, M[] = {0, 0}, Q[] = {0.1, -0.1}, sigma[] = {0, 0}, x = 0.2,
                  value = 1e-9;
-    double n[8];
+    double n[10];
     rwedge_contact *contact = NULL;
     seen.status = STATUS_OF(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &contact));
     if (seen.status == RWEDGE_OK)
         seen.status = STATUS_OF(rwedge_contact_load(contact, 0.5, 0));
-    if (seen.status == RWEDGE_OK)
-        seen.status = STATUS_OF(rwedge_contact_cycle_worst(contact, RWEDGE_MEASURE_STRESS_RANGE, 2,
-                                                           P, M, Q, sigma, 1, &x, &value, 0, 70,
-                                                           0.3, 0, 0.4, 1, &n[0], &n[1]));
+    for (int i = 0; i < 2 && seen.status == RWEDGE_OK; i++)
+        seen.status = STATUS_OF(rwedge_contact_cycle_worst(contact, measures[i], 2, P, M, Q, sigma,
+                                                           1, &x, &value, 0, 70, 0.3, 0, 0.4, 1,
+                                                           &n[2 * i], &n[2 * i + 1]));
     if (seen.status == RWEDGE_OK)
         seen.status = STATUS_OF(rwedge_contact_cycle_friction(contact, 2, P, M, Q, sigma, 1, &x,
-                                                              &n[2], &n[3], &n[4], &n[5]));
+                                                              &n[4], &n[5], &n[6], &n[7]));
     if (seen.status == RWEDGE_OK)
         seen.status = STATUS_OF(rwedge_permanent_stick(0.1, 0.4, 0.5, 0.5, 0.5, 0.1, -0.1, 0, 0.5,
-                                                       0.1, 0.1, 0.01, &n[6], &n[7]));
+                                                       0.1, 0.1, 0.01, &n[8], &n[9]));
     if (seen.status == RWEDGE_OK)
         memcpy(seen.number, n, sizeof n);
     RUN(rwedge_contact_destroy(contact));
@@ -352,10 +354,7 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
             arm(k, for_ever != 0);
             const outcome failed = call();
             arm(0, false);
-            if (failed.status == RWEDGE_OK && !for_ever) /* it could do without */
-                assert_memory_equal(&failed, &expected, sizeof failed);
-            else
-                assert_refused(&failed);
+            assert_refused(&failed);
             assert_int_equal(heap.outstanding, before);
             const outcome again = call();
             assert_memory_equal(&again, &expected, sizeof again);

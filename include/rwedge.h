@@ -745,6 +745,23 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
                                               double constant, double su, double *worst_x,
                                               double *worst_value);
 
+/* Stresses of the cycle by the theory of critical distances, from a place of the surface into the
+ * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
+ * line). Criteria of them take rwedge_criterion_field() and its kin. L is a property of the
+ * material, (dK_th/ds0)^2/pi.                              Taylor (1999), see lib/README.md; new
+ *   x              length, finite; not the apex 0 of a loaded sharp wedge
+ *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
+ *   length         L, length, 1e-60 to 1e60
+ *   line           0 <= line <= 1: 0 for the point, 1 for the line
+ *   sxx, syy, txy  each receives loads numbers
+ * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV where the means do not settle to 1e-10 of the stresses, which is their error. */
+RWEDGE_API int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads,
+                                              const double P[], const double M[], const double Q[],
+                                              const double sigma[], double x, double angle,
+                                              double length, int32_t line, double sxx[],
+                                              double syy[], double txy[]);
+
 /* How far remote points of the half-plane have moved along the surface against the wedge's, further
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
  * of a cycle under constant P.                                                                  new

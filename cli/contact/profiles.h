@@ -3,7 +3,7 @@
 #ifndef CLI_PROFILES_H
 #define CLI_PROFILES_H
 
-#include "input_options.h"
+#include "model/inputs.h"
 
 /* How the files are read that come next. */
 typedef struct {

@@ -28,6 +28,8 @@ struct poptOption criteria_option_table[] = {
     {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_DANG_VAN_ALPHA, "Dang Van's", "NUMBER"},
     {"plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
+    {"archard", '\0', POPT_ARG_STRING, NULL, OPTION_ARCHARD,
+     "Depth worn per energy and area; the profile does not change", "NUMBER"},
     POPT_TABLEEND,
 };
 
@@ -76,6 +78,7 @@ static const measure_kind more_kinds[COLUMN_COUNT - MEASURE_COUNT] = {
     {"fs_damage_angle", "that of its plane", "deg", true},
     {"fs_damage_out_of_plane", OF_Z, "deg", true},
     {"fs_cycles", "how many cycles that plane's shear strain has in a pass", "none", true},
+    {"wear_depth", "worn in the cycle, --archard times energy_per_area", "length", false},
 };
 
 const measure_kind *column_kind_of(int column)
@@ -93,7 +96,7 @@ int column_criterion(int column)
 
 bool column_is_wanted(const criteria *all, int column)
 {
-    bool wanted = column < MEASURE_COUNT;
+    bool wanted = column < MEASURE_COUNT || (column == COLUMN_WEAR && !isnan(all->archard));
     for (int i = 0; i < CRITERION_COUNT; i++) {
         const criterion_kind *kind = &criterion_kinds[i];
         const bool is_its = kind->value == column || kind->angle == column ||
@@ -140,6 +143,7 @@ static void need(const criteria *all, int criterion, double constant, const char
 
 static void read_constants(const arguments *given, criteria *all)
 {
+    all->archard = read_constant(given, OPTION_ARCHARD, "archard", 1e-60);
     all->su = read_constant(given, OPTION_SU, "su", 1e-60);
     for (int i = CRITERION_FINDLEY; i <= CRITERION_DANG_VAN; i++) {
         const char *name = constant_options[i].name;
@@ -189,7 +193,7 @@ static void read_names(const char *text, criteria *all)
 
 criteria criteria_usual(const contact_case *setup)
 {
-    criteria all = {.nu = setup->nu1, .su = NAN};
+    criteria all = {.nu = setup->nu1, .archard = NAN, .su = NAN};
     for (int i = 0; i < CRITERION_COUNT; i++)
         all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
     return all;

@@ -18,6 +18,7 @@ enum {
     OPTION_DANG_VAN_ALPHA,
     OPTION_CRITERIA,
     OPTION_PLANE_STRESS,
+    OPTION_ARCHARD,
     OPTION_AFTER_CRITERIA
 };
 
@@ -57,6 +58,7 @@ enum {
     COLUMN_FS_DAMAGE_ANGLE,
     COLUMN_FS_DAMAGE_OUT,
     COLUMN_FS_CYCLES,
+    COLUMN_WEAR,
     COLUMN_COUNT
 };
 
@@ -73,6 +75,7 @@ typedef struct {
     bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
     bool is_plane_stress;
     double nu;                 /* of body 1 */
+    double archard;            /* depth worn per energy and area; NAN for none */
     const material *constants; /* NULL for none */
     /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. Of
      * damage it is that of its criterion. */

@@ -99,8 +99,8 @@ static double strength_of(const criteria *asked)
     return isnan(asked->su) ? 1 : asked->su;
 }
 
-int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                            double *stress)
+static int32_t stresses_of(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                           double *stress)
 {
     const size_t all = cycle->loads * n;
     rwedge_contact *going = NULL;
@@ -190,7 +190,7 @@ static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], cons
                        measures at[])
 {
     double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : last_cycle_stresses(cycle, n, x, y, stress);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses_of(cycle, n, x, y, stress);
     if (status == RWEDGE_OK)
         status = last_cycle_criteria(cycle, n, stress, at);
     free(stress);
@@ -221,7 +221,8 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
             at[i].value[MEASURE_SLIP_RANGE] = room[k];
             at[i].value[MEASURE_RUIZ_F1] = room[n + k];
             at[i].value[MEASURE_RUIZ_F2] = room[2 * n + k];
-            at[i].value[MEASURE_ENERGY_PER_AREA] = room[3 * n + k++];
+            at[i].value[MEASURE_ENERGY_PER_AREA] = room[3 * n + k];
+            at[i].value[COLUMN_WEAR] = cycle->asked.archard * room[3 * n + k++];
         }
     return status;
 }

@@ -37,6 +37,15 @@ static void search_line(const last_cycle *last, const measured *all, int column,
     free(x);
 }
 
+/* Wear is worst where the energy is. */
+static void take_wear(const criteria *asked, worst_row row[])
+{
+    if (isnan(asked->archard))
+        return;
+    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA];
+    row[COLUMN_WEAR].value *= asked->archard;
+}
+
 /* Which is not smooth: the worst of the places stands. */
 static bool is_damage(int column)
 {
@@ -58,9 +67,10 @@ void worst_find(const measured *all, worst_table *worst)
             value > 0 && !column_kind_of(i)->is_angle && column_is_wanted(&last->asked, i);
         worst->row[i] = (worst_row){all->place[best].x, all->place[best].y, is_worst ? value : NAN,
                                     is_damage(i) ? cycles_at(&all->place[best], i) : NAN};
-        if (all->line > 0 && is_worst && !is_damage(i))
+        if (all->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
             search_line(last, all, i, best - best % all->line, &worst->row[i]);
     }
+    take_wear(&last->asked, worst->row);
 }
 
 /* ---- Among the places ---- */

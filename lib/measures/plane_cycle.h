@@ -22,6 +22,7 @@ typedef struct {
     rw_vector at, by_psi, by_beta;
     double peak, peak_by_psi, peak_by_beta;
     double rest, peak_rest;
+    double farthest, highest; /* in the cell: the square of the distance; the peak, with its rest */
 } rw_local;
 
 /* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, on

@@ -162,8 +162,10 @@ static void look(search *w, const cell *a, size_t n, view *v)
     v->least_peak = -DBL_MAX;
     double most = 0, rest = 0;
     for (size_t i = 0; i < n; i++) {
-        const rw_local *l = &w->cycle->local[i];
+        rw_local *l = &w->cycle->local[i];
         const corners distance = distances(l, &v->around, a), peak = peaks(l, a);
+        l->farthest = top_of(&distance);
+        l->highest = top_of(&peak) + l->peak_rest;
         raise(&v->amplitude, &distance, 0);
         raise(&v->peak, &peak, l->peak_rest);
         v->least_peak = rw_larger(v->least_peak, bottom_of(&peak) - l->peak_rest);
@@ -190,16 +192,14 @@ static double record(search *w, const cell *a, size_t n, double amplitude)
 }
 
 /* Moves the loads that can matter in the cell to the front; how many. */
-static size_t keep(search *w, const cell *a, size_t n, const view *v)
+static size_t keep(search *w, size_t n, const view *v)
 {
     size_t kept = 0;
     for (size_t i = 0; i < n; i++) {
         const rw_local *l = &w->cycle->local[i];
-        const corners distance = distances(l, &v->around, a), peak = peaks(l, a);
-        if (sqrt(top_of(&distance)) + l->rest < v->least_amplitude &&
-            top_of(&peak) + l->peak_rest < v->least_peak)
-            continue;
-        rw_keep_load(w->cycle, i, kept++);
+        const double least = rw_larger(0, v->least_amplitude - l->rest);
+        if (l->farthest >= least * least || l->highest >= v->least_peak)
+            rw_keep_load(w->cycle, i, kept++);
     }
     return kept;
 }
@@ -249,7 +249,7 @@ static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
     if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
         return 0;
-    const size_t kept = keep(w, a, n, &v);
+    const size_t kept = keep(w, n, &v);
     if (is_worst_at_equator(w, a, kept))
         return 0;
     divide(a, &severity, half);

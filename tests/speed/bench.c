@@ -150,6 +150,38 @@ static double fatemi_socie(long n)
     return out[0][0] + out[1][n - 1];
 }
 
+static double criterion(int32_t measure, long n)
+{
+    static double planes[2][CYCLES];
+    must(rwedge_criterion_field(measure, LOADS, (size_t)n, cycle[0], cycle[1], cycle[2], 110000,
+                                0.33, 0, 0.3, 1, out[0], planes[0], planes[1]));
+    return out[0][0] + planes[0][n - 1];
+}
+
+static double smith_watson_topper_of_all_planes(long n)
+{
+    return criterion(RWEDGE_MEASURE_SWT, n);
+}
+
+static double findley(long n)
+{
+    return criterion(RWEDGE_MEASURE_FINDLEY, n);
+}
+
+static double crossland(long n)
+{
+    return criterion(RWEDGE_MEASURE_CROSSLAND, n);
+}
+
+static double damage(long n)
+{
+    static double cycles[CYCLES], planes[2][CYCLES];
+    must(rwedge_smith_watson_topper_damage_field(LOADS, (size_t)n, cycle[0], cycle[1], cycle[2],
+                                                 110000, 0.33, 0, 1000, -0.1, 0.5, -0.6, 0, out[0],
+                                                 cycles, planes[0], planes[1]));
+    return out[0][0] + cycles[n - 1];
+}
+
 /* The same by calls: what one call takes less. */
 static double history_by_calls(long n)
 {
@@ -206,6 +238,10 @@ static void print_calls(double series, double search)
         {"and of Q and sigma, under M", history_off_centre, LOADS * CYCLES, 0},
         {"Smith-Watson-Topper of 40 loads", smith_watson_topper, CYCLES, 0},
         {"Fatemi-Socie of 40 loads", fatemi_socie, CYCLES, 0},
+        {"Smith-Watson-Topper, all planes", smith_watson_topper_of_all_planes, CYCLES, 0},
+        {"Findley of 40 loads", findley, CYCLES / 4, 0},
+        {"Crossland of 40 loads", crossland, CYCLES, 0},
+        {"damage of 40 loads, by SWT", damage, 20, 0},
     };
     printf("%-34s %12s %12s %12s\n", "ns a call", "this", "plain", "plain / this");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {

@@ -400,6 +400,34 @@ refuses "rwedge fretting: --kappa -1: must be a number, 0 or 1e-60 to 1e60" fret
 refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
     fretting cycle.csv $specimen --criteria swt,fs
 
+# Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.
+run fretting cycle.csv $specimen --archard 1e-5
+column wear_depth out >worn
+column energy_per_area out | paste -d ' ' worn - | awk '$1 != "-" { printf "%.17g %s\n", $2 * 1e-5, $1 }' >both
+close_rows "wear" 1e-14 0
+close_to "worst wear" "$(awk -v e="$(worst energy_per_area | cut -d ' ' -f 2)" 'BEGIN { printf "%.17g", e * 1e-5 }')" "$(worst wear_depth | cut -d ' ' -f 2)" 1e-5
+run fretting cycle.csv $specimen --at-worst --length 0.02 --angle 30
+x=$(verdict swt x)
+at_length=$(verdict swt at_length)
+run fretting cycle.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
+close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
+refuses "rwedge fretting: --angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
+refuses "rwedge fretting: --angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
+
+# For ParaView: a grid of the places of the rows, with each column; points otherwise.
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
+cp out rows
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt --format vtk
+same "the grid" "DIMENSIONS 7 2 1 POINT_DATA 14" "$(grep -E '^(DIMENSIONS|POINT_DATA)' out | paste -s -d ' ' -)"
+same "its columns" "$(head -n 1 rows | tr , '\n' | sed '1,2d' | paste -s -d ' ' -)" "$(awk '/^SCALARS/ { print $2 }' out | paste -s -d ' ' -)"
+awk '/^SCALARS/ { on = $2 == "swt"; next } on && !/^LOOKUP/ { for (i = 1; i <= NF; i++) print $i }' out >swt
+cp rows out
+same "its numbers" "$(column swt out)" "$(cat swt)"
+run fretting cycle.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
+same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | paste -s -d ' ' -)"
+same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
+refuses "rwedge fretting: --at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
+
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
 cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen

@@ -255,6 +255,17 @@ static outcome cycles(void)
     return seen;
 }
 
+static outcome planes(void)
+{
+    outcome seen = {0};
+    const double sxx[] = {1, -2}, syy[] = {0, 0.5}, txy[] = {0.3, 0.1};
+    double n[3];
+    seen.status = STATUS_OF(rwedge_findley(2, sxx, syy, txy, 0.3, 0.2, &n[0], &n[1], &n[2]));
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, n, sizeof n);
+    return seen;
+}
+
 /* ---- Series ---- */
 
 static void keep_series(rwedge_series *series, outcome *seen)
@@ -370,6 +381,7 @@ static void every_failed_allocation_is_survived(void **state)
     assert_true(every_allocation_of("contact", history) >= 10);
     assert_true(every_allocation_of("off_centre", off_centre) >= 20);
     assert_true(every_allocation_of("cycles", cycles) >= 12);
+    assert_true(every_allocation_of("planes", planes) >= 4);
     assert_int_equal(every_allocation_of("series_create", series_create), 1);
     assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
 }

@@ -66,6 +66,11 @@ refuses "rwedge figure: figure 7: a contact and its loads are for history, frett
 cannot "rwedge history: error.csv: column error: a result has that name; allowed: any other" \
     history "$(printf 'P,Q,error\n1,0,0\n' >error.csv; echo error.csv)" $specimen
 
+# Energy that is not known is not said to be "nan".
+printf 'P,M,Q,sigma\n100,5,0,0\n120,6,20,40\n100,5,-15,-20\n' >moves.csv
+run history moves.csv $specimen --cycles 2
+same "energy of a cycle" "- 0" "$(column energy out | tail -n 1) $(grep -c nan err)"
+
 # Half of an answered step is answered, and its other half leads to the same.
 block="--E1 74100 --nu1 .33 --theta .1 --radius 178 --f .65"
 first="--load 488,0,0,0 --load 488,0,200,100 --load 488,0,0,0"

@@ -311,8 +311,8 @@ static void pass_zones(tape *t, rw_zones *z)
 
 static void pass_errors(tape *t, rw_numerical *n)
 {
-    double *const elements[] = {&n->elements};
-    pass_finite(t, 1, elements);
+    double *const rest[] = {&n->rest};
+    pass_finite(t, 1, rest);
     n->errors = (int)pass_count(t, (size_t)n->errors, RW_MOST_ERRORS);
     for (int i = 0; i < n->errors; i++) {
         double *const numbers[] = {&n->error[i].error, &n->error[i].place.left,

@@ -105,7 +105,7 @@ double rw_numerical_error(const rw_numerical *n)
             sum += do_meet(n->error[i].place, n->error[k].place) ? n->error[k].error : 0;
         most = fmax(most, sum);
     }
-    return CAUTION * most + n->elements;
+    return CAUTION * most + n->rest;
 }
 
 static bool sticks_in(const rw_zones *zones, rw_patch place)
@@ -123,20 +123,14 @@ static const double LEFT = 0.2;
 static void note_error(rw_numerical *n, const rw_stance *s)
 {
     int kept = 0;
-    for (int i = 0; i < n->errors; i++) {
-        rw_load_error e = n->error[i];
-        if (!sticks_in(&s->shear.zones, e.place))
-            e = (rw_load_error){LEFT * e.error, s->unslipped};
-        if (e.error > 0)
-            n->error[kept++] = e;
-    }
-    if (kept == RW_MOST_ERRORS) {
-        rw_load_error *last = &n->error[kept - 1];
-        last->error += s->error;
-        last->place = (rw_patch){fmin(last->place.left, s->uncertain.left),
-                                 fmax(last->place.right, s->uncertain.right)};
-    } else
-        n->error[kept++] = (rw_load_error){s->error, s->uncertain};
+    for (int i = 0; i < n->errors; i++)
+        if (sticks_in(&s->shear.zones, n->error[i].place))
+            n->error[kept++] = n->error[i];
+        else
+            n->rest = hypot(n->rest, LEFT * n->error[i].error);
+    if (kept == RW_MOST_ERRORS)
+        n->rest = hypot(n->rest, n->error[--kept].error);
+    n->error[kept++] = (rw_load_error){s->error, s->uncertain};
     n->errors = kept;
 }
 
@@ -198,7 +192,7 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
         return false;
     }
     const double elements = ELEMENTS * w->frame->tolerance;
-    n->elements = hypot(n->elements, elements);
+    n->rest = hypot(n->rest, elements);
     if (now->error > 0.01 * elements)
         note_error(n, now);
     rw_shear_state_destroy(&n->now.shear);

@@ -19,7 +19,7 @@ typedef struct {
     rw_stance now;
     bool has_origin;    /* slip is known */
     rw_traction origin; /* slip less the displacement, at each place since it came into contact */
-    double elements;    /* their error */
+    double rest;        /* of the error: of elements, and what is left where slip has passed */
     int errors;
     rw_load_error error[RW_MOST_ERRORS];
 } rw_numerical;

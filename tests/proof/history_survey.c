@@ -8,7 +8,8 @@
  *     history_survey HISTORIES [SEED]
  *
  * The exit status is 1 where a claim fails, or where the error that is told is not between the true
- * one and 30 times that in 85 of 100 histories, with half of the tolerance taken for none. */
+ * one and 30 times that in 9 of 10 histories, but for one. Half of the tolerance counts as none.
+ * Of 100 histories with the seed 2026 it is in 96. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -179,5 +180,5 @@ int main(int argc, char **argv)
     printf("%ld histories: %ld told an honest error, %d loads unsolved, the slowest %.2f s\n",
            histories, honest, unsolved, slowest);
     return faults > 0 || unsolved > histories / 10 || slowest > LONGEST ||
-           (double)honest < 0.85 * (double)histories;
+           (double)honest < 0.9 * (double)histories - 1;
 }

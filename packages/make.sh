@@ -38,6 +38,10 @@ for step in source windows matlab npm debian docs wheels recipes; do
     *) echo "== FAILED: $step"; ended=1 ;;
     esac
 done
+if [ $# = 1 ]; then
+    echo "== lists of what is linked in"
+    sh "$here/sboms.sh" "$build" "$build/packages" "$tested" || [ $? = 77 ] || ended=1
+fi
 (cd "$build/packages" && find . -type f ! -name SHA256SUMS | sed 's|^\./||' | LC_ALL=C sort | xargs -d '\n' sha256sum >SHA256SUMS)
 echo "== build/packages"
 cat "$build/packages/SHA256SUMS"

@@ -30,6 +30,8 @@ OF_OTHER_SYSTEMS = {"musl", "zlib"}  # elsewhere they are the system's
 RUN_TIMES = {  # Debian's packages of the compilers, whose run-time libraries are linked in
     "mingw-w64-x86-64-dev": "ZPL-2.1 AND MIT AND LicenseRef-Public-Domain",
     "gcc-mingw-w64-x86-64": "GPL-3.0-or-later WITH GCC-exception-3.1",
+    "wasi-libc": "MIT AND CC0-1.0 AND BSD-2-Clause AND BSD-3-Clause",
+    "libclang-rt-dev-wasm32": "Apache-2.0 WITH LLVM-exception",
 }
 
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]
-#     --long   also what takes long, what needs mypy, distributed or zarr, the source distribution, and an older NumPy
+#     --long   also what takes long, what needs mypy, distributed, zarr or jax, the source distribution, and an older NumPy
 # Everything goes into BUILD_FOLDER/python. What comes from PyPI is kept there for the next time. Ends with 77 where there is no Python
 # or no way to PyPI.
 set -eu
@@ -45,7 +45,7 @@ if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
     fetch everyday
     echo "$wanted" >"$folder/fetched"
 fi
-[ $long = no ] || fetch long # nothing is fetched twice
+[ $long = no ] || { fetch long && fetch gradients; } # nothing is fetched twice
 
 sh "$source/../private.sh" "$build"
 SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \

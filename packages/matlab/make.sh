@@ -45,6 +45,8 @@ fi
     sh "$top/packages/sources.sh" "$sources" $inside >"$work/log" 2>&1 &&
         sh "$top/packages/licences.sh" "$sources" "$folder/licences" $inside
 } || { echo "not made: the folder for MATLAB: no licence texts: $(tail -n 1 "$work/log")" | tee -a "$tested"; exit 77; }
+# shellcheck disable=SC2086
+python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" matlab $inside >"$folder/sbom.spdx.json"
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$folder"
 
 [ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

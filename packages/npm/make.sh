@@ -27,6 +27,9 @@ case $status in
 77) echo "not made: the npm package: $(tail -n 1 "$log")" | tee -a "$tested"; exit 77 ;;
 *) tail -n 20 "$log"; exit 1 ;;
 esac
+epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
+python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$build/web/sources" wasm32 gsl wasi-libc libclang-rt-dev-wasm32 \
+    >"$packages/rwedge-$version-npm.spdx.json"
 cp "$build/web/packed/rwedge-$version.tgz" "$packages/rwedge-$version-npm.tgz"
 echo "tested: rwedge-$version-npm.tgz: installed in an empty folder, the binding's tests in Node $(node --version)" >>"$tested"
 echo "not tested: rwedge-$version-npm.tgz: other versions of Node; browsers" >>"$tested"

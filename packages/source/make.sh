@@ -33,14 +33,6 @@ else
 fi
 
 [ $asked = 3 ] || exit 0 # untested
-. "$top/tests/support/venv.sh"
-sbom=rwedge-$version.spdx.json
-if reason=$(venv "$top/packages/source/requirements.txt" "$build/ntia"); then
-    "$build/ntia/bin/ntia-checker" "$packages/$sbom" >"$build/ntia/log" 2>&1 || { cat "$build/ntia/log"; exit 1; }
-    echo "tested: $sbom: ntia-checker finds the minimum elements" >>"$tested"
-else
-    echo "not tested: the elements of $sbom: $reason" | tee -a "$tested"
-fi
 # It builds and passes tests without git, and without Python.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

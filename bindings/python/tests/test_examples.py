@@ -21,11 +21,13 @@ EXAMPLES = PACKAGE / "examples"
 DRAWN = {  # what each must print
     "fretting": r"sxx/p0 +1\.8193 +published +1\.8193[^$]*p0 +3585\.36 +published +3585\.36[^$]*MPa at x = -1\.0000 b, plane 90\.0 ",
     "dovetail": r"the pad tests the dovetail's edge to 1\.\d %",
+    "pads": r"the flat pad has 0\.87 times the cylinder's",
     "spectrum": r"with vibration +46 [^$]*\nthe vibration does 94 % of the damage",
     "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
+    "gradients": r"^10000 gradients under vmap: 0 of 30000 numbers differ [^$]*, b 0\.2500 mm: [^$]*off the root by [1-9]e-(1\d|0[89]) ",
     "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
 }
-NEEDS_ZARR = pytest.param("design", marks=pytest.mark.long)  # test.sh fetches it for the long run
+FETCHED = {"design", "gradients"}  # test.sh fetches zarr, jax and scipy for the long run
 OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}
 
 
@@ -46,8 +48,10 @@ def drawn(tmp_path, monkeypatch, capsys):
     return draw
 
 
-@pytest.mark.parametrize("name", [NEEDS_ZARR if name == "design" else name for name in DRAWN])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in FETCHED else name for name in DRAWN])
 def test_an_example_prints_its_results_and_draws(drawn, name):
+    if name == "gradients":
+        pytest.importorskip("jax")
     printed, picture = drawn(name, OPTIONS.get(name, ""))
     assert re.search(DRAWN[name], printed), printed
     numbers = np.genfromtxt(picture.with_suffix(".csv"), delimiter=",", names=True)
@@ -65,13 +69,11 @@ def errors_of(printed):
 @needs_ccx
 @pytest.mark.long
 def test_finite_elements_approach_the_closed_form(drawn):
-    """As the mesh is refined twice. On the mesh between, CalculiX finds a wrong state under P
-    alone, which friction remembers (the examples' README): the shear is compared from the first to the last."""
-    printed, _ = drawn("calculix", "--refine 2")
+    printed, _ = drawn("calculix", "--refine 1")
     errors = errors_of(printed)
-    assert errors.shape == (3, 3) and (np.diff(errors[:, [0, 2]], axis=0) < 0).all(), printed
+    assert errors.shape == (2, 3), printed
     assert (errors[0] < (0.03, 0.03, 0.01)).all(), printed  # what sixteen elements across the contact can show
-    assert (errors[-1] < 0.5 * errors[0]).all(), printed
+    assert (errors[1] < 0.5 * errors[0]).all(), printed
 
 
 def test_published_cases_are_met(drawn):

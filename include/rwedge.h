@@ -745,6 +745,23 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
                                               double constant, double su, double *worst_x,
                                               double *worst_value);
 
+/* Stresses of the cycle by the theory of critical distances, from a place of the surface into the
+ * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
+ * line). Criteria of them take rwedge_criterion_field() and its kin. L is a property of the
+ * material, (dK_th/ds0)^2/pi.                              Taylor (1999), see lib/README.md; new
+ *   x              length, finite; not the apex 0 of a loaded sharp wedge
+ *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
+ *   length         L, length, 1e-60 to 1e60
+ *   line           0 <= line <= 1: 0 for the point, 1 for the line
+ *   sxx, syy, txy  each receives loads numbers
+ * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV where the means do not settle to 1e-10 of the stresses, which is their error. */
+RWEDGE_API int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads,
+                                              const double P[], const double M[], const double Q[],
+                                              const double sigma[], double x, double angle,
+                                              double length, int32_t line, double sxx[],
+                                              double syy[], double txy[]);
+
 /* How far remote points of the half-plane have moved along the surface against the wedge's, further
  * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
  * of a cycle under constant P.                                                                  new
@@ -1069,7 +1086,7 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
 
 /* Damage of a block of stresses that repeats, by Smith, Watson and Topper's parameter: Miner's sum
  * on the plane where it is largest, of all planes. 1/value blocks are the life.
- *           Bannantine and Socie (1991), Miner (1945), rwedge_smith_watson_topper_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
  * repeats. Each has the largest normal stress between its first load and the one at which it
  * closes. One of the parameter P adds 1/N(P).
@@ -1102,7 +1119,7 @@ RWEDGE_API int32_t rwedge_smith_watson_topper_damage_field(
 
 /* Damage of a block of stresses that repeats, by Fatemi and Socie's parameter. The cycles are those
  * of the plane's shear strain in one direction, the direction of the largest sum.
- *            Bannantine and Socie (1991), Miner (1945), rwedge_fatemi_socie_life(); new
+ *                                                    Bannantine and Socie (1991), Miner (1945); new
  *   n                     number of loads of the block, >= 1, in their order
  *   k_over_sy             as in rwedge_fatemi_socie()
  *   G, tf, b, gf, c, limit  as in rwedge_fatemi_socie_life()

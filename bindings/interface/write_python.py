@@ -240,7 +240,8 @@ def cycles_rows(interface: Interface) -> list[str]:
 def loops_h(interface: Interface) -> str:
     rows = points_rows(interface)
     shared, inputs, outputs = (max(column) for column in list(zip(*rows))[:3])
-    sizes = f"enum {{ MAX_SHARED = {shared}, MAX_INPUTS = {inputs}, MAX_OUTPUTS = {outputs} }};"
+    cycle = max(len(f.of(role)) for f in interface.functions if is_gufunc(f) for role in ("in array", "in", "out"))
+    sizes = f"enum {{ MAX_SHARED = {shared}, MAX_INPUTS = {inputs}, MAX_OUTPUTS = {outputs}, MAX_CYCLE = {cycle} }};"
     return "\n".join(["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* Made by bindings/interface from rwedge.h. */", sizes,
                       macro("FORMULA_LOOPS", formula_loops(interface)), macro("POINTS_ROWS", [r[3] for r in rows]),
                       macro("CYCLES_ROWS", cycles_rows(interface)), ""])
@@ -312,6 +313,8 @@ from numpy.typing import NDArray
 
 from ._contact import Contact as Contact
 from ._contact import YieldFactor as YieldFactor
+from ._criteria import Damage as Damage
+from ._criteria import Plane as Plane
 from ._cycle import Cycle as Cycle
 from ._library import AbsentError as AbsentError
 from ._library import Error as Error
@@ -377,7 +380,7 @@ def formula_type(f: Function) -> str:
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["AbsentError", "Contact", "Cycle", "Error", "Loads", "PathError", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    public = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
     names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")

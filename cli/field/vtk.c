@@ -89,12 +89,30 @@ static void put_quantity(records *rows, const vtk_points *points, int which,
         }
 }
 
-static void put_data(records *rows, const vtk_points *points)
+static void put_head(records *rows, const char *name)
 {
-    char line[80];
+    char line[120];
+    snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n", name);
+    output_text(rows->out, line);
+}
+
+static void put_numbers(records *rows, const vtk_points *points, const vtk_numbers *numbers)
+{
+    for (int which = 0; which < numbers->count; which++) {
+        put_head(rows, numbers->name(points->source, which));
+        for (int64_t j = 0; j < points->rows; j++)
+            for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
+                put_number(rows, numbers->value(points->source, i, j, which),
+                           i == points->columns - 1);
+                progress_step();
+            }
+    }
+}
+
+static void put_stresses(records *rows, const vtk_points *points)
+{
     for (int i = 0; i < TENSOR_COUNT; i++) {
-        snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n", tensor_names[i]);
-        output_text(rows->out, line);
+        put_head(rows, tensor_names[i]);
         put_quantity(rows, points, i, put_scalar);
     }
     output_text(rows->out, "TENSORS stress double\n");
@@ -105,7 +123,8 @@ bool vtk_write(void *of_points, records *rows, bool show_progress)
 {
     const vtk_points *points = of_points;
     char line[80];
-    progress_start(show_progress, (TENSOR_COUNT + 1) * points->columns * points->rows, "values");
+    const int quantities = points->numbers != NULL ? points->numbers->count : TENSOR_COUNT + 1;
+    progress_start(show_progress, quantities * points->columns * points->rows, "values");
     output_text(rows->out, "# vtk DataFile Version 3.0\n");
     output_text(rows->out, points->title);
     output_text(rows->out, "\nASCII\n");
@@ -115,7 +134,10 @@ bool vtk_write(void *of_points, records *rows, bool show_progress)
         put_points(rows, points);
     snprintf(line, sizeof line, "POINT_DATA %" PRId64 "\n", points->columns * points->rows);
     output_text(rows->out, line);
-    put_data(rows, points);
+    if (points->numbers != NULL)
+        put_numbers(rows, points, points->numbers);
+    else
+        put_stresses(rows, points);
     progress_erase();
     return true;
 }

@@ -13,7 +13,7 @@
 struct poptOption criteria_option_table[] = {
     {"criteria", '\0', POPT_ARG_STRING, NULL, OPTION_CRITERIA,
      "Columns of these alone: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
-     "dang-van",
+     "dang-van, swt-damage, fatemi-socie-damage",
      "LIST"},
     {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_FS_K,
      "Fatemi and Socie's k, beside a yield stress (default 1)", "NUMBER"},
@@ -28,20 +28,27 @@ struct poptOption criteria_option_table[] = {
     {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_DANG_VAN_ALPHA, "Dang Van's", "NUMBER"},
     {"plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
+    {"archard", '\0', POPT_ARG_STRING, NULL, OPTION_ARCHARD,
+     "Depth worn per energy and area; the profile does not change", "NUMBER"},
     POPT_TABLEEND,
 };
 
 const criterion_kind criterion_kinds[CRITERION_COUNT] = {
-    {"swt", RWEDGE_MEASURE_SWT, MEASURE_SWT, MEASURE_SWT_ANGLE, COLUMN_SWT_OUT},
+    {"swt", RWEDGE_MEASURE_SWT, MEASURE_SWT, MEASURE_SWT_ANGLE, COLUMN_SWT_OUT, 0},
     {"fatemi-socie", RWEDGE_MEASURE_FATEMI_SOCIE, MEASURE_FATEMI_SOCIE, MEASURE_FS_ANGLE,
-     COLUMN_FS_OUT},
-    {"findley", RWEDGE_MEASURE_FINDLEY, COLUMN_FINDLEY, COLUMN_FINDLEY_ANGLE, COLUMN_FINDLEY_OUT},
+     COLUMN_FS_OUT, 0},
+    {"findley", RWEDGE_MEASURE_FINDLEY, COLUMN_FINDLEY, COLUMN_FINDLEY_ANGLE, COLUMN_FINDLEY_OUT,
+     0},
     {"modified-wohler", RWEDGE_MEASURE_MODIFIED_WOHLER, COLUMN_MODIFIED_WOHLER,
-     COLUMN_MODIFIED_WOHLER_ANGLE, COLUMN_MODIFIED_WOHLER_OUT},
+     COLUMN_MODIFIED_WOHLER_ANGLE, COLUMN_MODIFIED_WOHLER_OUT, 0},
     {"mcdiarmid", RWEDGE_MEASURE_MCDIARMID, COLUMN_MCDIARMID, COLUMN_MCDIARMID_ANGLE,
-     COLUMN_MCDIARMID_OUT},
-    {"crossland", RWEDGE_MEASURE_CROSSLAND, COLUMN_CROSSLAND, 0, 0},
-    {"dang-van", RWEDGE_MEASURE_DANG_VAN, COLUMN_DANG_VAN, 0, 0},
+     COLUMN_MCDIARMID_OUT, 0},
+    {"crossland", RWEDGE_MEASURE_CROSSLAND, COLUMN_CROSSLAND, 0, 0, 0},
+    {"dang-van", RWEDGE_MEASURE_DANG_VAN, COLUMN_DANG_VAN, 0, 0, 0},
+    {"swt-damage", -1, COLUMN_SWT_DAMAGE, COLUMN_SWT_DAMAGE_ANGLE, COLUMN_SWT_DAMAGE_OUT,
+     COLUMN_SWT_CYCLES},
+    {"fatemi-socie-damage", -1, COLUMN_FS_DAMAGE, COLUMN_FS_DAMAGE_ANGLE, COLUMN_FS_DAMAGE_OUT,
+     COLUMN_FS_CYCLES},
 };
 
 /* ---- Columns ---- */
@@ -63,6 +70,15 @@ static const measure_kind more_kinds[COLUMN_COUNT - MEASURE_COUNT] = {
     {"mcdiarmid_out_of_plane", OF_Z, "deg", true},
     {"crossland", "amplitude of sqrt(J2) + alpha largest hydrostatic stress", "stress", false},
     {"dang_van", "largest shear amplitude + alpha hydrostatic stress", "stress", false},
+    {"swt_damage", "Miner's sum of a pass of the loads, of its worst plane", "none", false},
+    {"swt_damage_angle", "that of its plane", "deg", true},
+    {"swt_damage_out_of_plane", OF_Z, "deg", true},
+    {"swt_cycles", "how many cycles that plane's normal strain has in a pass", "none", true},
+    {"fs_damage", "the same by Fatemi and Socie's parameter", "none", false},
+    {"fs_damage_angle", "that of its plane", "deg", true},
+    {"fs_damage_out_of_plane", OF_Z, "deg", true},
+    {"fs_cycles", "how many cycles that plane's shear strain has in a pass", "none", true},
+    {"wear_depth", "worn in the cycle, --archard times energy_per_area", "length", false},
 };
 
 const measure_kind *column_kind_of(int column)
@@ -80,11 +96,11 @@ int column_criterion(int column)
 
 bool column_is_wanted(const criteria *all, int column)
 {
-    bool wanted = column < MEASURE_COUNT;
+    bool wanted = column < MEASURE_COUNT || (column == COLUMN_WEAR && !isnan(all->archard));
     for (int i = 0; i < CRITERION_COUNT; i++) {
         const criterion_kind *kind = &criterion_kinds[i];
-        const bool is_its =
-            kind->value == column || kind->angle == column || kind->out_of_plane == column;
+        const bool is_its = kind->value == column || kind->angle == column ||
+                            kind->out_of_plane == column || kind->cycles == column;
         wanted = wanted || (is_its && all->is_wanted[i]);
     }
     return wanted;
@@ -127,8 +143,9 @@ static void need(const criteria *all, int criterion, double constant, const char
 
 static void read_constants(const arguments *given, criteria *all)
 {
+    all->archard = read_constant(given, OPTION_ARCHARD, "archard", 1e-60);
     all->su = read_constant(given, OPTION_SU, "su", 1e-60);
-    for (int i = CRITERION_FINDLEY; i < CRITERION_COUNT; i++) {
+    for (int i = CRITERION_FINDLEY; i <= CRITERION_DANG_VAN; i++) {
         const char *name = constant_options[i].name;
         all->constant[i] =
             read_constant(given, constant_options[i].number, name, constant_options[i].least);
@@ -154,7 +171,7 @@ static int criterion_named(const char *word, size_t length)
 
 static void refuse_name(const char *text)
 {
-    char allowed[160] = "";
+    char allowed[200] = "";
     for (int i = 0; i < CRITERION_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
     usage_error("--criteria %s: must be a list of: %s", text, allowed);
@@ -176,7 +193,7 @@ static void read_names(const char *text, criteria *all)
 
 criteria criteria_usual(const contact_case *setup)
 {
-    criteria all = {.nu = setup->nu1, .su = NAN};
+    criteria all = {.nu = setup->nu1, .archard = NAN, .su = NAN};
     for (int i = 0; i < CRITERION_COUNT; i++)
         all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
     return all;
@@ -197,15 +214,27 @@ static void read_plane_stress(arguments *given, criteria *all)
         given->value[OPTION_INPUT + INPUT_NU2] = zero;
 }
 
-void criteria_read(arguments *given, criteria *all)
+void criteria_read(arguments *given, const material *constants, criteria *all)
 {
     *all = criteria_usual(&(contact_case){.nu1 = NAN});
+    all->constants = constants;
     all->is_plane_stress = given->value[OPTION_PLANE_STRESS] != NULL;
     if (all->is_plane_stress)
         read_plane_stress(given, all);
     all->is_listed = given->value[OPTION_CRITERIA] != NULL;
     read_names(given->value[OPTION_CRITERIA], all);
     read_constants(given, all);
+}
+
+/* Damage is written where its criterion is, or by itself. */
+static void read_damage(int criterion, int damage, const char *needed, criteria *all)
+{
+    const bool has_life = material_has_life(all->constants, criterion);
+    if (all->is_wanted[damage] && !has_life)
+        usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
+    all->is_wanted[damage] = all->is_wanted[damage] || all->is_wanted[criterion] || !all->is_listed;
+    all->is_wanted[damage] = all->is_wanted[damage] && has_life && !isnan(all->constant[criterion]);
+    all->constant[damage] = all->is_wanted[damage] ? all->constant[criterion] : NAN;
 }
 
 void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all)
@@ -218,6 +247,9 @@ void criteria_read_strength(const arguments *given, const contact_case *setup, c
         usage_error("--fs-k %s: needs --k or --yield-stress", text);
     all->constant[CRITERION_FATEMI_SOCIE] = k / (SQRT_3 * setup->k);
     need(all, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
+    need(all, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
+    read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", all);
+    read_damage(CRITERION_FATEMI_SOCIE, CRITERION_FS_DAMAGE, "G, tf, b0, gf, c0", all);
     if (!all->is_plane_stress)
         all->nu = setup->nu1;
 }

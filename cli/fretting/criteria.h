@@ -3,6 +3,8 @@
 #ifndef CLI_CRITERIA_H
 #define CLI_CRITERIA_H
 
+#include "material.h"
+
 #include "history/places.h"
 #include "model/measures.h"
 
@@ -16,6 +18,7 @@ enum {
     OPTION_DANG_VAN_ALPHA,
     OPTION_CRITERIA,
     OPTION_PLANE_STRESS,
+    OPTION_ARCHARD,
     OPTION_AFTER_CRITERIA
 };
 
@@ -27,6 +30,8 @@ enum {
     CRITERION_MCDIARMID,
     CRITERION_CROSSLAND,
     CRITERION_DANG_VAN,
+    CRITERION_SWT_DAMAGE,
+    CRITERION_FS_DAMAGE,
     CRITERION_COUNT
 };
 
@@ -45,13 +50,23 @@ enum {
     COLUMN_MCDIARMID_OUT,
     COLUMN_CROSSLAND,
     COLUMN_DANG_VAN,
+    COLUMN_SWT_DAMAGE,
+    COLUMN_SWT_DAMAGE_ANGLE,
+    COLUMN_SWT_DAMAGE_OUT,
+    COLUMN_SWT_CYCLES,
+    COLUMN_FS_DAMAGE,
+    COLUMN_FS_DAMAGE_ANGLE,
+    COLUMN_FS_DAMAGE_OUT,
+    COLUMN_FS_CYCLES,
+    COLUMN_WEAR,
     COLUMN_COUNT
 };
 
 typedef struct {
     const char *name;
-    int32_t measure;                /* as the library calls it */
+    int32_t measure;                /* as the library calls it; -1 for damage */
     int value, angle, out_of_plane; /* its columns; 0: it has no plane */
+    int cycles;                     /* of damage: the column of their number; else 0 */
 } criterion_kind;
 extern const criterion_kind criterion_kinds[CRITERION_COUNT];
 
@@ -59,8 +74,11 @@ typedef struct {
     bool is_listed;                  /* by --criteria; otherwise what has its constants is wanted */
     bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
     bool is_plane_stress;
-    double nu; /* of body 1 */
-    /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. */
+    double nu;                 /* of body 1 */
+    double archard;            /* depth worn per energy and area; NAN for none */
+    const material *constants; /* NULL for none */
+    /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. Of
+     * damage it is that of its criterion. */
     double constant[CRITERION_COUNT], su;
 } criteria;
 
@@ -80,9 +98,9 @@ criteria criteria_usual(const contact_case *setup);
 
 /* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
  * from then on. */
-void criteria_read(arguments *given, criteria *all);
+void criteria_read(arguments *given, const material *constants, criteria *all);
 
-/* When the contact is read: Fatemi and Socie's constant. */
+/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
 void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
+#include "paraview.h"
 #include "worst.h"
 
 #include "contact/notices.h"
@@ -18,7 +19,14 @@ enum {
     OPTION_AT_WORST,
     OPTION_MATERIAL,
     OPTION_LENGTH,
-    OPTION_METHOD
+    OPTION_METHOD,
+    OPTION_ANGLE
+};
+
+static struct poptOption fretting_output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
 };
 
 static const struct poptOption options[] = {
@@ -40,8 +48,10 @@ static const struct poptOption options[] = {
     {"method", '\0', POPT_ARG_STRING, NULL, OPTION_METHOD,
      "At half the length below the surface, or the mean over twice of it (default point)",
      "point|line"},
+    {"angle", '\0', POPT_ARG_STRING, NULL, OPTION_ANGLE,
+     "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, fretting_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -76,7 +86,10 @@ static void describe(FILE *stream)
           "\nCriteria are the largest of all planes, also of those that do not contain z. A\n"
           "shear amplitude is the radius of the smallest circle around the path of the shear\n"
           "stress, that of sqrt(J2) of the smallest sphere. Nothing is a range but\n"
-          "stress_range and slip_range.\n",
+          "stress_range and slip_range.\n"
+          "\nWith the constants of a curve of life, damage is that of a pass of the loads,\n"
+          "which repeats. Its cycles are counted by rainflow (ASTM E1049). A life is a\n"
+          "number of passes.\n",
           stream);
 }
 
@@ -165,14 +178,19 @@ static bool write_rows(void *of_plan, records *rows, bool show_progress)
 static distance read_distance(const arguments *given, const material *constants)
 {
     const char *text = given->value[OPTION_LENGTH], *method = given->value[OPTION_METHOD];
-    distance below = {NAN, method != NULL && strcmp(method, "line") == 0};
+    const char *angle = given->value[OPTION_ANGLE];
+    distance below = {NAN, 0, method != NULL && strcmp(method, "line") == 0};
     if (method != NULL && !below.is_line && strcmp(method, "point") != 0)
         usage_error("--method %s: must be point or line", method);
     if (text != NULL &&
         !(number_read(text, &below.length) && below.length >= 1e-60 && below.length <= 1e60))
         usage_error("--length %s: must be a number from 1e-60 to 1e60", text);
-    if (text == NULL && method != NULL)
+    if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
+        usage_error("--angle %s: must be a number from -85 to 85", angle);
+    if (text == NULL && (method != NULL || angle != NULL))
         below.length = material_length(constants);
+    if (angle != NULL && isnan(below.length))
+        usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))
         usage_error("--method %s: needs --length, or dK_th and ds0 of --material", method);
     if (!isnan(below.length) && given->value[OPTION_AT_WORST] == NULL &&
@@ -182,17 +200,24 @@ static distance read_distance(const arguments *given, const material *constants)
     return below;
 }
 
+static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
+
+static bool is_for_paraview(const output_options *how)
+{
+    return how->format == NULL;
+}
+
 static void read_plan(arguments *given, plan *job, output_options *how)
 {
     criteria asked;
-    output_options_read(given, how);
+    output_options_read_of(given, formats, "", how);
+    if (is_for_paraview(how) && given->value[OPTION_AT_WORST] != NULL)
+        usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     places_spare_files(given, how);
     job->threads = threads_read(given);
     material_read(given->value[OPTION_MATERIAL], given, &job->constants);
-    criteria_read(given, &asked);
-    job->worst = (worst_table){.last = &job->last,
-                               .material = &job->constants,
-                               .below = read_distance(given, &job->constants)};
+    criteria_read(given, &job->constants, &asked);
+    job->worst = (worst_table){.last = &job->last, .below = read_distance(given, &job->constants)};
     course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
     criteria_read_strength(given, &job->whole.what, &asked);
     last_cycle_begin(&job->whole, &asked, &job->last);
@@ -235,6 +260,8 @@ static void write_output(const arguments *given, const output_options *how, plan
     verdict.is_verdict = true;
     if (given->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdict);
+    else if (is_for_paraview(how))
+        output_options_write(how, paraview_write, &(measured_columns){&job->all, &job->last.asked});
     else
         output_options_write(how, write_rows, job);
 }
@@ -250,7 +277,7 @@ static int fretting(const arguments *line)
     compute(&job);
     worst_find(&job.all, &job.worst);
     worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
-    if (job.all.line > 0 && given.value[OPTION_X] == NULL)
+    if (job.all.line > 0 && given.value[OPTION_X] == NULL && !is_for_paraview(&how))
         worst_add_places(&job.worst, &job.all);
     write_output(&given, &how, &job);
     if (how_worst.path != NULL)

@@ -99,8 +99,8 @@ static double strength_of(const criteria *asked)
     return isnan(asked->su) ? 1 : asked->su;
 }
 
-int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                            double *stress)
+static int32_t stresses_of(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                           double *stress)
 {
     const size_t all = cycle->loads * n;
     rwedge_contact *going = NULL;
@@ -113,22 +113,52 @@ int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[],
     return status;
 }
 
-static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
-                             double *room, measures at[])
+/* Damage, its cycles, the two angles: four lists of n numbers each. */
+static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *room)
+{
+    const double *v = cycle->asked.constants->value, E = cycle->setup->E1;
+    const double limit = material_allowable(
+        cycle->asked.constants, i == CRITERION_SWT_DAMAGE ? CRITERION_SWT : CRITERION_FATEMI_SOCIE);
+    const double run_out = isnan(limit) ? 0 : limit;
+    const size_t all = cycle->loads * n;
+    const criteria *asked = &cycle->asked;
+    if (i == CRITERION_SWT_DAMAGE)
+        return rwedge_smith_watson_topper_damage_field(
+            cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
+            asked->is_plane_stress, v[MATERIAL_SF], v[MATERIAL_B], v[MATERIAL_EF], v[MATERIAL_C],
+            run_out, room, room + 3 * n, room + n, room + 2 * n);
+    return rwedge_fatemi_socie_damage_field(
+        cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
+        asked->is_plane_stress, asked->constant[i], v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
+        v[MATERIAL_GF], v[MATERIAL_C0], run_out, room, room + 3 * n, room + n, room + 2 * n);
+}
+
+static int32_t criterion_of(const last_cycle *cycle, int i, size_t n, const double *stress,
+                            double *room)
 {
     const size_t all = cycle->loads * n;
     const criteria *asked = &cycle->asked;
+    if (criterion_kinds[i].cycles > 0)
+        return damage(cycle, i, n, stress, room);
+    return rwedge_criterion_field(criterion_kinds[i].measure, cycle->loads, n, stress, stress + all,
+                                  stress + 2 * all, cycle->setup->E1, asked->nu,
+                                  asked->is_plane_stress, asked->constant[i], strength_of(asked),
+                                  room, room + n, room + 2 * n);
+}
+
+static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
+                             double *room, measures at[])
+{
     const criterion_kind *kind = &criterion_kinds[i];
-    const int32_t status = rwedge_criterion_field(
-        kind->measure, cycle->loads, n, stress, stress + all, stress + 2 * all, cycle->setup->E1,
-        asked->nu, asked->is_plane_stress, asked->constant[i], strength_of(asked), room, room + n,
-        room + 2 * n);
+    const int32_t status = criterion_of(cycle, i, n, stress, room);
     for (size_t j = 0; j < n && status == RWEDGE_OK; j++) {
         at[j].value[kind->value] = room[j];
         if (kind->angle == 0)
             continue;
         at[j].value[kind->angle] = degrees(room[n + j]);
         at[j].value[kind->out_of_plane] = degrees(room[2 * n + j]);
+        if (kind->cycles > 0)
+            at[j].value[kind->cycles] = room[3 * n + j];
     }
     return status;
 }
@@ -147,7 +177,7 @@ static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress
 
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[])
 {
-    double *room = malloc((3 * n + 1) * sizeof *room);
+    double *room = malloc((4 * n + 1) * sizeof *room);
     int32_t status = room == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, room, at);
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
         if (!isnan(cycle->asked.constant[i]))
@@ -160,7 +190,7 @@ static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], cons
                        measures at[])
 {
     double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : last_cycle_stresses(cycle, n, x, y, stress);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses_of(cycle, n, x, y, stress);
     if (status == RWEDGE_OK)
         status = last_cycle_criteria(cycle, n, stress, at);
     free(stress);
@@ -191,7 +221,8 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
             at[i].value[MEASURE_SLIP_RANGE] = room[k];
             at[i].value[MEASURE_RUIZ_F1] = room[n + k];
             at[i].value[MEASURE_RUIZ_F2] = room[2 * n + k];
-            at[i].value[MEASURE_ENERGY_PER_AREA] = room[3 * n + k++];
+            at[i].value[MEASURE_ENERGY_PER_AREA] = room[3 * n + k];
+            at[i].value[COLUMN_WEAR] = cycle->asked.archard * room[3 * n + k++];
         }
     return status;
 }

@@ -32,10 +32,8 @@ void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cy
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[]);
 
-/* The stresses after all loads at n places: of each load one place after the other, sxx of all
- * first, then syy and txy; and the criteria of such stresses, with the range. */
-int32_t last_cycle_stresses(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                            double *stress);
+/* The criteria, with the range, of stresses after all loads at n places: of each load one place
+ * after the other, sxx of all first, then syy and txy. */
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
 
 typedef struct {

@@ -7,8 +7,8 @@
 #include "last_cycle.h"
 
 typedef struct {
-    double length; /* NAN for none */
-    bool is_line;  /* mean over twice the length; else the point at half of it */
+    double length, angle; /* NAN for none; from the surface's normal towards +x, deg */
+    bool is_line;         /* mean over twice the length; else the point at half of it */
 } distance;
 
 /* The criteria there, of the stresses of each load. Returns the library's status, or

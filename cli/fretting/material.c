@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "material.h"
 
+#include "criteria.h"
+
 #include "input/csv_input.h"
 #include "text/message.h"
 #include "text/number.h"
@@ -174,20 +176,13 @@ double material_allowable(const material *all, int criterion)
         [CRITERION_CROSSLAND] = MATERIAL_CROSSLAND_LIMIT,
         [CRITERION_DANG_VAN] = MATERIAL_DANG_VAN_LIMIT,
     };
-    return criterion == CRITERION_MCDIARMID ? 1 : all->value[limits[criterion]];
+    const bool is_ratio = criterion == CRITERION_MCDIARMID || criterion >= CRITERION_SWT_DAMAGE;
+    return is_ratio ? 1 : all->value[limits[criterion]];
 }
 
-double material_life(const material *all, int criterion, double value, double E)
+bool material_has_life(const material *all, int criterion)
 {
-    const double *v = all->value, limit = material_allowable(all, criterion);
-    const double run_out = isnan(limit) ? 0 : limit;
-    if (criterion == CRITERION_SWT && !isnan(v[MATERIAL_SF]))
-        return rwedge_smith_watson_topper_life(value, E, v[MATERIAL_SF], v[MATERIAL_B],
-                                               v[MATERIAL_EF], v[MATERIAL_C], run_out);
-    if (criterion == CRITERION_FATEMI_SOCIE && !isnan(v[MATERIAL_G]))
-        return rwedge_fatemi_socie_life(value, v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
-                                        v[MATERIAL_GF], v[MATERIAL_C0], run_out);
-    return NAN;
+    return !isnan(all->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
 }
 
 double material_length(const material *all)

@@ -3,7 +3,9 @@
 #ifndef CLI_MATERIAL_H
 #define CLI_MATERIAL_H
 
-#include "criteria.h"
+#include "options/arguments.h"
+
+#include <stdbool.h>
 
 /* Constants without an option of their own. */
 enum {
@@ -38,8 +40,8 @@ void material_read(const char *path, arguments *given, material *all);
 /* What a criterion must not exceed; NAN where it is not known. */
 double material_allowable(const material *all, int criterion);
 
-/* The cycles to failure at a value of a criterion; NAN where it is not known. */
-double material_life(const material *all, int criterion, double value, double E);
+/* Whether the curve of life of a criterion is known. */
+bool material_has_life(const material *all, int criterion);
 
 /* (dK_th/ds0)^2/pi; NAN where they are not known. */
 double material_length(const material *all);

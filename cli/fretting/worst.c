@@ -37,6 +37,26 @@ static void search_line(const last_cycle *last, const measured *all, int column,
     free(x);
 }
 
+/* Wear is worst where the energy is. */
+static void take_wear(const criteria *asked, worst_row row[])
+{
+    if (isnan(asked->archard))
+        return;
+    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA];
+    row[COLUMN_WEAR].value *= asked->archard;
+}
+
+/* Which is not smooth: the worst of the places stands. */
+static bool is_damage(int column)
+{
+    return column_criterion(column) >= CRITERION_SWT_DAMAGE;
+}
+
+static double cycles_at(const measured_place *place, int damage)
+{
+    return place->at.value[criterion_kinds[column_criterion(damage)].cycles];
+}
+
 void worst_find(const measured *all, worst_table *worst)
 {
     const last_cycle *last = worst->last;
@@ -45,10 +65,12 @@ void worst_find(const measured *all, worst_table *worst)
         const double value = all->place[best].at.value[i];
         const bool is_worst =
             value > 0 && !column_kind_of(i)->is_angle && column_is_wanted(&last->asked, i);
-        worst->row[i] = (worst_row){all->place[best].x, all->place[best].y, is_worst ? value : NAN};
-        if (all->line > 0 && is_worst)
+        worst->row[i] = (worst_row){all->place[best].x, all->place[best].y, is_worst ? value : NAN,
+                                    is_damage(i) ? cycles_at(&all->place[best], i) : NAN};
+        if (all->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
             search_line(last, all, i, best - best % all->line, &worst->row[i]);
     }
+    take_wear(&last->asked, worst->row);
 }
 
 /* ---- Among the places ---- */
@@ -107,6 +129,8 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
         number_write(row->y, 6, '.', y);
         list_add(text, size, "; ", "%s %s at x = %s%s%s", column_kind_of(i)->column, value, x,
                  is_deep ? ", y = " : "", is_deep ? y : "");
+        if (!isnan(row->cycles))
+            list_add(text, size, "", " (%.0f cycle%s)", row->cycles, row->cycles == 1 ? "" : "s");
     }
 }
 
@@ -114,7 +138,7 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 
 static const char *const columns[] = {"measure",   "value",     "x",     "y",
                                       "length",    "at_length", "angle", "out_of_plane",
-                                      "allowable", "safety",    "life"};
+                                      "allowable", "safety",    "life",  "cycles"};
 enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
 /* Below the worst place of the surface. */
@@ -127,9 +151,22 @@ static measures measures_below(const worst_table *worst, double x)
     return at;
 }
 
-static cell cell_life(double life)
+/* The damage of a criterion; the same for damage itself and for criteria without a life. */
+static int damage_of(int criterion)
 {
-    return isinf(life) ? cell_text("inf") : cell_number(life);
+    return criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
+           : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
+                                                 : criterion;
+}
+
+/* In passes of the loads. */
+static void add_life(const criterion_kind *kind, const measures *at, cell cells[COLUMNS])
+{
+    if (kind->cycles == 0)
+        return;
+    const double damage = at->value[kind->value];
+    cells[10] = damage == 0 ? cell_text("inf") : cell_number(1 / damage);
+    cells[11] = cell_number(at->value[kind->cycles]);
 }
 
 /* What a criterion comes to: its plane, what is allowed, the life. */
@@ -138,10 +175,11 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
 {
     const criterion_kind *kind = &criterion_kinds[criterion];
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
+    const material *constants = worst->last->asked.constants;
     const measures at =
         is_below ? measures_below(worst, row->x) : measures_at(worst->last, row->x, row->y);
     const double value = at.value[kind->value],
-                 allowable = material_allowable(worst->material, criterion);
+                 allowable = material_allowable(constants, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);
     cells[5] = cell_number(is_below ? value : NAN);
     if (kind->angle > 0) {
@@ -150,8 +188,7 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     }
     cells[8] = cell_number(allowable);
     cells[9] = cell_number(value > 0 ? allowable / value : NAN);
-    cells[10] = cell_life(
-        material_life(worst->material, criterion, fmax(value, 0), worst->last->setup->E1));
+    add_life(&criterion_kinds[damage_of(criterion)], &at, cells);
 }
 
 static void write_row(const worst_table *worst, int column, records *rows)

@@ -4,18 +4,16 @@
 #define CLI_WORST_H
 
 #include "length.h"
-#include "material.h"
 #include "rows/records.h"
 #include "surface.h"
 
-/* The value is NAN where the column is nowhere above 0. */
+/* The value is NAN where the column is nowhere above 0; cycles but for damage. */
 typedef struct {
-    double x, y, value;
+    double x, y, value, cycles;
 } worst_row;
 
 typedef struct {
     const last_cycle *last;
-    const material *material;
     distance below;  /* where criteria count, beside the surface */
     bool is_verdict; /* criteria alone are written; those of --criteria where it is given */
     worst_row row[COLUMN_COUNT];
@@ -26,7 +24,8 @@ void worst_find(const measured *all, worst_table *worst);
 /* Those between the places become places too. */
 void worst_add_places(const worst_table *worst, measured *all);
 
-/* "swt 1.2 at x = -0.3; ..."; "" where there is none. Depths where they matter. */
+/* "swt 1.2 at x = -0.3; swt_damage 0.01 at x = -0.3 (2 cycles)"; "" where
+ * there is none. Depths where they matter. */
 void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size);
 
 /* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */

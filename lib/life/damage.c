@@ -66,6 +66,12 @@ static void extend(extent *e, rw_vector at, double normal)
     e->peak = rw_larger(e->peak, normal);
 }
 
+static double half_diagonal(const extent *e)
+{
+    const double x = e->high_x - e->low_x, y = e->high_y - e->low_y;
+    return sqrt(x * x + y * y) / 2;
+}
+
 static extent go_through(miner *m, const plane *p)
 {
     const double C = p->psi.cosine, S = p->psi.sine, c = p->beta.cosine, s = p->beta.sine;
@@ -94,20 +100,29 @@ static double damage_of(miner *m, double amplitude, double peak)
     return isnan(life) ? 0 : 1 / life;
 }
 
-static bool may_be_worse(miner *m, const extent *e)
+static bool may_be_worse(miner *m, double amplitude, double peak)
 {
-    const double x = e->high_x - e->low_x, y = e->high_y - e->low_y;
-    const double most =
-        (double)(m->cycle->loads / 2) * damage_of(m, sqrt(x * x + y * y) / 2, e->peak);
+    const double most = (double)(m->cycle->loads / 2) * damage_of(m, amplitude, peak);
     return most > HOPELESS * m->best[0].damage;
+}
+
+/* The half range of the path in a direction. */
+static double resolve(miner *m, rw_direction across)
+{
+    double low = DBL_MAX, high = -DBL_MAX;
+    for (size_t i = 0; i < m->cycle->loads; i++) {
+        m->along[i] = m->path[i].x * across.cosine + m->path[i].y * across.sine;
+        low = rw_smaller(low, m->along[i]);
+        high = rw_larger(high, m->along[i]);
+    }
+    return (high - low) / 2;
 }
 
 static verdict count(miner *m, const plane *p)
 {
-    const size_t loads = m->cycle->loads;
-    for (size_t i = 0; i < loads; i++)
-        m->along[i] = m->path[i].x * p->across.cosine + m->path[i].y * p->across.sine;
-    const size_t cycles = rw_rainflow(loads, m->along, m->other, true, m->stack, m->counted);
+    resolve(m, p->across);
+    const size_t cycles =
+        rw_rainflow(m->cycle->loads, m->along, m->other, true, m->stack, m->counted);
     verdict v = {*p, 0, 0};
     double largest = 0;
     for (size_t k = 0; k < cycles; k++)
@@ -146,13 +161,15 @@ static void note(miner *m, const verdict *v)
     m->best[place] = *v;
 }
 
-static void look_at_all_directions(miner *m, plane p)
+static void look_at_all_directions(miner *m, plane p, double peak)
 {
     const bool is_line = m->severity.is_strain || p.beta.sine == 0;
     p.across = (rw_direction){1, 0};
     for (int k = 0; k < (is_line ? 1 : ACROSS); k++) {
-        const verdict v = count(m, &p);
-        note(m, &v);
+        if (may_be_worse(m, resolve(m, p.across), peak)) {
+            const verdict v = count(m, &p);
+            note(m, &v);
+        }
         p.across = rw_turned_by(p.across, ACROSS_STEP);
     }
 }
@@ -163,8 +180,8 @@ static void look_at_grid(miner *m)
     for (int row = 0; row < UP; row++) {
         for (int k = 0; k < ACROSS_EQUATOR; k++) {
             const extent e = go_through(m, &p);
-            if (may_be_worse(m, &e))
-                look_at_all_directions(m, p);
+            if (may_be_worse(m, half_diagonal(&e), e.peak))
+                look_at_all_directions(m, p, e.peak);
             p.psi = rw_turned_by(p.psi, PSI_STEP);
         }
         p.beta = rw_turned_by(p.beta, BETA_STEP);

@@ -36,7 +36,9 @@ static void search(const field *f, rw_cycle waves, double unit, double value[], 
         waves.sxx = f->sxx + i;
         waves.syy = f->syy + i;
         waves.txy = f->txy + i;
-        value[i] = unit * rw_plane_search(&waves, &angle[i]);
+        rw_direction phi;
+        value[i] = unit * rw_plane_search(&waves, &phi);
+        angle[i] = rw_plane_angle(phi.cosine, phi.sine);
     }
 }
 

@@ -106,22 +106,81 @@ static void record(search *w, const rw_arc *arc, const view *v)
     *w->psi = arc->psi;
 }
 
-static bool matters(const wave *l, const view *v)
+/* Which loads are the top, the bottom and the peak somewhere on the arc: the last of each, and how
+ * many there are. */
+enum { TOP, BOTTOM, PEAK, KINDS };
+
+typedef struct {
+    const rw_item *last[KINDS];
+    int count[KINDS];
+} rivals;
+
+static bool note(rivals *r, int kind, bool matters, const rw_item *load)
 {
-    const double spread = fabs(l->change) + l->rest;
-    return l->along + spread >= v->least_top || l->along - spread <= v->most_bottom ||
-           l->peak + fabs(l->peak_change) + l->peak_rest >= v->least_peak;
+    if (matters) {
+        r->last[kind] = load;
+        r->count[kind]++;
+    }
+    return matters;
 }
 
-static size_t keep(search *w, const rw_arc *arc, size_t n, const view *v)
+static bool note_all(rivals *r, const wave *l, const view *v, const rw_item *load)
+{
+    const double spread = fabs(l->change) + l->rest;
+    const bool is_top = note(r, TOP, l->along + spread >= v->least_top, load);
+    const bool is_bottom = note(r, BOTTOM, l->along - spread <= v->most_bottom, load);
+    const double peak = l->peak + fabs(l->peak_change) + l->peak_rest;
+    return note(r, PEAK, peak >= v->least_peak, load) || is_top || is_bottom;
+}
+
+/* Those that are kept stand in front, where the rivals point. */
+static size_t keep(search *w, const rw_arc *arc, size_t n, const view *v, rivals *r)
 {
     size_t kept = 0;
+    *r = (rivals){{NULL}, {0}};
     for (size_t i = 0; i < n; i++) {
         const wave l = wave_of(w->severity->is_strain, &w->cycle->item[i], arc);
-        if (matters(&l, v))
+        if (note_all(r, &l, v, &w->cycle->item[kept]))
             rw_keep_load(w->cycle, i, kept++);
     }
     return kept;
+}
+
+/* ---- Where no other load comes in ---- */
+
+/* The direction of the largest top - bottom + gain peak, each of one load: a wave. */
+static rw_direction crest_of(const rw_severity *v, const rivals *r)
+{
+    const double d = (r->last[TOP]->swing_d - r->last[BOTTOM]->swing_d) / 2,
+                 t = (r->last[TOP]->swing_t - r->last[BOTTOM]->swing_t) / 2;
+    const double C = (v->is_strain ? d : t) + v->gain * r->last[PEAK]->d,
+                 S = (v->is_strain ? t : -d) + v->gain * r->last[PEAK]->t;
+    const double length = sqrt(C * C + S * S);
+    return length > 0 ? (rw_direction){C / length, S / length} : (rw_direction){1, 0};
+}
+
+/* The crest, or the end of the arc that is nearer to it. */
+static rw_direction nearest_on(const rw_arc *arc, rw_direction crest)
+{
+    const double along = arc->psi.cosine * crest.cosine + arc->psi.sine * crest.sine,
+                 across = arc->psi.cosine * crest.sine - arc->psi.sine * crest.cosine;
+    const double end = 2 * arc->tangent / (1 + arc->tangent * arc->tangent);
+    if (along > 0 && fabs(across) <= end)
+        return crest;
+    return rw_turned_by(arc->psi, across > 0 ? arc->tangent : -arc->tangent);
+}
+
+/* A sum of one load each is a wave, whose largest value is known; whether it is so. */
+static bool settle(search *w, const rw_arc *arc, size_t n, const rivals *r)
+{
+    for (int kind = 0; kind < KINDS; kind++)
+        if (!w->severity->is_sum || r->count[kind] != 1)
+            return false;
+    const rw_arc at = {nearest_on(arc, crest_of(w->severity, r)), 0, 0};
+    view v;
+    look(w, &at, n, &v);
+    record(w, &at, &v);
+    return true;
 }
 
 rw_arc rw_half_of_arc(const rw_arc *arc, bool is_forward)
@@ -139,7 +198,10 @@ static void explore(search *w, const rw_arc *arc, size_t n)
     record(w, arc, &v);
     if (bound_of(w->severity, &v, severity) <= w->best->value + w->noise || arc->half < SHORTEST)
         return;
-    const size_t kept = keep(w, arc, n, &v);
+    rivals some;
+    const size_t kept = keep(w, arc, n, &v, &some);
+    if (settle(w, arc, kept, &some))
+        return;
     const bool is_forward = severity[0] > severity[1];
     const rw_arc first = rw_half_of_arc(arc, is_forward), second = rw_half_of_arc(arc, !is_forward);
     explore(w, &first, kept);
@@ -244,4 +306,21 @@ bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severit
     const reach r = reach_of(cycle, severity, arc, n);
     return falls_away(severity, &r) || rw_severity_of(severity, most_amplitude(severity, &r),
                                                       rw_larger(r.most_peak, r.z)) <= value;
+}
+
+/* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
+ * (1-u) p + u z, and r p at most the value. What is left of the product is u (1-u) (r z + p beyond)
+ * + u^2 z beyond. */
+bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
+{
+    double r = 0, p = 0, z = 0, top = -DBL_MAX, bottom = DBL_MAX;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const rw_item *load = &cycle->item[i];
+        r = rw_larger(r, fabs(load->level - load->swing_lift) + load->swing_size);
+        p = rw_larger(p, load->z - load->lift + load->size);
+        z = rw_larger(z, load->z);
+        top = rw_larger(top, load->level), bottom = rw_smaller(bottom, load->level);
+    }
+    const double beyond = (top - bottom) / 2;
+    return r * z + p * beyond <= 2 * value && z * beyond <= value;
 }

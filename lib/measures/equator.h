@@ -28,4 +28,8 @@ void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, doubl
 bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
                          const rw_arc *arc, size_t n, double value);
 
+/* Whether no plane has a larger product of strain and normal stress than `value`, the largest at
+ * the equator. Quick; it may say no where it is so. */
+bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value);
+
 #endif

@@ -7,14 +7,11 @@
 #ifndef RW_PLANE_CYCLE_H
 #define RW_PLANE_CYCLE_H
 
+#include "measures/plane_search.h"
 #include "measures/smallest_ball.h"
 #include "measures/worst_plane.h"
 
 #include <math.h>
-
-typedef struct {
-    double cosine, sine;
-} rw_direction;
 
 /* One component at the centre of a cell, its rates of change, and bounds of what they leave out. */
 typedef struct {
@@ -25,6 +22,7 @@ typedef struct {
     rw_vector at, by_psi, by_beta;
     double peak, peak_by_psi, peak_by_beta;
     double rest, peak_rest;
+    double farthest, highest; /* in the cell: the square of the distance; the peak, with its rest */
 } rw_local;
 
 /* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, on
@@ -36,6 +34,7 @@ typedef struct {
 
 struct rw_plane_cycle {
     size_t loads;
+    double *sxx, *syy, *txy;
     rw_item *item;
     rw_local *local;
     rw_point *point;

@@ -23,9 +23,7 @@ static const double SHORTEST = 1e-9;
 /* A product this small has too few digits to be compared. */
 static const double NOTHING = 1e-200;
 
-typedef struct {
-    double cosine, sine;
-} direction;
+typedef rw_direction direction;
 
 typedef struct {
     direction from, to;
@@ -430,7 +428,7 @@ static void explore_all(search *s, const survey *v)
         explore(s, &a[k % ARCS], c[k % ARCS]);
 }
 
-double rw_plane_search(const rw_cycle *cycle, double *angle)
+double rw_plane_search(const rw_cycle *cycle, rw_direction *phi)
 {
     survey v;
     survey_of(cycle, &v);
@@ -443,6 +441,6 @@ double rw_plane_search(const rw_cycle *cycle, double *angle)
     for (int k = 0; k < ARCS; k++)
         record(&s, start_of(k), v.highest[PEAK][k], v.highest[TOP][k] + v.highest[BOTTOM][k]);
     explore_all(&s, &v);
-    *angle = rw_plane_angle(s.where.cosine, s.where.sine);
+    *phi = s.where;
     return s.best;
 }

@@ -11,6 +11,10 @@
 #include <stddef.h>
 
 typedef struct {
+    double cosine, sine;
+} rw_direction;
+
+typedef struct {
     double mean, cosine, sine;
 } rw_wave;
 
@@ -26,11 +30,12 @@ typedef struct {
     double mean, normal, shear;
 } rw_cycle;
 
-/* The largest max(0, max peak) (max range - min range), and its angle: that between the plane's
- * normal and +y, positive towards +x; 0 where the product is 0. */
-double rw_plane_search(const rw_cycle *cycle, double *angle);
+/* The largest max(0, max peak) (max range - min range), and its phi; phi is 0 where the product is
+ * 0. */
+double rw_plane_search(const rw_cycle *cycle, rw_direction *phi);
 
-/* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]. */
+/* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]: the angle between a plane's
+ * normal and +y, positive towards +x. */
 static inline double rw_plane_angle(double cosine, double sine)
 {
     const double angle = rw_angle(cosine, sine) / 2;

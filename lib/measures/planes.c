@@ -11,12 +11,6 @@ typedef struct {
     double *value, *angle, *out_of_plane;
 } results;
 
-/* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
-static double strain_shift(const rw_criterion *c, double nu, double s, double z)
-{
-    return c->is_plane_stress ? -2 * nu * s / (1 + nu) : -z;
-}
-
 rw_severity rw_severity_in(const rw_criterion *c, double unit)
 {
     rw_severity severity = c->severity;
@@ -31,9 +25,8 @@ void rw_set_loads(const rw_field *f, size_t point, const rw_criterion *c, double
         const size_t k = i * f->points + point;
         const double xx = f->sxx[k] / unit, yy = f->syy[k] / unit;
         const double s = (xx + yy) / 2, z = c->is_plane_stress ? 0 : 2 * f->nu * s;
-        const rw_plane_load load = {s, (yy - xx) / 2, f->txy[k] / unit, z,
-                                    strain_shift(c, f->nu, s, z)};
-        rw_plane_cycle_set(cycle, i, &load);
+        const rw_plane_load load = {s, (yy - xx) / 2, f->txy[k] / unit, z};
+        rw_plane_cycle_set(cycle, i, &load, &c->severity);
     }
 }
 
@@ -80,9 +73,11 @@ static double strain(const rw_criterion *c, const rw_worst_plane *plane, double 
     return 2 * (1 + c->nu) / c->E * unit * plane->value;
 }
 
+/* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c)
 {
-    *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1},
+    const double shift = plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
+    *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
                         .is_plane_stress = plane_stress != 0,
                         .value = strain_energy,
                         .E = E,

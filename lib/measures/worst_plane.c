@@ -11,6 +11,7 @@
 
 #include "base/domain.h"
 #include "measures/equator.h"
+#include "measures/moving_circle.h"
 #include "measures/plane_cycle.h"
 #include "measures/plane_search.h"
 
@@ -34,17 +35,12 @@ typedef struct {
 } cell;
 
 typedef struct {
-    rw_ball ball;
-    rw_vector by_psi, by_beta; /* rates of its centre */
-} circle;
-
-typedef struct {
     double at[CORNERS];
 } corners;
 
 /* What the loads are at most in the cell, and what at least the largest of them is. */
 typedef struct {
-    circle around;
+    rw_circle around;
     corners amplitude, peak;
     double least_amplitude, least_peak;
 } view;
@@ -86,75 +82,6 @@ static inline void local_of(bool is_strain, const rw_item *load, const cell *a, 
     l->peak_rest = load->size * mixed + 2 * (load->size + fabs(load->lift)) * square;
 }
 
-/* ---- The circle and how its centre moves ---- */
-
-static rw_vector mean_rate(const rw_ball *ball, const rw_vector rate[])
-{
-    rw_vector mean = {0, 0};
-    for (int i = 0; i < ball->count; i++) {
-        mean.x += ball->weight[i] * rate[i].x;
-        mean.y += ball->weight[i] * rate[i].y;
-    }
-    return mean;
-}
-
-/* The rate of the centre for which the points of the support leave it at one rate; of one point or
- * two, which stand opposite, the mean has it. */
-static rw_vector rate_of_centre(const rw_ball *ball, const rw_point points[],
-                                const rw_vector rate[])
-{
-    if (ball->count < 3)
-        return mean_rate(ball, rate);
-    double xx = 0, xy = 0, yy = 0, common = 0;
-    rw_vector right = {0, 0}, out[RW_SUPPORT];
-    for (int i = 0; i < ball->count; i++) {
-        const rw_point *p = &points[ball->support[i]];
-        out[i] = (rw_vector){(p->x[0] - ball->centre.x[0]) / ball->radius,
-                             (p->x[1] - ball->centre.x[1]) / ball->radius};
-        common += ball->weight[i] * (out[i].x * rate[i].x + out[i].y * rate[i].y);
-    }
-    for (int i = 0; i < ball->count; i++) {
-        const double along = out[i].x * rate[i].x + out[i].y * rate[i].y - common;
-        xx += out[i].x * out[i].x, xy += out[i].x * out[i].y, yy += out[i].y * out[i].y;
-        right.x += out[i].x * along, right.y += out[i].y * along;
-    }
-    const double determinant = xx * yy - xy * xy;
-    return (rw_vector){(yy * right.x - xy * right.y) / determinant,
-                       (xx * right.y - xy * right.x) / determinant};
-}
-
-/* The smallest circle around points on a line. */
-static rw_ball interval_of(size_t n, const rw_point points[])
-{
-    size_t low = 0, high = 0;
-    for (size_t i = 1; i < n; i++) {
-        low = points[i].x[0] < points[low].x[0] ? i : low;
-        high = points[i].x[0] > points[high].x[0] ? i : high;
-    }
-    const double bottom = points[low].x[0], top = points[high].x[0];
-    return (rw_ball){.centre = {{(bottom + top) / 2, 0, 0}},
-                     .radius = (top - bottom) / 2,
-                     .count = low == high ? 1 : 2,
-                     .support = {low, high},
-                     .weight = {low == high ? 1 : 0.5, 0.5}};
-}
-
-static circle circle_of(search *w, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        w->cycle->point[i] = (rw_point){{w->cycle->local[i].at.x, w->cycle->local[i].at.y, 0}};
-    circle c = {.ball = w->severity->is_strain ? interval_of(n, w->cycle->point)
-                                               : rw_smallest_ball(n, w->cycle->point)};
-    rw_vector by_psi[RW_SUPPORT], by_beta[RW_SUPPORT];
-    for (int i = 0; i < c.ball.count; i++) {
-        by_psi[i] = w->cycle->local[c.ball.support[i]].by_psi;
-        by_beta[i] = w->cycle->local[c.ball.support[i]].by_beta;
-    }
-    c.by_psi = rate_of_centre(&c.ball, w->cycle->point, by_psi);
-    c.by_beta = rate_of_centre(&c.ball, w->cycle->point, by_beta);
-    return c;
-}
-
 /* ---- Bounds at the corners of a cell ---- */
 
 static inline double top_of(const corners *c)
@@ -174,7 +101,7 @@ static inline corners linear(double at, double by_psi, double by_beta)
 }
 
 /* The squares of the distances, without the rest. */
-static inline corners distances(const rw_local *l, const circle *c, const cell *a)
+static inline corners distances(const rw_local *l, const rw_circle *c, const cell *a)
 {
     const double p = a->half_psi, b = a->half_beta;
     const corners x = linear(l->at.x - c->ball.centre.x[0], p * (l->by_psi.x - c->by_psi.x),
@@ -188,7 +115,7 @@ static inline corners distances(const rw_local *l, const circle *c, const cell *
 }
 
 /* How far a point can move relative to the centre of the circle within the cell. */
-static inline double travel(const rw_local *l, const circle *c, const cell *a)
+static inline double travel(const rw_local *l, const rw_circle *c, const cell *a)
 {
     const double x = a->half_psi * fabs(l->by_psi.x - c->by_psi.x) +
                      a->half_beta * fabs(l->by_beta.x - c->by_beta.x);
@@ -229,14 +156,16 @@ static void look(search *w, const cell *a, size_t n, view *v)
 {
     for (size_t i = 0; i < n; i++)
         local_of(w->severity->is_strain, &w->cycle->item[i], a, &w->cycle->local[i]);
-    v->around = circle_of(w, n);
+    v->around = rw_circle_of(w->cycle, w->severity->is_strain, n);
     static const corners LOWEST = {{-DBL_MAX, -DBL_MAX, -DBL_MAX, -DBL_MAX}};
     v->amplitude = v->peak = LOWEST;
     v->least_peak = -DBL_MAX;
     double most = 0, rest = 0;
     for (size_t i = 0; i < n; i++) {
-        const rw_local *l = &w->cycle->local[i];
+        rw_local *l = &w->cycle->local[i];
         const corners distance = distances(l, &v->around, a), peak = peaks(l, a);
+        l->farthest = top_of(&distance);
+        l->highest = top_of(&peak) + l->peak_rest;
         raise(&v->amplitude, &distance, 0);
         raise(&v->peak, &peak, l->peak_rest);
         v->least_peak = rw_larger(v->least_peak, bottom_of(&peak) - l->peak_rest);
@@ -263,16 +192,14 @@ static double record(search *w, const cell *a, size_t n, double amplitude)
 }
 
 /* Moves the loads that can matter in the cell to the front; how many. */
-static size_t keep(search *w, const cell *a, size_t n, const view *v)
+static size_t keep(search *w, size_t n, const view *v)
 {
     size_t kept = 0;
     for (size_t i = 0; i < n; i++) {
         const rw_local *l = &w->cycle->local[i];
-        const corners distance = distances(l, &v->around, a), peak = peaks(l, a);
-        if (sqrt(top_of(&distance)) + l->rest < v->least_amplitude &&
-            top_of(&peak) + l->peak_rest < v->least_peak)
-            continue;
-        rw_keep_load(w->cycle, i, kept++);
+        const double least = rw_larger(0, v->least_amplitude - l->rest);
+        if (l->farthest >= least * least || l->highest >= v->least_peak)
+            rw_keep_load(w->cycle, i, kept++);
     }
     return kept;
 }
@@ -322,7 +249,7 @@ static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
     if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
         return 0;
-    const size_t kept = keep(w, a, n, &v);
+    const size_t kept = keep(w, n, &v);
     if (is_worst_at_equator(w, a, kept))
         return 0;
     divide(a, &severity, half);
@@ -363,32 +290,34 @@ static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827
                                        {0.19509032201612827, 0.98078528040323044}};
 static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
 
-/* How often an arc is halved to see that nothing above it is worse. */
-enum { DEPTH = 3 };
-
-static bool rises_nowhere(const search *w, rw_arc arc, int depth)
-{
-    if (rw_equator_is_worst(w->cycle, w->severity, &arc, w->cycle->loads, w->best.value + w->noise))
-        return true;
-    if (depth == 0)
-        return false;
-    const rw_arc first = rw_half_of_arc(&arc, false), second = rw_half_of_arc(&arc, true);
-    return rises_nowhere(w, first, depth - 1) && rises_nowhere(w, second, depth - 1);
-}
-
 /* Of an arc of the equator, what may be worse above it. */
-static void explore_above(search *w, int k)
+static void explore_above(search *w, const rw_arc *arc)
 {
-    const rw_arc arc = rw_equator_arc(k);
     for (int row = 0; row < ROWS; row++) {
-        const cell a = {.psi = arc.psi,
+        const cell a = {.psi = arc->psi,
                         .beta = ROW[row],
-                        .half_psi = arc.half,
+                        .half_psi = arc->half,
                         .half_beta = HALF_HEIGHT,
-                        .tangent_psi = arc.tangent,
+                        .tangent_psi = arc->tangent,
                         .tangent_beta = TANGENT};
         explore(w, &a, w->cycle->loads);
     }
+}
+
+/* How often an arc is halved to see that nothing above it is worse. */
+enum { DEPTH = 3 };
+
+static void explore_arc(search *w, const rw_arc *arc, int depth)
+{
+    if (rw_equator_is_worst(w->cycle, w->severity, arc, w->cycle->loads, w->best.value + w->noise))
+        return;
+    if (depth == 0) {
+        explore_above(w, arc);
+        return;
+    }
+    const rw_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
+    explore_arc(w, &first, depth - 1);
+    explore_arc(w, &second, depth - 1);
 }
 
 /* ---- Along a curve of planes that are nearly equally bad ---- */
@@ -409,7 +338,7 @@ static double value_at(search *w, const cell *from, const step *s, double t)
     const size_t n = w->cycle->loads;
     for (size_t i = 0; i < n; i++)
         local_of(w->severity->is_strain, &w->cycle->item[i], &a, &w->cycle->local[i]);
-    return record(w, &a, n, circle_of(w, n).ball.radius);
+    return record(w, &a, n, rw_circle_of(w->cycle, w->severity->is_strain, n).ball.radius);
 }
 
 static cell best_plane(const search *w)
@@ -459,6 +388,41 @@ static void climb(search *w)
     }
 }
 
+/* ---- All ---- */
+
+/* A product of strain and stress has a search of its own over the planes that contain z. */
+static bool is_product_of_strain(const rw_severity *v)
+{
+    return v->is_strain && !v->is_sum && v->offset == 0;
+}
+
+static void search_products(search *w)
+{
+    const rw_plane_cycle *cycle = w->cycle;
+    const rw_cycle waves = {.loads = cycle->loads,
+                            .stride = 1,
+                            .sxx = cycle->sxx,
+                            .syy = cycle->syy,
+                            .txy = cycle->txy,
+                            .gain = w->severity->gain,
+                            .mean = 1 + w->severity->shift,
+                            .normal = 1};
+    cell at = {.beta = {1, 0}};
+    rw_plane_search(&waves, &at.psi);
+    value_at(w, &at, &(step){0, 0}, 0);
+}
+
+/* Whether the worst plane that contains z is the worst of all. */
+static bool search_equator(search *w)
+{
+    if (!is_product_of_strain(w->severity)) {
+        rw_equator_search(w->cycle, w->severity, w->noise, &w->best, &w->psi);
+        return false;
+    }
+    search_products(w);
+    return rw_equator_has_worst_product(w->cycle, w->best.value);
+}
+
 /* 0 to pi/2: planes that are mirrored are equally bad. */
 static double out_of_plane(rw_direction beta)
 {
@@ -475,10 +439,11 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
                 .best = {.value = severity->is_sum ? -DBL_MAX : 0},
                 .psi = {1, 0},
                 .beta = {1, 0}};
-    rw_equator_search(cycle, severity, noise, &w.best, &w.psi);
-    for (int k = 0; k < RW_ARCS; k++)
-        if (!rises_nowhere(&w, rw_equator_arc(k), DEPTH))
-            explore_above(&w, k);
+    const bool is_done = search_equator(&w);
+    for (int k = 0; k < RW_ARCS && !is_done; k++) {
+        const rw_arc arc = rw_equator_arc(k);
+        explore_arc(&w, &arc, DEPTH);
+    }
     if (w.noise > noise)
         climb(&w);
     w.best.angle = rw_plane_angle(w.psi.cosine, w.psi.sine);

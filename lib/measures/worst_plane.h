@@ -10,11 +10,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Stresses of one load; z is the stress across the plane of x and y. On a plane with the normal
- * stress n, n + shift is E/(1+nu) times the normal strain. */
+/* Stresses of one load; z is the stress across the plane of x and y. */
 typedef struct {
     double s, d, t, z; /* (sxx+syy)/2, (syy-sxx)/2, txy, szz */
-    double shift;
 } rw_plane_load;
 
 /* What is the largest: amplitude (offset + gain peak), 0 where the factor is negative; or the sum
@@ -23,6 +21,8 @@ typedef struct {
     bool is_strain; /* the amplitude is that of the normal strain, otherwise of the shear stress */
     bool is_sum;
     double offset, gain;
+    double
+        shift; /* on a plane with the normal stress n, n + shift s is E/(1+nu) times the strain */
 } rw_severity;
 
 typedef struct {
@@ -34,7 +34,8 @@ typedef struct {
 typedef struct rw_plane_cycle rw_plane_cycle;
 rw_plane_cycle *rw_plane_cycle_create(size_t loads);
 void rw_plane_cycle_destroy(rw_plane_cycle *cycle);
-void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load);
+void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load,
+                        const rw_severity *severity);
 
 /* Stresses are between -1 and 1. The search changes the order of the loads: set them again for the
  * next. No plane exceeds the value by more than rounding; where a whole curve of planes has the

@@ -102,8 +102,34 @@ def tamaas():
     say("Tamaas: shear in partial slip, over f times the peak", np.max(np.abs(q + F * ours)[inside]) / (F * np.max(pressures(x))), 7e-3)
 
 
+def counted(ranges, counts):
+    """How often each range is counted, ranges rounded to what they are made of."""
+    sums = {}
+    for size, count in zip(np.round(ranges, 9), counts):
+        sums[size] = sums.get(size, 0) + count
+    return {size: count for size, count in sums.items() if count and size}
+
+
+def rainflow(values):
+    n = len(values)
+    array = number * n
+    outputs = array(), array(), array()
+    assert library.rwedge_rainflow(ctypes.c_size_t(n), array(*values), ctypes.c_int32(0), *outputs) == 0
+    return counted(outputs[0], outputs[2])
+
+
+def rainflow_by_pylife(values):
+    """Its closed cycles, and its residuals half, range by range."""
+    from pylife.stress import rainflow as theirs
+
+    recorder = theirs.FullRecorder()
+    left = np.abs(np.diff(theirs.FourPointDetector(recorder=recorder).process(values).residuals))
+    closed = np.abs(np.subtract(recorder.values_from, recorder.values_to))
+    return counted(np.concatenate([closed, left]), np.concatenate([np.ones(len(closed)), np.full(len(left), 0.5)]))
+
+
 def pylife():
-    """Von Mises and Tresca of 100,000 states in plane strain."""
+    """Von Mises and Tresca of 100,000 states in plane strain; rainflow of 200 histories."""
     from pylife.stress import equistress
 
     states, nu = np.random.default_rng(1).normal(size=(100_000, 3)), 0.3
@@ -115,6 +141,8 @@ def pylife():
     theirs = equistress.tresca(sxx, syy, szz, txy, zero, zero)
     ours = 2 * np.array([call("largest_shear", *state, nu) for state in states])
     say("pyLife: Tresca", np.max(np.abs(ours / theirs - 1)), 1e-14)
+    histories = [np.random.default_rng(k).integers(-9, 9, size=k % 60 + 2).astype(float) for k in range(200)]
+    say("pyLife: rainflow, histories with another count", sum(rainflow(h) != rainflow_by_pylife(h) for h in histories), 0.5)
 
 
 {"contact_mechanics": contact_mechanics, "tamaas": tamaas, "pylife": pylife}[sys.argv[2]]()

@@ -181,8 +181,6 @@ struct cycles {
     int arrays, numbers, outputs;
 };
 
-enum { MAX_CYCLE = 8 };
-
 /* The loads of the point i, next to each other. Is one of them not a number? */
 static bool gather(const struct cycles *cycles, char **args, const intptr_t *steps, intptr_t i,
                    intptr_t loads, double *const in[])

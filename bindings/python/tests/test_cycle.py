@@ -194,3 +194,46 @@ def test_columns_that_are_no_loads_are_left_alone(pad):
     others = {name: [7.0] for name in ("t", "Time", "quality", "P_yield", "Q_over_fP", "sigma_max", "sxx")}
     pad.cycle({"P": [2000], "Q": [100], **others}, 0, 1)
     assert pad.loads == (2000, 0, 100, 0)
+
+
+METAL = {"E": E, "nu": NU, "yield_stress": 500, "fs_k": 0.5, "findley_k": 0.3, "kappa": 30, "t_A": 160, "su": 500, "crossland_alpha": 0.3,
+         "dang_van_alpha": 0.2, "sf": 475.4, "b": -0.078, "ef": 0.612, "c": -0.62, "G": 62e3, "tf": 450, "b0": -0.08, "gf": 0.7, "c0": -0.6}
+
+
+@pytest.mark.parametrize("plane_stress", [False, True])
+def test_criteria_by_a_material_are_those_of_the_functions(pad, plane_stress):
+    cycle, nu = pad.cycle({"Q": Q}, X, Y), 0 if plane_stress else NU
+    expected = {"smith_watson_topper": rwedge.smith_watson_topper_planes(*cycle, E, NU, plane_stress, axis=0),
+                "fatemi_socie": rwedge.fatemi_socie_planes(*cycle, E, NU, plane_stress, 0.5 / 500, axis=0),
+                "findley": rwedge.findley(*cycle, nu, 0.3, axis=0), "modified_wohler": rwedge.modified_wohler(*cycle, nu, 30, axis=0),
+                "mcdiarmid": rwedge.mcdiarmid(*cycle, nu, 160, 500, axis=0), "crossland": rwedge.crossland(*cycle, nu, 0.3, axis=0),
+                "dang_van": rwedge.dang_van(*cycle, nu, 0.2, axis=0)}
+    for name, results in expected.items():
+        assert np.array_equal(np.array(getattr(cycle, name)(METAL, plane_stress)), np.array(results))
+
+
+def test_damage_of_one_cycle_is_one_over_its_life(pad):
+    cycle = pad.cycle({"Q": [900, -900]}, X, 0)
+    parameter = cycle.smith_watson_topper(METAL).value
+    life = rwedge.smith_watson_topper_life(parameter, E, *(METAL[name] for name in ("sf", "b", "ef", "c")), 0)
+    np.testing.assert_allclose(cycle.life(METAL), life, rtol=1e-9)
+    assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
+    assert (cycle.damage(METAL, "fatemi-socie").value > 0).any()
+
+
+def test_a_block_of_more_cycles_has_more_damage(pad):
+    once, more = pad.copy().cycle({"Q": [900, -900]}, X, 0), pad.cycle({"Q": [900, -900, 500, -500]}, X, 0)
+    assert (more.damage(METAL).value >= once.damage(METAL).value * (1 - 1e-9)).all() and more.damage(METAL).cycles.max() == 2
+
+
+def test_a_constant_that_the_material_lacks_is_named(pad):
+    cycle = pad.cycle({"Q": Q}, X, 0)
+    with pytest.raises(rwedge.Error, match="the material has no sf"):
+        cycle.damage({"E": E, "nu": NU})
+    with pytest.raises(rwedge.Error, match="must be one of swt, fatemi-socie"):
+        cycle.damage(METAL, "findley")
+
+
+def test_rainflow_has_the_example_of_the_standard():
+    range_, mean, count = rwedge.rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2], 0)
+    assert sorted(zip(range_[count > 0], count[count > 0])) == [(3, 0.5), (4, 0.5), (4, 1), (6, 0.5), (8, 0.5), (8, 0.5), (9, 0.5)]

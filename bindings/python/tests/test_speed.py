@@ -4,6 +4,8 @@ figures."""
 import pytest
 import speed
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module")
 def loops():

@@ -14,9 +14,9 @@ against_reference() { # COLUMNS: alpha, f, c, x, y, sxx, syy, txy of the standar
         close_rows "stresses" 1e-7 0
     done
 }
-head -n 41 "$data/stress_sliding.csv" | tail -n 40 | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
+sed -n 2,6p "$data/stress_sliding.csv" | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
 against_reference <points
-head -n 41 "$data/stress_partial_slip.csv" | tail -n 40 | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
+sed -n 2,6p "$data/stress_partial_slip.csv" | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
 against_reference <points
 
 # von Mises' stress with szz = nu (sxx + syy), and the larger principal stress, from the tensor.
@@ -47,7 +47,7 @@ same "no point is above it" yes "$(awk "BEGIN { if ($largest <= $(value von_mise
 
 # The default grid has the middle, x = 0, and the mirror image of every point, to the last digit; of the sharp wedge the
 # apex is there, and empty.
-for P in 1 7 33.3 100 123.456 300 777 5000; do
+for P in 1 33.3 5000; do
     for a in 0 0.1 1; do
         shape="--E1 210000 --nu1 0.3 --theta 0.05 --a $a --f 0.3 --P $P"
         run field $shape

@@ -324,8 +324,8 @@ shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
 run fretting cycle.csv $shape --material metal.csv --at-worst
 status_is 0
-same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life" "$(head -n 1 out)"
-same "criteria alone" "swt crossland" "$(sed 1d out | cut -d , -f 1 | paste -s -d ' ' -)"
+same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles" "$(head -n 1 out)"
+same "criteria alone" "swt crossland swt_damage" "$(sed 1d out | cut -d , -f 1 | paste -s -d ' ' -)"
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
 close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {
     printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12
@@ -353,6 +353,36 @@ run fretting cycle.csv $shape --material metal.json --at-worst --method line --c
 close_to "the length of the material" "$(awk 'BEGIN { printf "%.17g", (60 / 250) ^ 2 / 3.14159265358979324 }')" "$(verdict crossland length)" 1e-15
 run fretting cycle.csv $shape --material metal.csv --at-worst --criteria swt --length 1
 same "a run-out" "inf" "$(verdict swt life)"
+# A block of loads: at the trailing edge sxx alone acts, from its first to its second load, and in it from the third to the fourth.
+# Each cycle adds 1/N of its own top and range, N by halving.
+printf 'P,Q,sigma\n135.75,38.75,100\n135.75,-38.75,-100\n135.75,20,50\n135.75,-10,-50\n' >block.csv
+sed '/^swt_limit/d' metal.csv >no_limit.csv
+run fretting block.csv $shape --material no_limit.csv --criteria swt --at-worst
+message_has "(2 cycles)"
+x=$(verdict swt_damage x)
+same "cycles of the block" 2 "$(verdict swt_damage cycles)"
+same "its plane" "90 0" "$(verdict swt_damage angle) $(verdict swt_damage out_of_plane)"
+cp out verdicts
+run history block.csv --E1 72100 --nu1 0.33 $shape --cycles 3 --at "$x,0"
+damage=$(tail -n 4 out | cut -d , -f 4 | awk 'function life(v, low, high, N) { low = 0; high = 60
+        while (high - low > 1e-13) { N = exp((low + high) / 2)
+            if (475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 > v) low = log(N); else high = log(N) } return N }
+    { s[NR] = $1 } END { c = (1 - 0.33 ^ 2) / 72100 / 2
+        printf "%.17g", 1 / life(c * s[1] * (s[1] - s[2])) + 1 / life(c * s[3] * (s[3] - s[4])) }')
+cp verdicts out
+close_to "the damage of the block" "$damage" "$(verdict swt_damage value)" 1e-9
+close_to "its life" "$(awk -v d="$damage" 'BEGIN { printf "%.17g", 1 / d }')" "$(verdict swt life)" 1e-9
+run fretting block.csv $shape --material no_limit.csv --criteria swt
+same "columns of damage" "swt_out_of_plane,swt_damage,swt_damage_angle,swt_damage_out_of_plane,swt_cycles" "$(head -n 1 out | cut -d , -f 12-)"
+# The shipped sets are read, and each life is that of its own constants.
+for metal in "$here"/../../../tables/materials/*.json; do
+    run fretting cycle.csv $shape --material "$metal" --criteria swt --at-worst
+    status_is 0
+    number() { sed -n "s/^ *\"$1\": \([-0-9.]*\),*$/\1/p" "$metal"; }
+    close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
+        -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
+done
+refuses "rwedge fretting: swt-damage: needs sf, b, ef, c of --material" fretting block.csv $specimen --criteria swt-damage
 refuses "rwedge fretting: --method line: needs --length, or dK_th and ds0 of --material" \
     fretting cycle.csv $specimen --at-worst --method line
 refuses "rwedge fretting: --length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1
@@ -367,8 +397,36 @@ refuses "rwedge fretting: findley: needs --findley-k" fretting cycle.csv $specim
 refuses "rwedge fretting: mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
 refuses "rwedge fretting: fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie
 refuses "rwedge fretting: --kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting cycle.csv $specimen --kappa=-1
-refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van" \
+refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
     fretting cycle.csv $specimen --criteria swt,fs
+
+# Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.
+run fretting cycle.csv $specimen --archard 1e-5
+column wear_depth out >worn
+column energy_per_area out | paste -d ' ' worn - | awk '$1 != "-" { printf "%.17g %s\n", $2 * 1e-5, $1 }' >both
+close_rows "wear" 1e-14 0
+close_to "worst wear" "$(awk -v e="$(worst energy_per_area | cut -d ' ' -f 2)" 'BEGIN { printf "%.17g", e * 1e-5 }')" "$(worst wear_depth | cut -d ' ' -f 2)" 1e-5
+run fretting cycle.csv $specimen --at-worst --length 0.02 --angle 30
+x=$(verdict swt x)
+at_length=$(verdict swt at_length)
+run fretting cycle.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
+close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
+refuses "rwedge fretting: --angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
+refuses "rwedge fretting: --angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
+
+# For ParaView: a grid of the places of the rows, with each column; points otherwise.
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
+cp out rows
+run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt --format vtk
+same "the grid" "DIMENSIONS 7 2 1 POINT_DATA 14" "$(grep -E '^(DIMENSIONS|POINT_DATA)' out | paste -s -d ' ' -)"
+same "its columns" "$(head -n 1 rows | tr , '\n' | sed '1,2d' | paste -s -d ' ' -)" "$(awk '/^SCALARS/ { print $2 }' out | paste -s -d ' ' -)"
+awk '/^SCALARS/ { on = $2 == "swt"; next } on && !/^LOOKUP/ { for (i = 1; i <= NF; i++) print $i }' out >swt
+cp rows out
+same "its numbers" "$(column swt out)" "$(cat swt)"
+run fretting cycle.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
+same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | paste -s -d ' ' -)"
+same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
+refuses "rwedge fretting: --at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv

@@ -44,31 +44,6 @@ close_rows "P_over_bk is that of its branch" 0 0
 same "rows where the other branch has the smaller limit" "" \
     "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
 
-# Scattered cases, one run each. Where nu = 0.5 the surface's maximum is not one point.
-{
-    read -r header
-    while IFS=, read -r alpha f nu limit x y branch; do
-        run table elastic-limit --a-over-b "$alpha" --friction "$f" --nu "$nu"
-        tail -n 1 out | awk -F, -v limit="$limit" '{ print limit, $4 }' >both
-        close_rows "P_over_bk" 1e-12 0
-        [ "$nu" = 0.5 ] && continue
-        same "branch" "$branch" "$(column branch out)"
-        tail -n 1 out | awk -F, -v x="$x" '{ print x, $5 }' >both
-        close_rows "x_over_b" 1e-5 1e-7
-        tail -n 1 out | awk -F, -v y="$y" '{ print y, $6 }' >both
-        close_rows "y_over_b" 1e-5 1e-7
-    done
-} <"$data/elastic_limit.csv"
-
-{
-    read -r header
-    while IFS=, read -r alpha nu f; do
-        run table critical-friction --a-over-b "$alpha" --nu "$nu"
-        tail -n 1 out | awk -F, -v f="$f" '{ print f, $3 }' >both
-        close_rows "f_critical" 1e-8 1e-9
-    done
-} <"$data/critical_friction.csv"
-
 # At the critical friction both branches yield at once.
 run table critical-friction --a-over-b 0.5 --nu 0.3
 f=$(column f_critical out)
@@ -77,17 +52,12 @@ run table elastic-limit --a-over-b 0.5 --friction "$f"
 awk -F, -v limit="$limit" 'NR > 1 { print limit, $8; print limit, $9 }' out >both
 close_rows "both branches at the critical friction" 1e-10 0
 
-# Near Q/(fP) = 1 the last bit of the ratio moves c by half of its digits.
-{
-    read -r header
-    while IFS=, read -r alpha f c x y ratio rest; do
-        run table stick-zone --a-over-b "$alpha" --q-over-fp "$ratio"
-        tail -n 1 out | awk -F, -v c="$c" '{ print c, $3 }' >both
-        close_rows "c_over_b" 1e-7 1e-8
-    done
-} <<REFERENCE
-$(head -n 60 "$data/stress_partial_slip.csv")
-REFERENCE
+run table critical-friction --a-over-b "$(list a_over_b critical_friction.csv)" --nu 0.3
+awk -F, 'NR == FNR { f[$1, $2] = $3; next } ($1, $2) in f { print f[$1, $2], $3 }' "$data/critical_friction.csv" out >both
+close_rows "f_critical" 1e-8 1e-9
+run table stick-zone --a-over-b 1 --q-over-fp 0.1,0.75
+awk -F, -v OFMT=%.17g 'NR > 1 { print sqrt(1 - $2), $3 }' out >both # Cattaneo and Mindlin
+close_rows "c_over_b" 1e-14 0
 
 # The sharp wedge yields at its apex, and has no branches.
 prints "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface

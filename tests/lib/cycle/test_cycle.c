@@ -277,6 +277,75 @@ static void the_worst_is_found_between_the_places(void **state)
     rwedge_contact_destroy(contact);
 }
 
+/* ---- Critical distances ---- */
+
+/* Of the second load, at a distance from the trailing edge. */
+static void stress_below(const rwedge_contact *contact, const loads *c, double angle,
+                         double distance, double stress[3])
+{
+    double s[3][2];
+    const double x = -rwedge_contact_half_width(contact) + distance * sin(angle),
+                 y = distance * cos(angle);
+    rwedge_contact *going;
+    assert_ok(rwedge_contact_copy(contact, &going));
+    assert_ok(rwedge_contact_stress_history(going, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &y,
+                                            s[0], s[1], s[2]));
+    for (int i = 0; i < 3; i++)
+        stress[i] = s[i][1];
+    rwedge_contact_destroy(going);
+}
+
+/* Over the fourth power of the distance, by Simpson's rule: the root at the edge is smooth then. */
+static void stress_mean(const rwedge_contact *contact, const loads *c, double angle, double end,
+                        double mean[3])
+{
+    enum { PARTS = 400 };
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int k = 1; k <= PARTS; k++) {
+        const double s = (double)k / PARTS, rate = 4 * s * s * s;
+        const double weight = (k == PARTS ? 1 : k % 2 == 1 ? 4 : 2) / (3.0 * PARTS);
+        double stress[3];
+        stress_below(contact, c, angle, end * s * s * s * s, stress);
+        for (int i = 0; i < 3; i++)
+            mean[i] += weight * rate * stress[i];
+    }
+}
+
+static void critical_distances_take_the_point_and_the_mean_of_the_line(void **state)
+{
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1, 0);
+    const double x = -rwedge_contact_half_width(contact), length = 0.05;
+    for (double angle = -0.6; angle < 1; angle += 0.6)
+        for (int32_t line = 0; line < 2; line++) {
+            double expected[3], sxx[2], syy[2], txy[2];
+            if (line)
+                stress_mean(contact, &cycle, angle, 2 * length, expected);
+            else
+                stress_below(contact, &cycle, angle, length / 2, expected);
+            assert_ok(rwedge_contact_cycle_below(contact, cycle.count, cycle.P, cycle.M, cycle.Q,
+                                                 cycle.sigma, x, angle, length, line, sxx, syy,
+                                                 txy));
+            const double size = fabs(expected[0]) + fabs(expected[1]) + fabs(expected[2]);
+            assert_within(sxx[1], expected[0], 1e-8 * size);
+            assert_within(syy[1], expected[1], 1e-8 * size);
+            assert_within(txy[1], expected[2], 1e-8 * size);
+        }
+    double kept = 7;
+    assert_int_equal(rwedge_contact_cycle_below(contact, cycle.count, cycle.P, cycle.M, cycle.Q,
+                                                cycle.sigma, x, 2, length, 0, &kept, &kept, &kept),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_cycle_below(contact, cycle.count, cycle.P, cycle.M, cycle.Q,
+                                                cycle.sigma, x, 0, 0, 0, &kept, &kept, &kept),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_cycle_below(contact, 0, cycle.P, cycle.M, cycle.Q, cycle.sigma,
+                                                x, 0, 1, 0, &kept, &kept, &kept),
+                     RWEDGE_ERANGE);
+    assert_true(kept == 7);
+    rwedge_contact_destroy(contact);
+}
+
 /* ---- Displacement ---- */
 
 static double punch(double s, const void *b)
@@ -392,6 +461,7 @@ int main(void)
         cmocka_unit_test(the_range_does_not_jump_at_an_edge_that_passes_twice),
         cmocka_unit_test(there_is_no_friction_outside),
         cmocka_unit_test(the_worst_is_found_between_the_places),
+        cmocka_unit_test(critical_distances_take_the_point_and_the_mean_of_the_line),
         cmocka_unit_test(displacement_is_that_of_flat_punches),
         cmocka_unit_test(the_loop_of_the_displacement_encloses_the_energy),
         cmocka_unit_test(there_is_no_displacement_without_contact),

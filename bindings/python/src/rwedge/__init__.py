@@ -19,6 +19,7 @@ _need("numpy", "rwedge")
 
 from . import _formulas, _made  # noqa: E402
 from ._contact import Contact, YieldFactor
+from ._criteria import Damage, Plane
 from ._cycle import Cycle
 from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
@@ -29,13 +30,13 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-for _public in (AbsentError, Contact, Cycle, Error, Loads, PathError, Series, SlidingError, ValidityWarning, YieldFactor):
+for _public in (AbsentError, Contact, Cycle, Damage, Error, Loads, PathError, Plane, Series, SlidingError, ValidityWarning, YieldFactor):
     _public.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _formulas.UFUNCS.items()})
-__all__ = ["AbsentError", "Contact", "Cycle", "Error", "Loads", "PathError", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
+__all__ = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
            *_formulas.UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")

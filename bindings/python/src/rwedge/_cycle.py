@@ -7,6 +7,7 @@ from typing import Any, Iterator, SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
+from ._criteria import Criteria
 from ._formulas import UFUNCS
 from ._library import real
 from ._loads import Loads
@@ -17,7 +18,7 @@ NAMES = {"sxx": "stress along the surface", "syy": "stress normal to the surface
          "x": "place along the surface", "y": "depth"}
 
 
-class Cycle:
+class Cycle(Criteria):
     """Stresses at points while a contact goes through loads, as ``Contact.cycle`` gives them. Tension is positive.
 
     It unpacks into its components, ``sxx, syy, txy = cycle``, each an array of (load, point), where point stands for all
@@ -32,6 +33,8 @@ class Cycle:
         P, Q force/length, M force, sigma stress: an array of all loads each
     x, y : ndarray
         the points, length, in their broadcast shape
+
+    Criteria of fatigue, damage and lives at the points are methods that take the constants of a material by name.
 
     Source: new.
 

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The smallest circle around the path of a plane, and how its centre moves with the plane. */
+#ifndef RW_MOVING_CIRCLE_H
+#define RW_MOVING_CIRCLE_H
+
+#include "measures/plane_cycle.h"
+
+typedef struct {
+    rw_ball ball;
+    rw_vector by_psi, by_beta; /* rates of its centre */
+} rw_circle;
+
+/* Around the components of the first n loads, which are set; a strain's lie on a line. */
+rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n);
+
+#endif

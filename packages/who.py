@@ -18,11 +18,11 @@ who = {field: known[field] or INSTEAD[field] for field in INSTEAD}
 assert known.keys() == INSTEAD.keys(), "who.json has other fields"
 
 DESCRIPTION = (
-    "Contact of a wedge with a rounded apex and an elastically similar half-plane: pressure, partial slip, stresses, elastic limit, "
-    "maximum tension and histories of load in closed form. A C library, a command-line tool, and bindings to Python, MATLAB, Octave, "
-    "Fortran, JavaScript and Excel."
+    "Contact of a wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile and an elastically similar "
+    "half-plane: pressure, partial slip, stresses, elastic limit, maximum tension and histories of load in closed form. A C library, a "
+    "command-line tool, and bindings to Python, MATLAB, Octave, Fortran, JavaScript and Excel."
 )
-KEYWORDS = ["contact mechanics", "fretting", "half-plane", "partial slip", "wedge"]
+KEYWORDS = ["contact mechanics", "flat and rounded pad", "fretting", "half-plane", "partial slip", "wedge"]
 
 
 def empty():

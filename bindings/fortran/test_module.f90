@@ -40,6 +40,7 @@ program test_module
     call arrays()
     call lives()
     call histories()
+    call pads()
     call fits()
     call costs()
     if (failures > 0) error stop 1
@@ -237,6 +238,20 @@ contains
         call claim('and goes back', q(1) == kept(1))
         call contact%yield_factor(0.3_c_double, 300.0_c_double, factor, x, y, stat)
         call claim('yield factor', stat == rwedge_ok .and. factor > 0 .and. y >= 0 .and. abs(x) <= contact%half_width())
+    end subroutine
+
+    ! A flat of half the contact's width: load and edge tension are known. Another's slopes are not convex.
+    subroutine pads()
+        type(rwedge_contact) :: contact
+        real(c_double) :: load, sxx(1), syy(1), txy(1)
+        integer :: stat
+        load = 1000 * (acos(0.5_c_double) - 0.5_c_double * sqrt(0.75_c_double))
+        call contact%create_flat(0.5_c_double, 10.0_c_double, 1e-4_c_double, 0.5_c_double)
+        call contact%load(load, load / 2)
+        call contact%stresses([-1.0_c_double], [0.0_c_double], sxx, syy, txy)
+        call claim('the edge tension of a flat pad', abs(sxx(1) / (load / 2) - 1.6282_c_double) < 1e-4)
+        call contact%create_profile([0.0_c_double, 1.0_c_double], [0.1_c_double, 0.0_c_double], 1e-4_c_double, 0.5_c_double, stat)
+        call claim('a profile that is not convex', stat == rwedge_edomain)
     end subroutine
 
     ! p = -sqrt(1-x^2) (2 U_0 - U_1) is fitted as it is.

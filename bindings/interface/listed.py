@@ -17,8 +17,8 @@ PLACES = {  # what a function needs there, and which files may have it
 # theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states. Cycles are
 # counted, and damage has another plane in the last bits: tests/lib/measures/ compares them with other routes.
 WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_flat", "contact_create_profile",
-                    # by the route of permanent_stick; by a series in tests/lib/contact/test_pads.c
-                    "contact_permanent_stick", "contact_beyond_flat", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
+                    # by the route of permanent_stick
+                    "contact_permanent_stick", "contact_copy", "contact_destroy", "contact_load", "contact_memory",
                     "series_create", "series_fit", "series_destroy", "series_terms", "contact_apply", "contact_obstacle",
                     "contact_loads", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count", "contact_zones",
                     "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text",

@@ -216,6 +216,11 @@ function contacts()
         @() rwedge_permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900));
     [factor, x, y] = all.yield_factor(0.3, 300);
     claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
+    P = 1000 * (acos(0.5) - 0.5 * sqrt(0.75)); % of a flat of half the contact's width
+    pad = rwedge_contact.create_flat(0.5, 10, 1e-4, 0.5);
+    pad.load(P, P / 2);
+    claim('the edge tension of a flat pad', abs(pad.stresses(-1, 0) / (P / 2) - 1.6282) < 1e-4);
+    refused('domain', {'slope'}, @() rwedge_contact.create_profile([0 1], [0.1 0], 1e-4, 0.5));
     delete(all);
     refused('handle', {'any more'}, @() all.half_width());
     refused('handle', {'contact_copy', 'any more'}, @() all.copy());

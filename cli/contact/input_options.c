@@ -46,8 +46,6 @@ static void read_profile(const arguments *line, const char *name)
     profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
     if (profiles_named(name, complaint) == NULL)
         failure("%s", complaint);
-    if (profiles_remark(name)[0] != '\0')
-        notice("%s", profiles_remark(name));
 }
 
 static double read_tolerance(const arguments *line)

@@ -4,15 +4,17 @@
 #include "pairs.h"
 #include "text/list.h"
 #include "text/memory.h"
+#include "text/message.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct {
     char *name;
     pad_profile places;
-    char problem[600], remark[900];
+    char problem[600]; /* why it is none; "" */
 } entry;
 
 /* All that have been read. */
@@ -41,17 +43,22 @@ static void take(const pairs *all, bool takes_hull, entry *to)
 {
     static const char hull[] = "; --hull takes it";
     profile_remark remark;
-    const bool has_heights = strcmp(all->column, "height") == 0;
-    const bool taken = has_heights ? pad_profile_of_heights(all->count, all->first, all->second,
-                                                            takes_hull, &to->places, &remark)
-                                   : pad_profile_of_slopes(all->count, all->first, all->second,
-                                                           &to->places, &remark);
+    const bool taken =
+        strcmp(all->column, "height") == 0
+            ? pad_profile_of_heights(all->count, all->first, all->second, takes_hull, &to->places,
+                                     &remark)
+            : pad_profile_of_slopes(all->count, all->first, all->second, &to->places, &remark);
+    char text[700] = "";
     if (remark.text[0] != '\0')
-        list_add(taken ? to->remark : to->problem, sizeof to->problem, "",
-                 "%.200s: line %" PRId64 ": %s%s", to->name, all->line[remark.place], remark.text,
+        list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
+                 all->line[remark.place], remark.text,
                  !taken && strstr(remark.text, "hull") != NULL ? hull : "");
+    if (!taken)
+        snprintf(to->problem, sizeof to->problem, "%.599s", text);
+    else if (text[0] != '\0')
+        notice("%s", text);
     if (all->unused[0] != '\0')
-        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, all->unused);
+        notice("%s: %s", to->name, all->unused);
 }
 
 void profiles_read(const char *name, profile_style style)
@@ -81,12 +88,6 @@ const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZ
         return &known->places;
     snprintf(complaint, COMPLAINT_SIZE, "profile %.380s", known != NULL ? known->problem : name);
     return NULL;
-}
-
-const char *profiles_remark(const char *name)
-{
-    const entry *known = entry_named(name);
-    return known != NULL ? known->remark : "";
 }
 
 size_t profiles_count(void)

@@ -3,7 +3,7 @@
 #ifndef CLI_PROFILES_H
 #define CLI_PROFILES_H
 
-#include "input_options.h"
+#include "model/inputs.h"
 
 /* How the files are read that come next. */
 typedef struct {
@@ -11,15 +11,12 @@ typedef struct {
     bool takes_hull;
 } profile_style;
 
-/* Reads a file, unless it has been read; what is wrong with it is kept too. Not while threads
- * look for profiles. */
+/* Reads a file, unless it has been read, and says what is to be known of it: columns that are not
+ * used, the hull. What is wrong with it is kept too. Not while threads look for profiles. */
 void profiles_read(const char *name, profile_style style);
 
 /* Those that have been read: of input_texts. */
 const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE]);
-
-/* What is to be known of it: columns that are not used, the hull; or "". */
-const char *profiles_remark(const char *name);
 
 /* Forgets those that were read since so many had been. */
 size_t profiles_count(void);

@@ -84,12 +84,14 @@ static void write_number(double value, int digits, char text[NUMBER_SIZE])
     snprintf(text, NUMBER_SIZE, "%s%.20s", value < 0 ? "−" : "", size);
 }
 
-static axis axis_around_0(const dataset *rows, int column, const char *text)
+/* From the least number to the largest, and 0, with room. */
+static axis axis_over(const dataset *rows, int column, const char *text)
 {
-    const double most = fmax(extreme(rows, column, 1), extreme(rows, column, -1));
-    axis found = {.from = -1.1 * most, .to = 1.1 * most, .tic = drawing_tic(2.2 * most)};
-    snprintf(found.text, sizeof found.text, "%s", text);
-    return found;
+    const double lo = -extreme(rows, column, -1), hi = extreme(rows, column, 1);
+    const double room = 0.05 * (hi - lo);
+    axis over = {.from = lo - room, .to = hi + room, .tic = drawing_tic(hi - lo)};
+    snprintf(over.text, sizeof over.text, "%s", text);
+    return over;
 }
 
 /* ---- The stress at a point ---- */
@@ -184,9 +186,9 @@ static const char *draw_any_loop(const figure_case *of, const dataset *rows, dra
     if (extreme(rows, L_DISPLACEMENT, 1) == 0 && extreme(rows, L_DISPLACEMENT, -1) == 0)
         return "nothing slips, or the slip has no closed form";
     snprintf(on->title, sizeof on->title, "*Q* through the history of loads");
-    on->x = axis_around_0(rows, L_DISPLACEMENT, "displacement by slip");
+    on->x = axis_over(rows, L_DISPLACEMENT, "displacement by slip");
     on->x.tic = tic_along_x(on->x.to - on->x.from);
-    on->y = axis_around_0(rows, L_Q, "*Q*");
+    on->y = axis_over(rows, L_Q, "*Q*");
     on->height = 0.85;
     drawing_curve(on, rows, 0, L_DISPLACEMENT, L_Q)->width = 1.2;
     return NULL;

@@ -75,7 +75,7 @@ static const char *yields(double factor, double safety)
     if (factor < 1)
         return "YIELDS: the stress under these loads is above the yield stress.";
     if (safety < 1 && isnan(factor))
-        return "YIELDS: P is above the load at first yield.";
+        return "YIELDS: P is above the load at first yield in full sliding.";
     return "";
 }
 

@@ -41,17 +41,17 @@ static void draw_mark(lxw_chart_series *series, xlsx_drawing drawing)
     chart_series_set_marker_fill(series, &fill);
 }
 
-static void draw_series(xlsx *book, lxw_chart *drawn, const xlsx_series *what, int index)
+static void draw_series(xlsx *book, lxw_chart *drawn, const xlsx_series *from, int index)
 {
-    lxw_chart_series *series = chart_add_series(drawn, what->x, what->y);
-    if (what->name != NULL && what->drawing != XLSX_LABEL)
-        chart_series_set_name(series, what->name);
-    draw_line(series, index, what->drawing);
-    draw_mark(series, what->drawing);
-    if (what->drawing == XLSX_LABEL) {
+    lxw_chart_series *series = chart_add_series(drawn, from->x, from->y);
+    if (from->name != NULL && from->drawing != XLSX_LABEL)
+        chart_series_set_name(series, from->name);
+    draw_line(series, index, from->drawing);
+    draw_mark(series, from->drawing);
+    if (from->drawing == XLSX_LABEL) {
         lxw_chart_font font = {.size = 10};
         char name[60];
-        snprintf(name, sizeof name, "%s", what->name);
+        snprintf(name, sizeof name, "%s", from->name);
         lxw_chart_data_label text = {.value = name}, *texts[] = {&text, NULL};
         chart_series_set_labels(series);
         chart_series_set_labels_position(series, LXW_CHART_LABEL_POSITION_CENTER);

@@ -251,16 +251,16 @@ void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
     snprintf(title, sizeof title, "%s", rule->title);
     snprintf(hint, sizeof hint, "%s", rule->hint);
     snprintf(message, sizeof message, "%s", rule->message);
-    lxw_data_validation what = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
-                                .value_formula = formula,
-                                .input_title = title,
-                                .input_message = hint,
-                                .error_title = title,
-                                .error_message = message};
+    lxw_data_validation check = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
+                                 .value_formula = formula,
+                                 .input_title = title,
+                                 .input_message = hint,
+                                 .error_title = title,
+                                 .error_message = message};
     xlsx_keep(book, worksheet_data_validation_range(
                         book->current, row_of(area.row), column_of(area.column),
                         row_of(area.row + area.rows - 1), column_of(area.column + area.columns - 1),
-                        &what));
+                        &check));
 }
 
 static void set_print_area(xlsx *book, const xlsx_page *page)

@@ -35,8 +35,10 @@ static const char *const lines[] = {
     "of "
     "strength is a large one of load. \"> 26\" says that the table ends, at a/b = 0.003, before it "
     "yields: the safety is at least that.",
-    "Moment M and bulk tension sigma are not here: no plain formula holds them. The commands "
-    "\"solve\", \"profile\" and \"field\" have them.",
+    "Moment M and bulk tension sigma are not here: no plain formula holds them. Nor are other "
+    "pads: "
+    "cylinder, flat and rounded, any convex profile. The commands \"solve\", \"profile\" and "
+    "\"field\" have them, and so has the page.",
     "#Batch",
     "A case a row. The first row names the inputs as \"rwedge solve --input\" does, and the "
     "results "

@@ -141,13 +141,14 @@ static double right_edge(const search *at)
     return hi < LARGEST ? rw_root(load_excess, at, lo, hi, nearest) : NAN;
 }
 
-/* Under one load the moment and the tilt grow as the edges move to the right. */
+/* Under one load the moment and the tilt grow as the edges move to the right. Of a narrow patch far
+ * from x = 0 the rounded edges do not have that load: the moment is taken for what they have. */
 static double excess(double left, const void *context)
 {
     search at = *(const search *)context;
     at.left = left;
     const rw_pressing carried = rw_pad_pressing(at.pad, (rw_patch){left, right_edge(&at)});
-    return (at.by_moment ? carried.moment : carried.tilt) - at.wanted;
+    return (at.by_moment ? carried.moment / carried.load * at.P : carried.tilt) - at.wanted;
 }
 
 /* The left edge is between -infinity, where the tilt is -1, and the right end of the profile, where

@@ -33,7 +33,8 @@ done
 # The verdicts are those of the workbook. Texts may be C strings over several lines: they are joined first.
 joined() { tr -d '"\n' <"$1" | sed 's/\\//g; s/  */ /g'; }
 workbook=$(joined "$top/cli/workbook/calculator/calculator.c") model=$(joined "$top/cli/model/verdict.c")
-for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibrium.' 'YIELDS: P is above the load at first yield.' \
+for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibrium.' \
+    'YIELDS: P is above the load at first yield in full sliding.' \
     'CAUTION: no yield stress is given, so there is no safety'; do
     echo "$workbook" | grep -qF "$words" || fail "the workbook does not say: $words"
     echo "$model" | grep -qF "$words" || fail "the page does not say: $words"

@@ -74,11 +74,11 @@ enum {
     NOTES = 4
 };
 
-static bool is_heading(xlsx *book, int row, const line *what)
+static bool is_heading(xlsx *book, int row, const line *entry)
 {
-    if (what->cell == RESULTS_END)
-        xlsx_text(book, row, LABEL, what->text, XLSX_HEADING);
-    return what->cell == RESULTS_END;
+    if (entry->cell == RESULTS_END)
+        xlsx_text(book, row, LABEL, entry->text, XLSX_HEADING);
+    return entry->cell == RESULTS_END;
 }
 
 static void describe(xlsx *book, int row, int cell, const char *hint)
@@ -136,7 +136,8 @@ static const char figures[] =
 static const char status[] =
     "IF(rwt_any=0,\"Type into the yellow cells.\",IF(rwt_bad<>\"\",\"CHECK THE INPUTS: \"&rwt_bad,"
     "IF(rwt_slides=1,\"SLIDES: Q is above f P, there is no equilibrium.\","
-    "IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield. "
+    "IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield in "
+    "full sliding. "
     "\",\"\")&IF(rw_remarks<>\"\",\"CAUTION: \"&rw_remarks,"
     "IF(rwt_has_k=0,\"CAUTION: no yield stress is given, so there is no safety\",\"OK\")))))";
 

@@ -70,10 +70,10 @@ static void write_table(xlsx *book, int row, int tips, const double values[][NUS
                     xlsx_number(book, row + i, j * FRICTIONS + k, values[i][j][k], XLSX_PLAIN);
 }
 
-static void write_branch(xlsx *book, int row, const char *name, const char *what,
+static void write_branch(xlsx *book, int row, const char *name, const char *title,
                          const double values[TIPS][NUS][FRICTIONS])
 {
-    xlsx_text(book, row - 1, 0, what, XLSX_NOTE);
+    xlsx_text(book, row - 1, 0, title, XLSX_NOTE);
     write_table(book, row, TIPS, values);
     xlsx_name_range(book, name, row, 0, TIPS, TABLE_COLUMNS);
 }

@@ -36,11 +36,11 @@ static const char *end_of(const char *from)
 }
 
 /* Returns the end of the call. */
-static const char *read_arguments(const char *from, argument given[ARGUMENTS])
+static const char *read_arguments(const char *from, argument values[ARGUMENTS])
 {
     for (int i = 0; i < ARGUMENTS; i++) {
         const char *end = end_of(from);
-        given[i] = (argument){from, (size_t)(end - from)};
+        values[i] = (argument){from, (size_t)(end - from)};
         from = end + 1;
         if (*end == ')')
             break;
@@ -59,14 +59,14 @@ static char *put_argument(char *end, argument from, const char *instead, size_t 
     return end;
 }
 
-static void fill(const char *from, const argument given[ARGUMENTS], char *end)
+static void fill(const char *from, const argument values[ARGUMENTS], char *end)
 {
     while (*from != '\0') {
         if (*from != '$') {
             *end++ = *from++;
             continue;
         }
-        const argument next = given[from[1] - '1'];
+        const argument next = values[from[1] - '1'];
         from += 2;
         const char *instead = *from == '{' ? from + 1 : NULL;
         const size_t length = instead != NULL ? strcspn(instead, "}") : 0;
@@ -115,11 +115,11 @@ static char *expand(const char *from, const writer *words, char *end)
         const size_t length = quoted ? 0 : word_length(from);
         const formula_template *called = length > 0 ? find(from, length) : NULL;
         if (called != NULL) {
-            argument given[ARGUMENTS] = {{NULL, 0}};
+            argument values[ARGUMENTS] = {{NULL, 0}};
             char text[FORMULA_SIZE];
-            from = read_arguments(from + length + 1, given);
+            from = read_arguments(from + length + 1, values);
             if (called->text != NULL)
-                fill(called->text, given, text);
+                fill(called->text, values, text);
             else
                 fill_checks(text);
             end = expand(text, words, end);

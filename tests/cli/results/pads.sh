@@ -88,7 +88,8 @@ run solve $steel --profile filled.csv $loads
 cp out first
 run solve $steel --profile dent.csv --hull $loads
 message_is "rwedge solve: dent.csv: line 4: height 0.03: not convex at 1 place, x = 0; the convex hull that is taken is lower by up to \
-0.021875, at x = 0; dent.csv: columns with numbers that are not used: 'note'"
+0.021875, at x = 0
+rwedge solve: dent.csv: columns with numbers that are not used: 'note'"
 same_results "hull" 1e-11 out first
 
 # Many pads.
@@ -103,6 +104,7 @@ run solve -i cases.csv $steel --threads 2
 same "errors" "profile dent.csv: line 4: height 0.03: not convex at 1 place|-|profile none.csv: No such file or directory" \
     "$(awk -F, 'NR > 1' out | sed 's/.*,"\{0,1\}\(profile [^,"]*\).*/\1/; s/^worn.*/-/' | paste -s -d '|' -)"
 run solve -i cases.csv $steel --hull
+message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
 
 # What is no pad.

@@ -118,10 +118,10 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
 {
     const rw_patch edge = edges_of(one), stuck = stick_zone_of(one);
     double k[2][4];
-    assert_within(edges_of(other).left, edge.left, 1e-14);
-    assert_within(edges_of(other).right, edge.right, 1e-14);
-    assert_within(stick_zone_of(other).left, stuck.left, 1e-13);
-    assert_within(stick_zone_of(other).right, stuck.right, 1e-13);
+    assert_within(edges_of(other).left, edge.left, 1e-15);
+    assert_within(edges_of(other).right, edge.right, 1e-15);
+    assert_within(stick_zone_of(other).left, stuck.left, 2e-15);
+    assert_within(stick_zone_of(other).right, stuck.right, 2e-15);
     assert_close(rwedge_contact_tilt(other), rwedge_contact_tilt(one), 1e-13);
     for (int i = 0; i < 2; i++)
         assert_ok(rwedge_contact_edge_asymptotes(i ? other : one, &k[i][0], &k[i][1], &k[i][2],
@@ -132,9 +132,9 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
         const double y = fabs(x) < 0.5 ? 0 : 0.1;
         const stresses s = stress(one, x, y), t = stress(other, x, y);
         const double norm = fmax(fabs(s.xx) + fabs(s.yy) + fabs(s.xy), THETA / A / (1 + fabs(x)));
-        assert_within(t.xx, s.xx, 1e-13 * norm);
-        assert_within(t.yy, s.yy, 1e-13 * norm);
-        assert_within(t.xy, s.xy, 1e-13 * norm);
+        assert_within(t.xx, s.xx, 3e-14 * norm);
+        assert_within(t.yy, s.yy, 3e-14 * norm);
+        assert_within(t.xy, s.xy, 3e-14 * norm);
     }
 }
 
@@ -343,6 +343,41 @@ static void the_yield_factor_misses_no_place(void **state)
     }
 }
 
+/* On one arc the middle of the patch is M/P, however narrow it is. */
+static void a_narrow_patch_far_from_the_origin_is_where_its_moment_is(void **state)
+{
+    (void)state;
+    const double x[] = {-1, 0.5, 0.7, 1.5}, slope[] = {-0.04, -0.03, -0.02, 0};
+    for (double P = 1e-4; P > 1e-12; P /= 10) {
+        rwedge_contact *pad = profile(4, x, slope);
+        const double s = sqrt(2 * P * A / PI * 20), M = 0.617 * P;
+        apply(pad, P, M, 0, 0);
+        assert_within(edges_of(pad).left, M / P - s, 1e-15);
+        assert_within(edges_of(pad).right, M / P + s, 1e-15);
+        rwedge_contact_destroy(pad);
+    }
+}
+
+/* P/(bk) without friction. Hertz' is 4.880036 for nu = 0.3: lib/README.md, "Strength". */
+static void a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp(void **state)
+{
+    (void)state;
+    const double alphas[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 0.95};
+    double last = INFINITY;
+    for (int i = 0; i < 8; i++) {
+        const double a = alphas[i], P = flat_load(a, 1);
+        double factor;
+        rwedge_contact *pad = flat(a);
+        apply(pad, P, 0, 0, 0);
+        assert_int_equal(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL), RWEDGE_OK);
+        assert_true((P * factor > 4.880036) == (a <= 0.5));
+        if (a >= 0.4)
+            assert_true(P * factor < last);
+        last = P * factor;
+        rwedge_contact_destroy(pad);
+    }
+}
+
 static void a_contact_that_reaches_too_far_is_refused(void **state)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4)};
@@ -393,6 +428,8 @@ int main(void)
         cmocka_unit_test(a_pad_is_stored_and_restored),
         cmocka_unit_test(what_never_slips_on_a_flat),
         cmocka_unit_test(the_yield_factor_misses_no_place),
+        cmocka_unit_test(a_narrow_patch_far_from_the_origin_is_where_its_moment_is),
+        cmocka_unit_test(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp),
         cmocka_unit_test(a_contact_that_reaches_too_far_is_refused),
         cmocka_unit_test(profiles_that_are_none_are_refused),
     };

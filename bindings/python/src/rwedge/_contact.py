@@ -196,6 +196,8 @@ class Contact(ContactMethods, Handle):
         places, slopes = (np.ascontiguousarray(np.asarray(given).astype(float, casting="safe")).ravel() for given in (x, slope))
         if places.size != slopes.size:
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
+        if not 2 <= places.size <= 1000 or slopes[0] == slopes[-1]:
+            raise Error(f"{places.size} places, slopes from {slopes[:1]} to {slopes[-1:]}: 2 to 1000 places, not all of one slope", EDOMAIN)
         for i in range(1, places.size):
             if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
                 raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)

@@ -31,7 +31,7 @@ const inPage = [
 ];
 
 function licences(modules, folder) {
-    const found = inPage.map((name) => {
+    const ofPackages = inPage.map((name) => {
         const { version, license } = JSON.parse(readFileSync(`${modules}/${name}/package.json`, "utf8"));
         return {
             name: `${name} ${version} (${license})`,
@@ -42,7 +42,7 @@ function licences(modules, folder) {
     return [
         { name: "in the library", text: read("package/NOTICE") },
         { name: "libcsv, reading of rows (LGPL-2.1-or-later)", text: read("sources/libcsv/COPYING.LESSER") },
-        ...found,
+        ...ofPackages,
     ];
 }
 

@@ -113,6 +113,18 @@ static bool write_inputs(const input_texts *texts)
     return all[0] == '\0';
 }
 
+/* The slopes of a profile, for its drawing; its sharp edges have an infinite pressure. */
+static void write_profile(const pad *shape)
+{
+    for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++) {
+        records_add("place");
+        records_number(shape->places->x[i]);
+        records_number(shape->places->slope[i]);
+    }
+    records_add("remark");
+    records_text(field_remark());
+}
+
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
 {
     char complaint[COMPLAINT_SIZE];
@@ -130,15 +142,25 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
     const struct {
         const char *name;
         double value;
-    } numbers[] = {{"E1", setup->E1},     {"nu1", setup->nu1},     {"theta", setup->shape.theta},
-                   {"a", setup->shape.a}, {"P", setup->P},         {"M", setup->M},
-                   {"Q", setup->Q},       {"sigma", setup->sigma}, {"f", setup->f},
-                   {"k", setup->k},       {"A", setup->A}};
+    } numbers[] = {{"E1", setup->E1},
+                   {"nu1", setup->nu1},
+                   {"theta", setup->shape.theta},
+                   {"a", setup->shape.a},
+                   {"P", setup->P},
+                   {"M", setup->M},
+                   {"Q", setup->Q},
+                   {"sigma", setup->sigma},
+                   {"f", setup->f},
+                   {"k", setup->k},
+                   {"A", setup->A},
+                   {"radius", setup->shape.radius},
+                   {"flat", setup->shape.flat}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         records_add("case");
         records_text(numbers[i].name);
         records_number(numbers[i].value);
     }
+    write_profile(&setup->shape);
     return true;
 }
 

@@ -7,7 +7,8 @@
 #include "model/case_table.h"
 #include "model/verdict.h"
 
-/* The form gives what the columns do not, not even the other way: the radius for a. */
+/* The form gives what the columns do not, not even the other way, the radius for a, or another
+ * pad. */
 static void leave_to_columns(const header *names, input_texts *constants)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
@@ -17,6 +18,11 @@ static void leave_to_columns(const header *names, input_texts *constants)
     }
     if (header_has_input(names, INPUT_E2) || header_has_input(names, INPUT_NU2))
         constants->text[INPUT_E2] = constants->text[INPUT_NU2] = NULL;
+    if (header_has_input(names, INPUT_FLAT))
+        constants->text[INPUT_THETA] = constants->text[INPUT_THETA_DEG] = constants->text[INPUT_A] =
+            constants->text[INPUT_PROFILE] = NULL;
+    if (header_has_input(names, INPUT_THETA) || header_has_input(names, INPUT_THETA_DEG))
+        constants->text[INPUT_FLAT] = constants->text[INPUT_PROFILE] = NULL;
 }
 
 static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
@@ -34,7 +40,7 @@ static bool begin(const csv_row *first, char *lines, char decimal_sign, case_tab
         table->constants.is_cell[i] = header_has_input(&table->names, i);
     table->constants.cell_decimal_sign = decimal_sign;
     table->constants.how_comma = "if that is chosen above";
-    table->constants.where_else = "columns, or the case at the left";
+    table->constants.where_else = "columns, or the case of the form";
     return case_table_begin(table, complaint);
 }
 

@@ -7,6 +7,7 @@
 #include "records.h"
 
 #include "model/load_row.h"
+#include "text/memory.h"
 #include "text/number.h"
 
 #include <inttypes.h>
@@ -21,21 +22,15 @@ typedef struct {
     char unused[COMPLAINT_SIZE]; /* columns with numbers */
 } load_list;
 
-static bool add(load_list *loads, load to, int line)
+static void add(load_list *loads, load to, int line)
 {
     if (loads->count == loads->room) {
-        const size_t room = 2 * loads->room + 64;
-        load *longer = realloc(loads->load, room * sizeof *longer);
-        loads->load = longer != NULL ? longer : loads->load;
-        int *lines = realloc(loads->line, room * sizeof *lines);
-        loads->line = lines != NULL ? lines : loads->line;
-        if (longer == NULL || lines == NULL)
-            return false;
-        loads->room = room;
+        loads->room = 2 * loads->room + 64;
+        loads->load = memory_resized(loads->load, loads->room * sizeof *loads->load);
+        loads->line = memory_resized(loads->line, loads->room * sizeof *loads->line);
     }
     loads->load[loads->count] = to;
     loads->line[loads->count++] = line;
-    return true;
 }
 
 /* ---- A table ---- */
@@ -62,9 +57,10 @@ static bool take_row(const header *names, const csv_row *row, char decimal_sign,
     load to;
     char why[COMPLAINT_SIZE] = "misplaced quotes";
     if (!row->malformed &&
-        load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why) &&
-        add(loads, to, (int)row->line))
+        load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why)) {
+        add(loads, to, (int)row->line);
         return true;
+    }
     snprintf(complaint, COMPLAINT_SIZE, "line %" PRId64 ": %.300s", row->line, why);
     return false;
 }
@@ -120,8 +116,11 @@ static bool to_and_fro(const load *form, rwedge_contact *contact, double f, load
     const load before = {.P = form->P, .M = form->M};
     snprintf(complaint, COMPLAINT_SIZE,
              "Q or sigma of the form goes to and fro where no loads are given; both are 0");
-    return (form->Q != 0 || form->sigma != 0) && loads_apply_next(before, f, contact, complaint) &&
-           add(loads, *form, 0) && add(loads, (load){form->P, form->M, -form->Q, -form->sigma}, 0);
+    if ((form->Q == 0 && form->sigma == 0) || !loads_apply_next(before, f, contact, complaint))
+        return false;
+    add(loads, *form, 0);
+    add(loads, (load){form->P, form->M, -form->Q, -form->sigma}, 0);
+    return true;
 }
 
 /* ---- The course ---- */

@@ -1,8 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "field_texts.h"
 
+#include "pasted.h"
+
+#include "contact/profiles.h"
+
 #include <stddef.h>
 #include <string.h>
+
+static const char PROFILE_NAME[] = "pasted", BETWEEN_ROWS = '\x1d';
+
+/* The rows of a profile become one that is read, by a name. */
+static void take_profile(char *rows, bool takes_hull, input_texts *texts)
+{
+    for (char *at = strchr(rows, BETWEEN_ROWS); at != NULL; at = strchr(at, BETWEEN_ROWS))
+        *at = '\n';
+    pasted_offer(rows);
+    profiles_forget(0);
+    profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull});
+    texts->text[INPUT_PROFILE] = PROFILE_NAME;
+}
+
+const char *field_remark(void)
+{
+    return profiles_remark(PROFILE_NAME);
+}
 
 static void take(char *line, input_texts *texts)
 {
@@ -10,6 +32,10 @@ static void take(char *line, input_texts *texts)
     if (sign == NULL)
         return;
     *sign = '\0';
+    if (strcmp(line, "profile") == 0 || strcmp(line, "hull") == 0) {
+        take_profile(sign + 1, line[0] == 'h', texts);
+        return;
+    }
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
         if (strcmp(line, input_column(i, name)) == 0)
@@ -22,7 +48,9 @@ input_texts field_texts(char *lines)
 {
     input_texts texts = {.cell_decimal_sign = '.',
                          .how_comma = "that separates no thousands",
+                         .profile_named = profiles_named,
                          .tolerance = usual_tolerance};
+    profiles_forget(0);
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
     for (char *end = lines; end != NULL; lines = end + 1) {

@@ -5,7 +5,11 @@
 
 #include "model/inputs.h"
 
-/* From "name=text" of each input, a line each; it takes the lines apart in place. */
+/* From "name=text" of each input, a line each; it takes the lines apart in place. The text of
+ * "profile" has its rows, that of "hull" the same for their convex hull. */
 input_texts field_texts(char *lines);
+
+/* What is to be known of the profile of the last texts; or "". */
+const char *field_remark(void);
 
 #endif

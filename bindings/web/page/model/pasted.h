@@ -9,6 +9,9 @@
  * text must outlive the input. */
 csv_input *pasted_open(const char *text);
 
+/* What a file that is opened next has in it, whatever its name. */
+void pasted_offer(const char *text);
+
 /* The next row, kept: with its fault in place of cells where its quotes are misplaced. False at the
  * end; problem says why where that is before the text's. */
 bool pasted_next(csv_input *in, csv_row *row, const char **problem);

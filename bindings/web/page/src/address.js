@@ -3,8 +3,8 @@
 
 /** From an object of texts; what is empty is left out. */
 export function writeAddress(state) {
-    const given = Object.entries(state).filter(([, value]) => value !== undefined && value !== "");
-    return "#" + new URLSearchParams(given).toString();
+    const filled = Object.entries(state).filter(([, value]) => value !== undefined && value !== "");
+    return "#" + new URLSearchParams(filled).toString();
 }
 
 export const readAddress = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, "")));

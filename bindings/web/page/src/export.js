@@ -4,7 +4,12 @@ import { criteria } from "./cycle/criteria.js";
 import { wholeNumber } from "./number.js";
 import { inputs } from "./words.js";
 
-const numbersOf = (model) => Object.entries(model.inputs).map(([name, value]) => [name, wholeNumber(value)]);
+/** A profile is in a file that is saved beside. */
+const numbersOf = (model) =>
+    Object.entries(model.inputs).map(([name, value]) => [
+        name,
+        name === "profile" ? "profile.csv" : wholeNumber(value),
+    ]);
 
 const asOption = ([name, value]) => `--${inputs[name].option} ${value}`;
 
@@ -42,24 +47,36 @@ export function asFretting(model, { loads, criterion }, cycles, hasTable) {
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);
 
+const listOf = (places, name) => `[${places.map((place) => place[name]).join(", ")}]`;
+const sizesInPython = {
+    wedge: ({ theta, theta_deg, a, radius }) =>
+        `theta = ${theta ?? `math.radians(${theta_deg})`}\na = ${a ?? `rwedge.rounding(theta, ${radius})`}`,
+    cylinder: ({ radius }) => `R = ${radius}`,
+    flat: ({ flat, radius }) => `a, R = ${flat}, ${radius}  # half-width of the flat, radius of its edges`,
+    profile: (_, { places }) => `x = ${listOf(places, "x")}\nslope = ${listOf(places, "slope")}`,
+};
+const makersInPython = {
+    wedge: "(theta=theta, a=a, A=A, f=f)",
+    cylinder: ".cylinder(R, A, f)",
+    flat: ".flat(a, R, A, f)",
+    profile: ".profile(x, slope, A, f)",
+};
+
 /** A program in Python for the case, with the package rwedge. */
 export function asPython(model) {
     const value = Object.fromEntries(numbersOf(model).map(([name, number]) => [name, inPython(number)]));
-    const theta = value.theta ?? `math.radians(${value.theta_deg})`;
-    const a = value.a ?? `rwedge.rounding(theta, ${value.radius})`;
     const k = value.k ?? (value.yield_stress && `${value.yield_stress} / math.sqrt(3)`);
     const { E1, nu1, P, M = "0", Q = "0", sigma = "0", f = "0" } = value;
-    const centred = Number(M) === 0 && Number(sigma) === 0;
+    const centred = model.pad === "wedge" && Number(M) === 0 && Number(sigma) === 0;
     return `import math
 import rwedge
 
 E1, nu1, E2, nu2 = ${E1}, ${nu1}, ${value.E2 ?? E1}, ${value.nu2 ?? nu1}
-theta = ${theta}
-a = ${a}
+${sizesInPython[model.pad](value, model.setup)}
 P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
-contact = rwedge.Contact(theta=theta, a=a, A=A, f=f)
+contact = rwedge.Contact${makersInPython[model.pad]}
 ${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)

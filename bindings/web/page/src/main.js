@@ -9,6 +9,7 @@ import { makeForm } from "./left/form.js";
 import { makeFinder } from "./left/find.js";
 import { drawingOf } from "./left/drawing.js";
 import { makeModel } from "./model.js";
+import { padOf, pads } from "./pads.js";
 import { narrow } from "./plot/axes.js";
 import { measures } from "./stresses.js";
 import { makeTabs } from "./tabs/tabs.js";
@@ -21,6 +22,7 @@ import { inputNames, inputs } from "./words.js";
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const settings = {
     name: "",
+    pad: "",
     units: "mm",
     digits: "4",
     sign: ".",
@@ -39,16 +41,17 @@ const LONGEST = 20000; // characters of an address that every browser takes
 
 const state = { texts: {}, way: {} };
 
-function take(given) {
-    const anything = inputNames.some((name) => name in given);
+function take(texts) {
+    const anything = inputNames.some((name) => name in texts);
     state.texts = Object.fromEntries(
-        inputNames.filter((name) => (given[name] ?? "") !== "").map((name) => [name, given[name]]),
+        [...inputNames, "hull"].filter((name) => (texts[name] ?? "") !== "").map((name) => [name, texts[name]]),
     );
     if (!anything) state.texts = { ...example };
     state.way = Object.fromEntries(
         ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
     );
-    for (const [name, usual] of Object.entries(settings)) state[name] = given[name] ?? usual;
+    for (const [name, usual] of Object.entries(settings)) state[name] = texts[name] ?? usual;
+    if (!Object.hasOwn(pads, state.pad)) state.pad = padOf(state.texts);
     if (!Object.hasOwn(unitSystems, state.units)) state.units = settings.units;
     if (!Object.hasOwn(measures, state.measure)) state.measure = settings.measure;
     if (!Object.hasOwn(criteria, state.criterion)) state.criterion = settings.criterion;
@@ -127,8 +130,8 @@ function render() {
     form.show(model);
     finder.show(model);
     if (model.results || drawing.innerHTML === "") drawing.innerHTML = drawingOf(model);
-    drawing.classList.toggle("old", !model.results && drawing.dataset.of === "case");
-    if (model.results) drawing.dataset.of = "case";
+    drawing.classList.toggle("old", !model.results && drawing.dataset.kind === "case");
+    if (model.results) drawing.dataset.kind = "case";
     tabs.show(model);
     verdict.show(model, state.tab);
     if (exports.querySelector("details").open) showExports();
@@ -143,7 +146,7 @@ function render() {
 function rewriteNumbers() {
     const [from, to] = state.sign === "," ? [".", ","] : [",", "."];
     const rewritten = (text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text);
-    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = rewritten(text);
+    for (const [name, text] of Object.entries(state.texts)) if (name !== "profile") state.texts[name] = rewritten(text);
     for (const name of ["probe_x", "probe_y"]) state[name] = rewritten(state[name]);
 }
 
@@ -154,7 +157,7 @@ function convertNumbers(from, to) {
             value = readNumber(text, state.sign);
         return factor === 1 || Number.isNaN(value) ? text : writeNumber(value * factor, 12, state.sign);
     };
-    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name].unit);
+    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name]?.unit);
     for (const name of ["probe_x", "probe_y"]) state[name] = converted(state[name], "length");
 }
 
@@ -193,15 +196,25 @@ const chosen = [
 function build() {
     document.getElementById("settings").append(
         element("span", {}, element("label", { for: "case-name" }, "Name"), caseName),
-        ...chosen.map((one) => element("span", {}, ...one.parts)),
+        ...chosen.map(({ parts }) => element("span", {}, ...parts)),
         element("span", {}, converts, element("label", { for: "convert" }, "convert numbers with the units")),
         copyButton(
             "Copy a link to this case",
             () => location.href.replace(/#.*/, "") + address(),
             () => (tooLong.hidden ? "Copied" : "Copied without the pasted rows"),
         ),
-        element("label", { for: "open-case" }, "Open a saved case"),
-        element("input", { type: "file", id: "open-case", accept: ".txt,text/plain", onchange: openCase }),
+        element(
+            "span",
+            {},
+            element("input", {
+                type: "file",
+                id: "open-case",
+                class: "hidden",
+                accept: ".txt,text/plain",
+                onchange: openCase,
+            }),
+            element("label", { for: "open-case", class: "button" }, "Open a saved case"),
+        ),
     );
     const details = element(
         "details",
@@ -232,7 +245,7 @@ function build() {
 function show(texts) {
     take(texts);
     if (state.sign === ",") rewriteNumbers();
-    for (const one of chosen) one.show();
+    for (const each of chosen) each.show();
     caseName.value = state.name;
     render();
 }

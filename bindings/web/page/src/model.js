@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn: the solved case, how it is written, and in which units.
 import { shown, writeNumber } from "./number.js";
+import { textsOfPad } from "./pads.js";
 import { solveHolding } from "./solution.js";
 import { unitsOf } from "./units.js";
 
 export function makeModel(state) {
     Object.assign(shown, { sign: state.sign, name: state.name });
-    const unit = unitsOf(state.units);
+    const unit = unitsOf(state.units),
+        texts = textsOfPad(state.texts, state.pad);
     return {
-        ...solveHolding(state.texts, state.sign, unit.length),
-        texts: state.texts,
+        ...solveHolding(texts, state.sign, unit.length),
+        texts,
+        pad: state.pad,
         unit,
         sign: state.sign,
         write: (value) => (typeof value === "number" ? writeNumber(value, state.digits, state.sign) : (value ?? "")),

@@ -2,13 +2,16 @@
 // A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
 import { answeredContact, ask } from "./library.js";
 import { withPoint } from "./number.js";
+import { rowsOfProfile } from "./pads.js";
 
 const number = (text) => (text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text));
 
 const takers = {
     refused: (answer, input, text) => answer.faults.push({ input, text }),
     input: (answer, name, value) => (answer.inputs[name] = number(value)),
-    case: (answer, name, value) => ((answer.setup ??= {})[name] = number(value)),
+    case: (answer, name, value) => ((answer.setup ??= { places: [] })[name] = number(value)),
+    place: (answer, x, slope) => answer.setup.places.push({ x: number(x), slope: number(slope) }),
+    remark: (answer, text) => (answer.remark = text),
     hardest(answer, ...numbers) {
         const [factor, x, y, von_mises] = numbers.map(number);
         answer.hardest = { factor, x, y, von_mises };
@@ -24,15 +27,18 @@ const takers = {
     unused: (answer, text) => (answer.unused = text),
 };
 
-/** The texts as lines for the model. */
-export const linesOf = (texts, sign) =>
-    Object.entries(texts)
-        .map(([name, text]) => `${name}=${withPoint(text, sign)}`)
-        .join("\n");
+const lineOf = ([name, text], sign) =>
+    name === "profile" ? `profile=${rowsOfProfile(text, sign).join("\x1d")}` : `${name}=${withPoint(text, sign)}`;
+
+/** The texts as lines for the model. The rows of a profile are one; "hull" has them again where their hull is taken. */
+export function linesOf({ hull, ...texts }, sign) {
+    const lines = Object.entries(texts).map((entry) => lineOf(entry, sign));
+    return (hull ? lines.map((line) => line.replace(/^profile=/, "hull=")) : lines).join("\n");
+}
 
 /**
- * From records of the model: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, loads, unused }. setup
- * has the numbers of the case, where it is one.
+ * From records of the model: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, loads, unused, remark }. setup
+ * has the numbers of the case, where it is one, and the places of a profile.
  */
 export function taken(records) {
     const answer = {
@@ -44,6 +50,7 @@ export function taken(records) {
         verdict: null,
         loads: [],
         unused: "",
+        remark: "",
     };
     for (const [kind, ...fields] of records) takers[kind](answer, ...fields);
     return answer;

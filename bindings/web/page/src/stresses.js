@@ -8,25 +8,25 @@ const inPlane = (sxx, syy, txy) => Math.hypot((sxx - syy) / 2, txy);
 export const measures = {
     von_mises: {
         name: "von Mises",
-        of: (sxx, syy, txy, nu) => {
+        measure: (sxx, syy, txy, nu) => {
             const szz = nu * (sxx + syy),
                 [a, b, c] = [sxx - syy, syy - szz, szz - sxx];
             return Math.sqrt((a * a + b * b + c * c) / 2 + 3 * txy * txy);
         },
     },
-    s1: { name: "largest principal stress s1", of: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
+    s1: { name: "largest principal stress s1", measure: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
     tau_max: {
         name: "largest shear stress \u03c4max",
-        of: (sxx, syy, txy, nu) => {
+        measure: (sxx, syy, txy, nu) => {
             const mean = (sxx + syy) / 2,
                 radius = inPlane(sxx, syy, txy),
                 szz = nu * (sxx + syy);
             return (Math.max(mean + radius, szz) - Math.min(mean - radius, szz)) / 2;
         },
     },
-    sxx: { name: "stress along the surface sxx", of: (sxx) => sxx },
-    syy: { name: "stress across the surface syy", of: (sxx, syy) => syy },
-    txy: { name: "shear stress txy", of: (sxx, syy, txy) => txy },
+    sxx: { name: "stress along the surface sxx", measure: (sxx) => sxx },
+    syy: { name: "stress across the surface syy", measure: (sxx, syy) => syy },
+    txy: { name: "shear stress txy", measure: (sxx, syy, txy) => txy },
 };
 
 /** Places across the contact, dense at its edges; none is the apex of a sharp wedge, where the pressure is infinite. */
@@ -42,32 +42,31 @@ export function placesAcross(left, right, count) {
     return x;
 }
 
-export const NX = 200,
-    NY = 150;
+const CELLS = [200, 150],
+    FEW_CELLS = [100, 75]; // while a slider moves
 
 /** The grid, square cells: as wide as 3.2 half-widths of the contact. */
-export function gridOf({ left, right }) {
+export function gridOf({ left, right }, isMoving) {
+    const [nx, ny] = isMoving ? FEW_CELLS : CELLS;
     const half = (right - left) / 2,
         middle = (left + right) / 2,
-        depth = (3.2 * half * (NY - 1)) / (NX - 1);
-    const x = new Float64Array(NX * NY),
-        y = new Float64Array(NX * NY);
+        depth = (3.2 * half * (ny - 1)) / (nx - 1);
+    const x = new Float64Array(nx * ny),
+        y = new Float64Array(nx * ny);
     const [x0, x1] = [middle - 1.6 * half, middle + 1.6 * half];
-    for (let j = 0, n = 0; j < NY; j++)
-        for (let i = 0; i < NX; i++, n++) {
-            x[n] = x0 + ((x1 - x0) * i) / (NX - 1) || 1e-9 * half; // not the apex of a sharp wedge
-            y[n] = (depth * j) / (NY - 1);
+    for (let j = 0, n = 0; j < ny; j++)
+        for (let i = 0; i < nx; i++, n++) {
+            x[n] = x0 + ((x1 - x0) * i) / (nx - 1) || 1e-9 * half; // not the apex of a sharp wedge
+            y[n] = (depth * j) / (ny - 1);
         }
-    return { x, y, x0, x1, depth };
+    return { x, y, nx, ny, x0, x1, depth };
 }
 
 /** The stresses on the grid, and one measure of them. */
 export function fieldOf({ contact, setup }, grid, measure) {
     const s = contact.stresses(grid.x, grid.y),
-        values = new Float64Array(NX * NY),
-        { of } = measures[measure];
-    for (let i = 0; i < values.length; i++) values[i] = of(s.sxx[i], s.syy[i], s.txy[i], setup.nu1);
-    return { ...s, values };
+        { measure: number } = measures[measure];
+    return { ...s, values: s.sxx.map((sxx, i) => number(sxx, s.syy[i], s.txy[i], setup.nu1)) };
 }
 
 /** All numbers of one place; null where there are none. */

@@ -37,7 +37,9 @@ const sizes = {
 
 /** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
 export function conversion(from, to, dimension) {
-    const [length, force] = ["length", "force"].map((of) => (sizes[from]?.[of] ?? NaN) / (sizes[to]?.[of] ?? NaN));
+    const [length, force] = ["length", "force"].map(
+        (size) => (sizes[from]?.[size] ?? NaN) / (sizes[to]?.[size] ?? NaN),
+    );
     const factors = { length, force, "force/length": force / length, stress: force / length ** 2 };
     return Number.isFinite(length) ? (factors[dimension] ?? 1) : 1;
 }

@@ -18,14 +18,14 @@ function figureText(model, [name, meaning, unit]) {
         : `<span><b>${escaped(symbols[name])} = ${escaped(value)}</b> ${escaped(model.unit[unit])} <small>${meaning}</small></span>`;
 }
 
-/** From 0 on, with a line at 1: below it yields. */
-function barText(factor, colour) {
+/** From 0 on, with a line at 1 and a word for it. */
+export function barText(factor, colour, limit = "yields") {
     const share = (100 * Math.min(factor, MOST)) / MOST;
     return (
-        `<svg class="factor ${colour}" viewBox="0 0 100 10" preserveAspectRatio="none" role="img" aria-label="Factor ${factor.toPrecision(3)}; below 1 it yields">` +
+        `<svg class="factor ${colour}" viewBox="0 0 100 10" preserveAspectRatio="none" role="img" aria-label="Factor ${factor.toPrecision(3)}; 1: ${limit}">` +
         `<rect width="100" height="10"/><rect class="reached" width="${share.toFixed(1)}" height="10"/>` +
         `<rect class="limit" x="${(100 / MOST).toFixed(1)}" width="0.4" height="10"/></svg>` +
-        `<p class="scale"><span>0</span><span>1: yields</span><span>2</span><span>${MOST} and more</span></p>`
+        `<p class="scale"><span>0</span><span>1: ${limit}</span><span>2</span><span>${MOST} and more</span></p>`
     );
 }
 
@@ -49,7 +49,7 @@ export function makeVerdict() {
     const show = (model, tab) => {
         const { colour, text } = model.verdict,
             ofCase = !["cycle", "batch"].includes(tab),
-            said = ofCase ? text : `The case at the left: ${text}`;
+            said = ofCase ? text : `The case of the form: ${text}`;
         head.hidden = !ofCase || !model.results;
         if (!head.hidden) head.innerHTML = wholeText(model);
         status.className = `status ${colour}`;

@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { asAddress, chance, randomCase } from "./random_cases.mjs";
-import { enter, openPage, openTab, pause, reopen, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { enter, openPage, openTab, pause, reopen, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
@@ -211,7 +211,7 @@ export async function each_bad_input_is_named({ session, file }) {
         [{ "in-P": "" }, "CHECK THE INPUTS: missing: P"],
         [{ "in-P": "190", "in-Q": "50" }, "SLIDES: Q is above f P, there is no equilibrium."],
         [{ "in-Q": "20", "in-M": "1e12" }, "in magnitude: more lays a flank on the surface"],
-        [{ "in-M": "0", "in-sigma": "5000" }, "sigma may change by"],
+        [{ "in-M": "0", "in-sigma": "5000" }, "computed numerically: tractions to about"],
         [{ "in-sigma": "0", "in-P": "900" }, "YIELDS: the stress under these loads is above the yield stress."],
         [{ "in-P": "190", "in-E2": "70000" }, "E2 70000: needs nu2; allowed: both"],
         [{ "in-nu2": "0.3" }, "CAUTION: Dundurs' beta is not 0"],
@@ -267,17 +267,17 @@ export async function a_thousand_pasted_rows_are_solved({ session, file, tool })
         [...document.querySelectorAll("button")].find((b) => b.textContent.startsWith("Copy the solved")).click(),
     );
     await pause(200);
-    const found = (await page.evaluate(() => window.copied))
+    const copied = (await page.evaluate(() => window.copied))
         .trimEnd()
         .split("\n")
         .map((line) => line.split("\t"));
-    assert.equal(found.length, 1001);
-    assert.deepEqual(found[0], told[0]);
+    assert.equal(copied.length, 1001);
+    assert.deepEqual(copied[0], told[0]);
     let refused = 0;
-    for (let i = 1; i < found.length; i++) {
-        if (found[i].at(-1) !== "") refused++;
+    for (let i = 1; i < copied.length; i++) {
+        if (copied[i].at(-1) !== "") refused++;
         else
-            found[i].forEach((cell, k) => {
+            copied[i].forEach((cell, k) => {
                 const [a, b] = [Number(cell), Number(told[i][k])];
                 assert.ok(
                     cell === told[i][k] || Math.abs(a - b) <= 1e-11 * Math.abs(b),
@@ -316,23 +316,36 @@ export async function an_address_brings_the_state_back({ session, file }) {
     await second.close();
 }
 
-export async function a_slider_redraws_at_once({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "stress" }));
-    const times = await page.evaluate(() => {
+/** 80 frames of a drag, sorted, in milliseconds; the field is drawn with all its detail at the end. */
+const dragged = (page) =>
+    page.evaluate(() => {
         const slider = document.querySelector("input[type=range]"),
-            found = [];
+            times = [];
         for (let i = 0; i < 80; i++) {
             slider.value = String((i * 37) % 120);
             slider.dispatchEvent(new Event("input"));
-            found.push(Number(document.body.dataset.milliseconds));
-            if (!document.querySelector(".field")) throw new Error("no field is drawn");
+            times.push(Number(document.body.dataset.milliseconds));
+            if (!document.querySelector('[role="tabpanel"]:not([hidden]) svg')) throw new Error("nothing is drawn");
         }
-        return found.sort((a, b) => a - b);
+        const coarse = document.querySelector("svg.field")?.outerHTML.length;
+        slider.dispatchEvent(new Event("change"));
+        if (document.querySelector("svg.field")?.outerHTML.length < 1.2 * coarse) throw new Error("it stays coarse");
+        return times.sort((a, b) => a - b);
     });
-    await page.close();
-    const busy = loadavg()[0] > 1.5 * cpus().length;
-    assert.ok(busy || times[20] < 30, `a quarter of the frames take ${times[20]} ms or less, the allowed are 30`);
-    return `${busy ? "not judged, this machine is busy: " : ""}quarter ${times[20]} ms, half ${times[40]} ms, most ${times[79]} ms`;
+
+/** On each tab. Frames are judged where the machine has time. */
+export async function a_slider_redraws_at_once({ session, file }) {
+    const busy = loadavg()[0] > 1.5 * cpus().length,
+        told = [];
+    for (const tab of ["contact", "stress", "strength", "cycle"]) {
+        const page = await openPage(session, file, asAddress(usual, { tab }), 1366);
+        await settled(page);
+        const times = await dragged(page);
+        assert.ok(busy || times[76] < 50, `${tab}: of 100 frames 5 take ${times[76]} ms or more, the allowed are 50`);
+        told.push(`${tab} ${times[76]}`);
+        await page.close();
+    }
+    return `${busy ? "not judged, this machine is busy: " : ""}95 of 100 frames take, in ms: ${told.join(", ")}`;
 }
 
 export async function plots_are_saved({ session, file }) {
@@ -353,18 +366,18 @@ export async function plots_are_saved({ session, file }) {
         const files = await page.evaluate(() =>
             Promise.all(window.files.map(async (blob) => [blob.type, blob.size, (await blob.text()).slice(0, 3000)])),
         );
-        const of = (type) => files.filter((one) => one[0] === type);
+        const saved = (type) => files.filter((file) => file[0] === type);
         const plots = tab === "cycle" ? 3 : 1;
         assert.deepEqual(
-            ["image/svg+xml", "image/png", "text/csv"].map((type) => of(type).length),
+            ["image/svg+xml", "image/png", "text/csv"].map((type) => saved(type).length),
             [plots, plots, plots],
             `${tab}: ${files.map((f) => f[0])}`,
         );
-        for (const [, , text] of of("image/svg+xml"))
+        for (const [, , text] of saved("image/svg+xml"))
             assert.ok(text.startsWith("<svg") && !/var\(--/.test(text), `${tab}: ${text.slice(0, 200)}`);
-        for (const [, size, text] of of("image/png"))
+        for (const [, size, text] of saved("image/png"))
             assert.ok(size > 3000 && text.slice(1, 4) === "PNG", `${tab}: PNG of ${size} bytes`);
-        for (const [, , text] of of("text/csv"))
+        for (const [, , text] of saved("text/csv"))
             assert.ok(
                 /^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n/.test(text) && text.split("\n").length > 20,
                 `${tab}: ${text.slice(0, 100)}`,
@@ -421,6 +434,7 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
         );
         const shown = await shownNumbers(page);
         assert.ok(Object.keys(worst).length >= 3, told.stderr);
+        assert.equal(await page.$eval(".drawing .worst", (part) => part.textContent), "worst");
         for (const [name, value] of Object.entries(worst))
             assert.ok(
                 Math.abs(Number(shown[name]) - value) <= 2e-6 * Math.abs(value),
@@ -429,6 +443,75 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
         const command = await page.$eval("#as-fretting", (pre) => pre.textContent);
         assert.equal(run("sh", ["-c", command.replace("rwedge", `'${tool}'`)]).stderr, told.stderr, command);
     }
+    await page.close();
+}
+
+const ofPads = { E1: "210000", nu1: "0.3", P: "300", Q: "40", f: "0.3", k: "400" };
+const parabola = Array.from({ length: 41 }, (_, i) => [(i - 20) / 20, ((i - 20) / 20) ** 2 / 20]);
+const rowsOf = (places, head) => [head, ...places.map((place) => place.join(","))].join("\n");
+const shapes = {
+    cylinder: { radius: "10" },
+    flat: { flat: "0.5", radius: "10" },
+    profile: { profile: rowsOf(parabola, "x,height") },
+};
+
+async function assertPad(page, { file, tool, python }, pad, shape, inFile, folder) {
+    const told = run(tool, ["solve", ...optionsOf({ ...ofPads, ...inFile }), "--yield-factor", "--format", "json"]);
+    await reopen(page, file, asAddress({ ...ofPads, ...shape }, { digits: "14" }));
+    assert.equal(await page.$eval("#pad", (select) => select.value), pad);
+    assertSame(await shownNumbers(page), told.numbers(), 14, pad);
+    const drawn = await page.$eval(".drawing svg", (svg) => svg.textContent);
+    assert.ok(/b.*yields first/.test(drawn) && drawn.includes("R") === (pad !== "profile"), `${pad}: ${drawn}`);
+    await page.click("#case details summary");
+    const command = await page.$eval("#as-command", (pre) => pre.textContent);
+    const again = spawnSync("sh", ["-c", command.replace("rwedge", `'${tool}'`)], { cwd: folder, encoding: "utf8" });
+    assert.equal(again.status, 0, `${command}: ${again.stderr}`);
+    const program = await page.$eval("#as-python", (pre) => pre.textContent);
+    if (python) assert.equal(run(python, ["-c", program]).status, 0, program);
+}
+
+/** A pad that is chosen, with its own inputs: results, all tabs, the command, the drawing. */
+export async function each_pad_answers_as_the_tool({ session, file, tool, python }) {
+    const page = await openPage(session, file),
+        folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
+    writeFileSync(`${folder}/profile.csv`, shapes.profile.profile);
+    for (const [pad, shape] of Object.entries(shapes)) {
+        const inFile = pad === "profile" ? { profile: `${folder}/profile.csv` } : shape;
+        await assertPad(page, { file, tool, python }, pad, shape, inFile, folder);
+        for (const tab of ["stress", "strength"]) {
+            await openTab(page, tab);
+            const fault = await page.$eval('[role="tabpanel"]:not([hidden]) .bad[role="alert"]', (e) => e.textContent);
+            assert.equal(fault, "", `${pad}, ${tab}`);
+        }
+        const loads = "P,Q\n300,40\n300,-40",
+            { P, Q, ...rest } = { ...ofPads, ...inFile };
+        const cycle = run(tool, ["fretting", "-", ...optionsOf(rest)], loads);
+        await reopen(page, file, asAddress({ ...ofPads, ...shape }, { tab: "cycle", loads }));
+        const { swt } = await shownNumbers(page);
+        const told = Number(Number(cycle.stderr.match(/swt (\S+) at/)[1]).toPrecision(4));
+        assert.equal(Number(swt), told, `${pad}: swt`);
+    }
+    rmSync(folder, { recursive: true });
+    await page.close();
+}
+
+/** Changing the pad keeps its sizes; a profile that is not convex is refused with the place, and its hull is taken where asked for. */
+export async function a_pad_begins_with_the_sizes_of_the_one_before({ session, file }) {
+    const page = await openPage(session, file, asAddress(usual));
+    for (const pad of ["flat", "cylinder", "profile", "wedge"]) {
+        await enter(page, { pad });
+        const [colour, status] = await statusOf(page);
+        assert.ok(!/CHECK/.test(status), `${pad}: ${colour}: ${status}`);
+        const seen = await page.$$eval("#case .field", (fields) => fields.filter((f) => f.offsetHeight).length);
+        assert.ok(seen >= 8 && seen <= 15, `${pad}: ${seen} fields`);
+    }
+    await enter(page, { pad: "profile" });
+    const dented = [...parabola.slice(0, 20), [0, 0.02], ...parabola.slice(21)];
+    await enter(page, { "in-profile": rowsOf(dented, "x,height") });
+    assert.match((await statusOf(page))[1], /not convex/);
+    await page.click("#hull");
+    assert.ok(!/CHECK/.test((await statusOf(page))[1]), (await statusOf(page))[1]);
+    assert.match(await page.$eval("#in-profile-note", (note) => note.textContent), /hull/);
     await page.close();
 }
 
@@ -495,20 +578,11 @@ export async function a_course_without_a_closed_form_is_computed({ session, file
 /** At one place of the grid: each measure in the saved table beside what the library says of the same place. */
 export async function contours_show_what_the_library_says({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
-    const saved = (name) =>
-        page.evaluate(async (value) => {
-            const select = document.getElementById("measure");
-            select.value = value;
-            select.dispatchEvent(new Event("change"));
-            let blob;
-            URL.createObjectURL = (given) => ((blob = given), "#");
-            HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-            document.querySelector('#panel-stress .save button[aria-label$="CSV"]').click();
-            const lines = (await blob.text()).split("\n").map((line) => line.split(","));
-            return [lines[0], lines[200 * 20 + 131]];
-        }, name);
     for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
-        const [names, row] = await saved(measure);
+        await enter(page, { measure });
+        const table = await savedBy(page, '#panel-stress .save button[aria-label$="CSV"]');
+        const lines = table.split("\n").map((line) => line.split(",")),
+            [names, row] = [lines[0], lines[200 * 20 + 131]];
         assert.equal(names.at(-1), `${measure} [MPa]`);
         await enter(page, { "probe-x": row[0], "probe-y": row[1] });
         const told = Number((await shownNumbers(page))[measure]);
@@ -587,13 +661,7 @@ export async function rows_that_no_link_takes_are_told_and_saved({ session, file
     await enter(page, { batch: `P\tQ\n${rows}` });
     await settled(page);
     assert.match(await said(), /too long for a link/);
-    const saved = await page.evaluate(async () => {
-        let blob;
-        URL.createObjectURL = (one) => ((blob = one), "#");
-        HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-        document.querySelector("#too-long button").click();
-        return blob.text();
-    });
+    const saved = await savedBy(page, "#too-long button");
     assert.equal(new URLSearchParams(saved.slice(1)).get("batch").split("\n").length, 3001);
     await enter(page, { batch: "" });
     const transfer = await page.evaluateHandle((text) => {
@@ -641,13 +709,7 @@ export async function one_decimal_sign_is_everywhere({ session, file }) {
     assert.equal(await page.$eval("#in-theta", (input) => input.value), "0,01");
     const ticks = await page.$$eval("#panel-contact .tick", (texts) => texts.map((text) => text.textContent));
     assert.ok(ticks.some((text) => text.includes(",")) && !ticks.some((text) => text.includes(".")), ticks.join(" "));
-    const lines = await page.evaluate(async () => {
-        let blob;
-        URL.createObjectURL = (one) => ((blob = one), "#");
-        HTMLAnchorElement.prototype.click = () => {}; // nothing is downloaded
-        document.querySelector('#panel-contact .save button[aria-label$="CSV"]').click();
-        return (await blob.text()).split("\n");
-    });
+    const lines = (await savedBy(page, '#panel-contact .save button[aria-label$="CSV"]')).split("\n");
     assert.match(lines[5], /^-\d,\d+;\d+,\d+;/);
     await page.close();
 }
@@ -678,7 +740,7 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
             await reopen(page, file, asAddress(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" }));
             if (dark) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
             await page.evaluate(source);
-            const found = await page.evaluate(async () =>
+            const violations = await page.evaluate(async () =>
                 (await window.axe.run()).violations
                     .filter((v) => ["serious", "critical"].includes(v.impact))
                     .map(
@@ -689,7 +751,7 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
                                 .join(" | ")}`,
                     ),
             );
-            assert.deepEqual(found, [], `${tab}, ${scheme}`);
+            assert.deepEqual(violations, [], `${tab}, ${scheme}`);
         }
     await page.close();
 }

@@ -14,8 +14,10 @@ export const browsers = {
 
 /** Its program; nothing where this machine does not have it. */
 export function programOf({ names }) {
-    const found = spawnSync("sh", ["-c", names.map((name) => `command -v ${name}`).join(" || ")], { encoding: "utf8" });
-    return found.stdout.trim().split("\n")[0];
+    const search = spawnSync("sh", ["-c", names.map((name) => `command -v ${name}`).join(" || ")], {
+        encoding: "utf8",
+    });
+    return search.stdout.trim().split("\n")[0];
 }
 
 /** The browser, and what it said and asked for since it began. */
@@ -50,8 +52,8 @@ export async function reopen(page, file, hash) {
 
 /** Types into a field as a whole: the field hears of it as of a paste. */
 export const enter = (page, texts) =>
-    page.evaluate((given) => {
-        for (const [id, text] of Object.entries(given)) {
+    page.evaluate((entries) => {
+        for (const [id, text] of Object.entries(entries)) {
             const input = document.getElementById(id);
             input.value = text;
             input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input", { bubbles: true }));
@@ -74,6 +76,16 @@ export async function shownNumbers(page) {
         ),
     );
 }
+
+/** The text of the file that a button saves; nothing is downloaded. */
+export const savedBy = (page, selector) =>
+    page.evaluate(async (button) => {
+        let blob;
+        URL.createObjectURL = (saved) => ((blob = saved), "#");
+        HTMLAnchorElement.prototype.click = () => {};
+        document.querySelector(button).click();
+        return blob.text();
+    }, selector);
 
 export const statusOf = (page) =>
     page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { answerOf } from "../src/cycle/answer.js";
+import { readMaterial } from "../src/cycle/criteria.js";
 import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/solution.js";
@@ -110,7 +111,6 @@ const wrong = [
     ["M", "1e12"],
     ["Q", "20 N"],
     ["Q", "50"],
-    ["sigma", "5000"],
     ["f", "-0.1"],
     ["k", "1e61"],
 ];
@@ -133,6 +133,37 @@ test("all wrong fields are named at a time", () => {
         ["P", "f"],
     );
     assert.ok(verdict.text.startsWith("CHECK THE INPUTS: P x: ") && verdict.text.includes("; f y: "));
+});
+
+test("a profile is read with tabs, spaces or decimal commas, with names or as x and height", () => {
+    const { theta, a, ...rest } = usual,
+        rows = Array.from({ length: 21 }, (_, i) => [(i - 10) / 10, ((i - 10) / 10) ** 2 / 20]);
+    const width = (between, head, sign) => {
+        const lines = rows.map((row) => row.map((cell) => String(cell).replace(".", sign)).join(between));
+        const { results, verdict } = solveHolding({ ...rest, profile: [...head, ...lines].join("\n") }, sign);
+        return results?.b ?? verdict.text;
+    };
+    const b = width(",", ["x,height"], ".");
+    assert.ok(Math.abs(b / solveHolding({ ...rest, radius: "10" }, ".").results.b - 1) < 0.02, String(b));
+    for (const pasted of [width("\t", ["x\theight"], "."), width(" ", [], "."), width(";", ["x;height"], ",")])
+        assert.equal(pasted, b);
+    assert.match(width(",", ["x,depth"], "."), /^CHECK THE INPUTS: profile .*column slope: missing/);
+});
+
+test("rows of flat pads take nothing of the wedge of the form", () => {
+    const { theta, a, ...rest } = usual,
+        { rows, results } = solveRows("flat\tradius\n0.5\t10\n", usual, ".");
+    const alone = solveHolding({ ...rest, flat: "0.5", radius: "10" }, ".");
+    assert.equal(Number(rows[0].values[results.indexOf("b")]), alone.results.b, rows[0].error);
+});
+
+test("constants of a material are read as lines or JSON; what is unknown is named", () => {
+    const told = { constants: { swt_limit: 0.5, t_A: 150 } };
+    for (const text of ["swt_limit\t0.5\nt_A, 150\nsource,a paper", '{"swt_limit": 0.5, "t_A": 150, "name": "x"}'])
+        assert.deepEqual(readMaterial(text, "."), told);
+    assert.deepEqual(readMaterial("swt_limit;0,5\nt_A = 150", ","), told);
+    assert.match(readMaterial("limit 1", ".").complaint, /^limit: no constant that is known/);
+    assert.match(readMaterial("kappa x", ".").complaint, /^kappa: must be a number/);
 });
 
 test("what yields under the loads and what would in full sliding are told apart", () => {
@@ -211,11 +242,12 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
     };
     const answer = solveHolding(texts, "."),
         { results } = answer;
-    assert.match(asPython(answer), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
+    assert.match(asPython({ ...answer, pad: "wedge" }), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
     assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
 });
 
 test("a cycle without a table is that of the tool after P and M", () => {
+    const chosen = { name: "swt", isPlaneStress: false, material: "", nu: 0.3 };
     for (const texts of [{}, { M: "1" }, { sigma: "10" }]) {
         const { P, Q, ...rest } = { ...usual, ...texts };
         const { M = "0", sigma = "0", ...bodiesAlone } = rest;
@@ -224,12 +256,12 @@ test("a cycle without a table is that of the tool after P and M", () => {
         const worst = Object.fromEntries(
             [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]),
         );
-        const answer = answerOf({ ...usual, ...texts }, "", ".", "3");
+        const answer = answerOf({ ...usual, ...texts }, "", ".", "3", chosen);
         assert.equal(answer.complaint, undefined);
         assert.ok(
             Math.abs(answer.worst.swt.value / Number(worst.swt[2]) - 1) < 5e-6,
             `${answer.worst.swt.value} ${told.stderr}`,
         );
     }
-    assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3").complaint, /both are 0$/);
+    assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3", chosen).complaint, /both are 0$/);
 });

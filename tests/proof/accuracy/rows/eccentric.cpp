@@ -55,7 +55,8 @@ namespace
 /* ---- Which patch carries what: Krawczyk's operator ---- */
 
 struct wanted {
-    ball a, P, other;
+    std::function<carried(const ball_edges &)> carry;
+    ball P, other;
     bool by_moment;
 };
 
@@ -80,7 +81,7 @@ struct excess {
 
 excess excess_at(const ball_edges &e, const wanted &to)
 {
-    const carried c = carried_by(to.a, e);
+    const carried c = to.carry(e);
     if (to.by_moment) /* m dP + (pi s^2/2) d delta */
         return {{c.P - to.P, c.M - to.other},
                 {-c.v, c.u, c.half * c.v / 2 - c.middle * c.v, c.half * c.u / 2 + c.middle * c.u}};
@@ -110,7 +111,7 @@ bool is_proved(ball_edges *answer, const ball_edges &x, const column &F, const s
 }
 
 /* The patch near a guess; indeterminate where none is proved. */
-ball_edges patch_of(const wanted &to, double left, double right)
+ball_edges patch_near(const wanted &to, double left, double right)
 {
     ball_edges x = {left, right}, answer;
     square A;
@@ -128,6 +129,22 @@ ball_edges patch_of(const wanted &to, double left, double right)
         if (is_proved(&answer, x, F, A, scaled(right - left, -n), to))
             return answer;
     return {unknown(), unknown()};
+}
+
+} // namespace
+
+ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carry, const ball &P,
+                          const ball &M, const double guess[2])
+{
+    return patch_near({carry, P, M, true}, guess[0], guess[1]);
+}
+
+namespace
+{
+
+std::function<carried(const ball_edges &)> carrying(const ball &a)
+{
+    return [a](const ball_edges &e) { return carried_by(a, e); };
 }
 
 /* ---- What is drawn ---- */
@@ -210,8 +227,8 @@ struct pressed_patch {
 pressed_patch ball_pressed(const double v[], double P, double M, double left, double right)
 {
     const ball a = v[ROUNDING], per_stress = ball(v[COMPLIANCE]) / v[THETA];
-    const wanted to = {a, P * per_stress, M * per_stress, true};
-    const ball_edges e = patch_of(to, left, right);
+    const wanted to = {carrying(a), P * per_stress, M * per_stress, true};
+    const ball_edges e = patch_near(to, left, right);
     carried c = carried_by(a, e);
     c.P = to.P; /* exactly */
     return {c, e, a, per_stress};
@@ -342,7 +359,7 @@ tangential tangential_of(const ball &per_stress, double f, const ball &Q, const 
 /* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */
 ball_edges edges_of(const pressed_patch &whole, const tangential &sticking, const double guess[2])
 {
-    return patch_of({whole.a, sticking.load, sticking.tilt, false}, guess[0], guess[1]);
+    return patch_near({carrying(whole.a), sticking.load, sticking.tilt, false}, guess[0], guess[1]);
 }
 
 /* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */

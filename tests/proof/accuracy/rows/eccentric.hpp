@@ -3,6 +3,8 @@
 #ifndef ECCENTRIC_HPP
 #define ECCENTRIC_HPP
 
+#include <functional>
+
 #include "rows/rows.hpp"
 #include "rwedge.h"
 
@@ -17,6 +19,10 @@ struct carried {
 };
 
 carried carried_by(const ball &a, const ball_edges &e);
+
+/* The patch near a guess that carries P and M, in theta/A; indeterminate where none is proved. */
+ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carry, const ball &P,
+                          const ball &M, const double guess[2]);
 
 /* Arguments of a contact that slips in one step of Q and sigma, the latter up to its limit.
  * result: the edges of the stick zone and of the contact, as the library finds them. false where

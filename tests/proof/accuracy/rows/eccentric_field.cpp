@@ -17,7 +17,6 @@
  * library found: its rows judge them. */
 #include <initializer_list>
 #include <math.h>
-#include <vector>
 
 #ifdef BALLS_IN_FLINT
 #include <flint/acb_calc.h>
@@ -25,22 +24,9 @@
 #include <acb_calc.h>
 #endif
 
+#include "rows/breakpoints.hpp"
 #include "rows/eccentric.hpp"
 #include "rows/rows.hpp"
-
-namespace
-{
-
-/* An end of the rounding inside: its jump, psi and phi. */
-struct breakpoint {
-    ball k, psi, cosine, sine, constant; /* (cos phi - psi sin phi)/pi */
-};
-
-struct patch {
-    ball middle, half, a, tilt;
-    ball rate; /* of the slope, left of the first end inside: k_left */
-    std::vector<breakpoint> ends;
-};
 
 breakpoint breakpoint_at(const ball &place, const ball &k)
 {
@@ -48,17 +34,20 @@ breakpoint breakpoint_at(const ball &place, const ball &k)
     return {k, psi, cosine, place, (cosine - psi * place) / pi()};
 }
 
-patch patch_of(const ball &a, const ball_edges &e)
+namespace
+{
+
+profile_patch patch_of(const ball &a, const ball_edges &e)
 {
     const carried c = carried_by(a, e);
-    patch p = {c.middle, c.half, a, c.tilt, -a <= e.left ? 1 / a : 0, {}};
+    profile_patch p = {c.middle, c.half, a, c.tilt, -a <= e.left ? 1 / a : 0, {}};
     for (const ball &at : {-a, a})
         if (!(at <= e.left) && !(at >= e.right))
             p.ends.push_back(breakpoint_at((at - p.middle) / p.half, -1 / at));
     return p;
 }
 
-patch patch_found(const double v[], const double edges[2])
+profile_patch patch_found(const double v[], const double edges[2])
 {
     return patch_of(v[ROUNDING], {edges[0], edges[1]});
 }
@@ -68,7 +57,7 @@ struct place {
     complex_ball sine, cosine, q, zeta;
 };
 
-place place_of(const patch &p, const complex_ball &z)
+place place_of(const profile_patch &p, const complex_ball &z)
 {
     const complex_ball sine = (z - p.middle) / p.half, X = root(sine - 1) * root(sine + 1);
     const complex_ball q = times_i(sine - X);
@@ -103,7 +92,9 @@ term term_of(const breakpoint &end, const place &at)
             times_own_logarithm(A, ln_A) * times_i(B / at.q) / 2 - (at.sine - end.sine) * rest};
 }
 
-complex_ball potential_at(const patch &p, const complex_ball &z)
+} // namespace
+
+complex_ball potential_at(const profile_patch &p, const complex_ball &z)
 {
     const place at = place_of(p, z);
     complex_ball G = p.rate * (at.sine - times_i(at.cosine)); /* k_left */
@@ -112,8 +103,7 @@ complex_ball potential_at(const patch &p, const complex_ball &z)
     return p.half * G;
 }
 
-/* y G' */
-complex_ball depth_slope_at(const patch &p, const complex_ball &z)
+complex_ball depth_slope_at(const profile_patch &p, const complex_ball &z)
 {
     if (is_zero(im(z)))
         return 0;
@@ -125,8 +115,11 @@ complex_ball depth_slope_at(const patch &p, const complex_ball &z)
     return im(z) * slope;
 }
 
+namespace
+{
+
 /* int G dz, but for a constant of the patch. */
-complex_ball primitive(const patch &p, const complex_ball &z)
+complex_ball primitive(const profile_patch &p, const complex_ball &z)
 {
     const place at = place_of(p, z);
     const complex_ball zeta_and = at.sine * at.cosine + at.zeta;
@@ -154,7 +147,7 @@ complex_ball profile(const ball &a, face on, const complex_ball &z)
 
 /* Outside of the patch, how far the tilted profile lies above the surface, but for a constant: that
  * of its edge is taken off. */
-complex_ball height_at(const patch &p, const complex_ball &z, face on)
+complex_ball height_at(const profile_patch &p, const complex_ball &z, face on)
 {
     return profile(p.a, on, z) - p.tilt * z - primitive(p, z);
 }
@@ -203,7 +196,7 @@ bool draw_stresses(probe *call)
 }
 
 /* 1 - |delta|, the smaller of two patches'. */
-ball flatness(const patch &one, const patch &other)
+ball flatness(const profile_patch &one, const profile_patch &other)
 {
     return 1 - max(abs(one.tilt), abs(other.tilt));
 }
@@ -214,7 +207,7 @@ struct tensor {
 };
 
 /* Of the pressure and of the shear traction f (G - G of what sticks). */
-tensor stress_of(const patch &whole, const patch &stick, const double v[])
+tensor stress_of(const profile_patch &whole, const profile_patch &stick, const double v[])
 {
     const complex_ball z(v[X_AT], v[Y_AT]), G = potential_at(whole, z),
                                             H = depth_slope_at(whole, z);
@@ -229,7 +222,8 @@ tensor stress_of(const patch &whole, const patch &stick, const double v[])
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;
-    const patch whole = patch_found(v, r + WHOLE_LEFT), stick = patch_found(v, r + STICK_LEFT);
+    const profile_patch whole = patch_found(v, r + WHOLE_LEFT),
+                        stick = patch_found(v, r + STICK_LEFT);
     const tensor s = stress_of(whole, stick, v);
     const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
     const double z = hypot(v[X_AT] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[Y_AT]) / b;
@@ -259,7 +253,7 @@ bool draw_slip(probe *call)
 ball judge_slip(const probe &call)
 {
     const double *v = call.value, *r = call.result, x = v[X_AT], a = v[ROUNDING];
-    const patch stick = patch_found(v, r + STICK_LEFT);
+    const profile_patch stick = patch_found(v, r + STICK_LEFT);
     const double edge = x < r[STICK_LEFT] ? r[STICK_LEFT] : r[STICK_RIGHT];
     const bool slips = x < r[STICK_LEFT] || x > r[STICK_RIGHT];
     const ball gap = slips ? re(height_at(stick, x, face_at(a, x))) -
@@ -274,7 +268,7 @@ ball judge_slip(const probe &call)
 
 /* A part of the slip zone on the right, with the ends of the rounding only at its own ends. */
 struct slip_zone {
-    const patch *whole, *stick;
+    const profile_patch *whole, *stick;
     complex_ball at_edge; /* the height where it begins to stick */
     face on;
 };
@@ -317,7 +311,7 @@ ball work_on_the_right(const ball &a, const slipping &edges, const mag_t toleran
     ball work;
     if (edges.whole.right <= edges.stick.right)
         return work; /* it sticks up to the edge, to rounding of the loads */
-    const patch stick = patch_of(a, edges.stick), whole = patch_of(a, edges.whole);
+    const profile_patch stick = patch_of(a, edges.stick), whole = patch_of(a, edges.whole);
     slip_zone zone = {&whole, &stick, {}, TIP};
     ball mark = edges.stick.right;
     bool begins = true;
@@ -346,8 +340,8 @@ ball_edges mirrored(const ball_edges &e)
  * |delta|), and 1e-14 in units of 1e-12 of P over Q/f. */
 ball less_magnified(const ball &error, const double v[], const slipping &edges)
 {
-    const patch stick = patch_of(v[ROUNDING], edges.stick),
-                whole = patch_of(v[ROUNDING], edges.whole);
+    const profile_patch stick = patch_of(v[ROUNDING], edges.stick),
+                        whole = patch_of(v[ROUNDING], edges.whole);
     const ball width = 2 * whole.half, reach = max(abs(whole.middle) + whole.half, width);
     const double of_loads = 1 + 0.01 * v[LOAD] / fabs(v[SHEAR] / v[FRICTION]);
     return error * flatness(stick, whole) * width / reach / of_loads;

@@ -38,12 +38,12 @@ const known = new Set([
     ...ofLength,
 ]);
 
+/** A name and the rest of its line. */
 const linesOf = (text) =>
-    text
-        .split(/[\r\n]+/)
-        .filter((line) => line.trim() !== "")
-        .map((line) => line.trim().split(/\s*[\t;=:]\s*|\s*,\s*(?=\S)|\s+/))
-        .map(([name, ...rest]) => [name, rest.join(" ")]);
+    [...text.matchAll(/^\s*([^\s,;=:]+)[^\S\r\n]*[,;=:\t ]?[^\S\r\n]*(.*?)\s*$/gm)].map(([, name, rest]) => [
+        name,
+        rest,
+    ]);
 
 function entriesOf(text) {
     if (!text.trim().startsWith("{")) return linesOf(text);
@@ -85,10 +85,10 @@ export const allowable = (name, constants) => (name === "mcdiarmid" ? 1 : consta
 
 /** The cycles to failure at a value; undefined where the constants are not given. */
 export function lifeAt(name, value, E, constants) {
-    const given = (lives[name] ?? []).map((each) => constants[each]),
+    const values = (lives[name] ?? []).map((each) => constants[each]),
         limit = allowable(name, constants) ?? 0;
-    if (given.length === 0 || given.includes(undefined)) return undefined;
+    if (values.length === 0 || values.includes(undefined)) return undefined;
     return name === "swt"
-        ? rwedge.smith_watson_topper_life(value, E, ...given, limit)
-        : rwedge.fatemi_socie_life(value, ...given, limit);
+        ? rwedge.smith_watson_topper_life(value, E, ...values, limit)
+        : rwedge.fatemi_socie_life(value, ...values, limit);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places along the surface, dense at the edges. As cli/fretting/surface.c.
+import { kinksOf } from "../pads.js";
+
 const INSIDE = 200,
     OUTSIDE = 40,
     EDGES = 200;
@@ -23,6 +25,6 @@ export function usualPlaces({ edges, setup }) {
     if (all.length > EDGES) all = thinned(all, (2 * half) / EDGES);
     for (let i = 1; i < INSIDE; i++) all.push(middle + half * Math.sin(((Math.PI / 2) * (2 * i - INSIDE)) / INSIDE));
     for (let i = 1; i <= OUTSIDE; i++) all.push(left - half * (i / OUTSIDE) ** 2, right + half * (i / OUTSIDE) ** 2);
-    const once = thinned(all, 1e-12 * half);
-    return Float64Array.from(setup.a === 0 ? once.filter((x) => x !== 0) : once);
+    const kinks = kinksOf(setup);
+    return Float64Array.from(thinned(all, 1e-12 * half).filter((x) => !kinks.includes(x)));
 }

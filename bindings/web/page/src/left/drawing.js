@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawing of the contact: the wedge as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
+// The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
 import { escaped } from "../elements.js";
+import { heightOf, pads } from "../pads.js";
 import { placesAcross } from "../stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
-/** The wedge's heights over its apex, over theta. */
-const shapeOf =
-    ({ a, tilt }) =>
-    (x) =>
-        (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2) - tilt * x;
-
 /** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
 function profilesOf(shape) {
-    const g = shapeOf(shape),
+    const g = (x) => shape.height(x) - shape.tilt * x,
         edge = (x) => g(x > shape.right ? shape.right : shape.left);
     return {
         pressed: (x) => (x > shape.right || x < shape.left ? g(x) - edge(x) : 0),
@@ -85,13 +80,13 @@ function angleText(toX, toY, reach, pressed) {
 }
 
 /** The tip as it was, before it was pressed on, and its radius. */
-function tipText({ a, left, right }, toX, toY, free) {
+function tipText({ pad, a, flat, left, right }, toX, toY, free) {
     const points = Array.from({ length: 81 }, (_, i) => left + ((right - left) * i) / 80);
     const path = points.map((x) => `${toX(x).toFixed(1)},${toY(free(x)).toFixed(1)}`).join("L");
-    const x = Math.min(0.6 * a, 0.6 * right),
+    const x = pad === "flat" ? (flat + Math.max(flat, right)) / 2 : Math.min(0.6 * a, 0.6 * right),
         [u, v] = [toX(x), toY(free(x))];
     const radius = `<path class="sizes" d="M${u.toFixed(1)},${v.toFixed(1)}L${(u + 34).toFixed(1)},${(v + 26).toFixed(1)}"/><text class="mark" x="${(u + 38).toFixed(1)}" y="${(v + 36).toFixed(1)}">R</text>`;
-    return `<path class="dashed" d="M${path}"/>${a > 0 ? radius : ""}`;
+    return `<path class="dashed" d="M${path}"/>${a > 0 || pad === "flat" ? radius : ""}`;
 }
 
 function stickText({ stickLeft, stickRight }, toX) {
@@ -103,53 +98,91 @@ function stickText({ stickLeft, stickRight }, toX) {
     );
 }
 
-/** Lines of the wedge, and how x and heights become pixels: the wedge above and its tip below have room. */
+/** Where the stress is largest; depths are half as large as widths. */
+function hardestText({ hardest, reach }, toX) {
+    const [u, v] = hardest ? [toX(hardest.x), box.surface + (150 * hardest.y) / reach] : [NaN, NaN];
+    if (!(v < box.floor - 8)) return "";
+    return (
+        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="4"/>` +
+        `<text class="mark" x="${(u - 8).toFixed(1)}" y="${(v + (v < box.surface + 12 ? 18 : 4)).toFixed(1)}" text-anchor="end">yields first</text>`
+    );
+}
+
+/** Half of what is marked as a: the rounding of a wedge, the flat. */
+const markedOf = ({ pad, a, flat }) => (pad === "wedge" ? a : pad === "flat" ? flat : 0);
+
+/** Lines of the pad, and how x and heights become pixels: the pad above and its tip below have room. */
 function placed(shape) {
-    const reach = 1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), Math.min(shape.a, 2 * shape.right)),
+    const reach =
+            1.7 * Math.max(Math.abs(shape.left), Math.abs(shape.right), Math.min(markedOf(shape), 2 * shape.right)),
         { pressed, free } = profilesOf(shape);
     const most = Math.max(pressed(reach), pressed(-reach)),
         scale = Math.min(box.up / most, box.down / (-free(0) || most));
     return { reach, pressed, free, toX: (x) => box.middle + (x / reach) * 300, toY: (h) => box.surface - scale * h };
 }
 
-/** shape: { a, left, right, tilt (over theta), stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
+/** shape: { pad, height, a, flat, left, right, tilt, stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
 function drawingText(shape) {
     const { reach, pressed, free, toX, toY } = placed(shape);
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
         (x) => `${toX(x).toFixed(1)},${toY(pressed(x)).toFixed(1)}`,
     );
-    const title = `Wedge on half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
+    const { title: name } = pads[shape.pad],
+        marked = markedOf(shape);
+    const title = `Body 2, a ${name}, on a half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
     const middle = (shape.left + shape.right) / 2;
     return (
-        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+        `<svg class="plot" data-reach="${reach}" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.floor - box.surface}"/>` +
         `<path class="solid" d="M20,30L${outline.join("L")}L620,30Z"/>` +
         `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
         tipText(shape, toX, toY, free) +
         pressureText(shape, toX) +
         stickText(shape, toX) +
-        (shape.a > 0 ? size(toX(0), toX(Math.min(shape.a, reach)), box.surface - 14, "a") : "") +
+        (marked > 0 ? size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a") : "") +
         size(toX(middle), toX(shape.right), box.floor + 20, "b") +
-        angleText(toX, toY, reach, pressed) +
+        (shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "") +
+        hardestText({ ...shape, reach }, toX) +
         loads(shape) +
-        `<text class="mark" x="34" y="52">wedge, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
-        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text></svg>`
+        `<text class="mark" x="34" y="52">${escaped(name.replace(", pasted", ""))}, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
+        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text><g class="worst"></g></svg>`
     );
 }
 
-const schematic = { a: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
+/** Marks the worst place of a cycle on the surface; none where x is undefined. */
+export function markWorst(svg, x) {
+    const u = box.middle + (x / Number(svg.dataset.reach)) * 300;
+    svg.querySelector(".worst").innerHTML =
+        u > 0 && u < box.width
+            ? `<circle class="point" cx="${u.toFixed(1)}" cy="${box.surface}" r="5"/><text class="mark" x="${u.toFixed(1)}" y="${box.surface - 10}" text-anchor="middle">worst</text>`
+            : "";
+}
+
+const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
+const shapes = {
+    wedge: { theta: 1 },
+    cylinder: { theta: 1, a: 4 },
+    flat: { flat: 0.5, radius: 1 },
+    profile: { theta: 1, a: 1 },
+};
 
 /** The drawing of a case; one of no particular contact where there are no results. */
-export function drawingOf({ setup, contact, results }) {
-    if (!results) return drawingText(schematic);
+export function drawingOf({ pad, setup, contact, results, hardest }) {
+    if (!results) {
+        const shape = { ...schematic, pad, ...shapes[pad] };
+        return drawingText({ ...shape, height: heightOf({ ...shape, places: [] }) });
+    }
     const x = placesAcross(results.left, results.right, 60);
     const { p } = contact.tractions(x),
         most = Math.max(...p.map(Math.abs));
     return drawingText({
         ...setup,
+        pad,
+        hardest: Number.isNaN(setup.k) ? null : hardest,
+        height: heightOf(setup),
         left: results.left,
         right: results.right,
-        tilt: results.tilt / setup.theta,
+        tilt: results.tilt,
         stickLeft: results.stick_left,
         stickRight: results.stick_right,
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),

@@ -14,24 +14,24 @@ export function makeFinder(take) {
     const safety = element("input", { id: "find-safety", type: "text", value: "2", size: 5, "aria-label": "Safety" });
     const answer = element("output", { id: "find-answer" });
     const use = element("button", { type: "button", hidden: true }, "Take it");
-    let model, found;
+    let model, solution;
     const show = (present) => {
         model = present;
         const wanted = readNumber(safety.value, model.sign);
-        found =
+        solution =
             wanted > 0
                 ? findInput(model.texts, model.sign, input.value, wanted)
                 : { complaint: "the safety must be above 0" };
         const unit = model.unit[inputs[input.value].unit];
-        answer.textContent = found.complaint ?? `${model.write(found.value)} ${unit}`;
-        use.hidden = Boolean(found.complaint);
+        answer.textContent = solution.complaint ?? `${model.write(solution.value)} ${unit}`;
+        use.hidden = Boolean(solution.complaint);
     };
     for (const [part, kind] of [
         [input, "change"],
         [safety, "input"],
     ])
         part.addEventListener(kind, () => show(model));
-    use.addEventListener("click", () => take(input.value, writeNumber(found.value, 15, model.sign)));
+    use.addEventListener("click", () => take(input.value, writeNumber(solution.value, 15, model.sign)));
     const line = element(
         "p",
         { class: "tools" },

@@ -3,12 +3,13 @@
 import { element } from "../elements.js";
 import { rwedge } from "../library.js";
 import { writeNumber } from "../number.js";
+import { beginning, pads } from "../pads.js";
 import { alternatives, inputs } from "../words.js";
 import { slider } from "./slider.js";
 
 const groups = [
     { title: "Loads", names: ["P", "Q", "M"] },
-    { title: "Wedge", names: ["theta", "a", "E2", "nu2"] },
+    { title: "Pad", names: ["theta", "flat", "a", "profile", "E2", "nu2"] },
     { title: "Between the bodies", names: ["f"] },
     { title: "Half-plane", names: ["E1", "nu1", "k", "sigma"] },
 ];
@@ -21,7 +22,9 @@ const labels = {
     theta: "Angle of the flank \u03b8",
     theta_deg: "Angle of the flank \u03b8",
     a: "Half-width of rounding a",
-    radius: "Radius of rounding R",
+    radius: "Radius R",
+    flat: "Half-width of the flat a",
+    profile: "Profile: x and height, or x and slope",
     E1: "Young\u2019s modulus E\u2081",
     nu1: "Poisson\u2019s ratio \u03bd\u2081",
     E2: "Young\u2019s modulus E\u2082",
@@ -46,6 +49,66 @@ function converted(from, numbers) {
     }[from];
 }
 
+const ofShape = new Set(Object.values(pads).flatMap(({ names }) => names));
+
+/** Which pad it is; a pad without sizes begins with those of the one before. */
+class PadChoice {
+    constructor(state, change) {
+        this.state = state;
+        this.change = change;
+        const options = Object.entries(pads).map(([value, { title }]) => element("option", { value }, title));
+        this.select = element("select", { id: "pad" }, ...options);
+        this.select.addEventListener("change", () => this.choose(this.select.value));
+        this.hull = element("input", { id: "hull", type: "checkbox" });
+        this.hull.addEventListener("change", () => this.takeHull());
+        this.ofHull = element(
+            "p",
+            { class: "tools" },
+            this.hull,
+            element("label", { for: "hull" }, "take the convex hull"),
+        );
+        this.box = element(
+            "div",
+            { class: "field" },
+            element("label", { for: "pad" }, "Shape"),
+            this.select,
+            this.ofHull,
+        );
+    }
+
+    choose(pad) {
+        const { state, model } = this,
+            write = (value) => writeNumber(value, 4, state.sign),
+            start = beginning(pad, model.setup?.radius, model.results?.b, write);
+        state.pad = pad;
+        if ("radius" in start && "a" in state.texts && pad !== "wedge") delete state.texts.a;
+        if (pad !== "wedge") state.way.radius = true;
+        for (const [name, text] of Object.entries(start)) if (!this.has(name)) state.texts[name] = text;
+        this.change();
+    }
+
+    /** An input, or its other way. */
+    has(name) {
+        return [
+            name,
+            alternatives[name] ?? Object.keys(alternatives).find((other) => alternatives[other] === name),
+        ].some((way) => way in this.state.texts && pads[this.state.pad].names.includes(way));
+    }
+
+    takeHull() {
+        if (this.hull.checked) this.state.texts.hull = "yes";
+        else delete this.state.texts.hull;
+        this.change();
+    }
+
+    show(model) {
+        this.model = model;
+        this.select.value = this.state.pad;
+        this.ofHull.hidden = this.state.pad !== "profile";
+        this.hull.checked = "hull" in this.state.texts;
+    }
+}
+
 /** One field. It reads and writes texts; change() is called after each change. */
 class Field {
     constructor(name, state, change) {
@@ -53,9 +116,10 @@ class Field {
         this.state = state;
         this.change = change;
         const id = `in-${name}`;
-        this.input = element("input", {
+        this.input = element(name === "profile" ? "textarea" : "input", {
             id,
             type: "text",
+            rows: 6,
             inputmode: "text",
             autocomplete: "off",
             spellcheck: "false",
@@ -77,8 +141,15 @@ class Field {
         this.box = element("div", { class: "field" }, this.label, row, this.slider?.box ?? "", this.note);
     }
 
+    /** The ways that the pad has. */
+    get open() {
+        const { names } = pads[this.state.pad];
+        return this.ways.filter((way) => !ofShape.has(way) || names.includes(way));
+    }
+
     get name() {
-        return this.ways.find((way) => this.state.way[way]) ?? this.ways[0];
+        const open = this.open;
+        return open.find((way) => this.state.way[way]) ?? open[0] ?? this.ways[0];
     }
 
     type(text) {
@@ -113,6 +184,8 @@ class Field {
 
     show(model) {
         this.numbers = model.inputs;
+        this.box.hidden = this.open.length === 0;
+        if (this.choice) this.choice.hidden = this.open.length < 2;
         const text = this.state.texts[this.name] ?? "";
         if (this.input.value.trim() !== text.trim()) this.input.value = text;
         this.label.textContent = labels[this.name];
@@ -126,7 +199,8 @@ class Field {
         const wrong = model.faults.filter((fault) => this.ways.includes(fault.input));
         this.input.setAttribute("aria-invalid", wrong.length > 0);
         this.note.className = wrong.length > 0 ? "note bad" : "note";
-        this.note.textContent = wrong.map((fault) => fault.text).join("; ");
+        this.note.textContent =
+            wrong.map((fault) => fault.text).join("; ") || (this.name === "profile" ? model.remark : "");
         this.slider?.show(this.name, model);
     }
 }
@@ -135,11 +209,13 @@ class Field {
 export function makeForm(state, change) {
     const box = element("div", { class: "groups" });
     const fields = [];
+    const choice = new PadChoice(state, change);
     for (const { title, names } of groups) {
         const made = names.map((name) => new Field(name, state, change));
         fields.push(...made);
-        box.append(element("fieldset", {}, element("legend", {}, title), ...made.map((field) => field.box)));
+        const boxes = [...(title === "Pad" ? [choice.box] : []), ...made.map((field) => field.box)];
+        box.append(element("fieldset", {}, element("legend", {}, title), ...boxes));
     }
     const take = (name, text) => fields.find((field) => field.ways.includes(name)).put(name, text);
-    return { box, take, show: (model) => fields.forEach((field) => field.show(model)) };
+    return { box, take, show: (model) => [choice, ...fields].forEach((part) => part.show(model)) };
 }

@@ -11,6 +11,7 @@ const ways = {
     P: byFactor,
     theta: byFactor,
     a: byFactor,
+    flat: byFactor,
     k: byFactor,
     f: { to: (_, share) => (share + 1) / 2, from: (_, value) => 2 * value - 1 },
     Q: { to: (limit, share) => limit * share, from: (limit, value) => (limit > 0 ? value / limit : 0) },
@@ -45,7 +46,7 @@ class Slider {
 
     letGo() {
         this.input.dataset.moving = "no";
-        this.show(this.name, this.model);
+        this.type(this.model.texts[this.name] ?? ""); // drawn anew, with all its detail
     }
 
     show(name, model) {
@@ -55,11 +56,14 @@ class Slider {
         const ifEmpty = this.field === "Q" || this.field === "f" ? 0 : NaN;
         const share = ways[this.field].from(this.base, model.inputs[name] || ifEmpty);
         this.input.value = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0;
-        const ends = [-1, 1].map((end) => writeNumber(ways[this.field].to(this.base, end), 3, model.sign));
+        const ends = [-1, 1].map((end) => writeNumber(ways[this.field].to(this.base, end), 4, model.sign));
         this.ends.textContent = ends[1] === "" ? "" : ends.join(" \u2026 ");
         this.input.setAttribute("aria-valuetext", model.texts[name] ?? "empty");
     }
 }
+
+/** Whether one of them is dragged. */
+export const isMoving = () => document.querySelector('[data-moving="yes"]') !== null;
 
 /** Nothing where the input has no slider. type(text) takes what is dragged to. */
 export const slider = (field, type) => (ways[field] ? new Slider(field, type) : null);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of a field: from dark to light where it has one sign, blue over white to red where it has two.
 
-const one = ["#2d0b59", "#5b177e", "#8b2981", "#bb3775", "#e3505c", "#f97b4f", "#fcae64", "#fbdf9b", "#fcf7c5"];
-const two = ["#1c4f8c", "#3f7fbd", "#7fb1da", "#bcd8ec", "#f3f3f3", "#f7cdb5", "#ea9a78", "#cc5f4c", "#9a1f2e"];
+const darkToLight = ["#2d0b59", "#5b177e", "#8b2981", "#bb3775", "#e3505c", "#f97b4f", "#fcae64", "#fbdf9b", "#fcf7c5"];
+const blueToRed = ["#1c4f8c", "#3f7fbd", "#7fb1da", "#bcd8ec", "#f3f3f3", "#f7cdb5", "#ea9a78", "#cc5f4c", "#9a1f2e"];
 
 function between(from, to, share) {
     const part = (text, i) => parseInt(text.slice(1 + 2 * i, 3 + 2 * i), 16);
@@ -18,8 +18,8 @@ function along(colours, share) {
 
 /** The colour of a value in a field from lo to hi. */
 export function colourOf(value, lo, hi) {
-    if (lo >= 0) return along(one, 1 - value / hi);
-    if (hi <= 0) return along(two, 0.5 - 0.5 * (value / lo));
+    if (lo >= 0) return along(darkToLight, 1 - value / hi);
+    if (hi <= 0) return along(blueToRed, 0.5 - 0.5 * (value / lo));
     const most = Math.max(-lo, hi);
-    return along(two, 0.5 + (0.5 * value) / most);
+    return along(blueToRed, 0.5 + (0.5 * value) / most);
 }

@@ -37,10 +37,10 @@ export function curvePlot(name, table) {
         const svg = saved.plot.querySelector("svg");
         if (spec && svg) values.textContent = valuesText(valuesUnder(spec, ...inViewBox(svg, event)));
     });
-    const draw = (given) => {
-        spec = typeof given === "string" ? null : given;
+    const draw = (wanted) => {
+        spec = typeof wanted === "string" ? null : wanted;
         if (spec) redraw();
-        else saved.draw(given);
+        else saved.draw(wanted);
         values.textContent = spec ? "Point at the curves to read them." : "";
     };
     return { plot: saved.plot, parts: [saved.plot, values, saved.buttons], draw };

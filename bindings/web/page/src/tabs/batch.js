@@ -32,29 +32,30 @@ function csvOf(lines, sign) {
     return lines.map((line) => line.map((cell) => quoted(harmless(cell))).join(between)).join("\n") + "\n";
 }
 
-/** Drawn first: what one looks for. The files have the tool's order. */
-const verdicts = ["safety", "warnings"];
-
+/** Drawn beside the first column: what one looks for. The files have the tool's order. */
 function tableOf({ columns, results, rows }, write) {
-    const order = [
-        ...verdicts.filter((name) => results.includes(name)),
-        ...results.filter((r) => !verdicts.includes(r)),
-    ];
-    const at = order.map((name) => results.indexOf(name));
-    const head = [...columns, "error", ...order].map((name) => `<th scope="col">${escaped(name)}</th>`).join("");
-    const shown = (text) => (isNumber(text) ? write(Number(text)) : text);
+    const [safety, warnings] = ["safety", "warnings"].map((name) => results.indexOf(name)),
+        others = results.map((_, i) => i).filter((i) => i !== safety && i !== warnings);
+    const head = [columns[0], "safety", "warnings", ...columns.slice(1), ...others.map((i) => results[i])]
+        .map((name) => `<th scope="col">${escaped(name)}</th>`)
+        .join("");
+    const shown = (text = "") => (isNumber(text) ? write(Number(text)) : text);
     const body = rows.slice(0, SHOWN).map(({ colour, error, cells, values }) => {
-        const all = [...cells, error, ...at.map((i) => shown(values[i] ?? ""))];
-        return `<tr class="${colour}">${all.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`;
+        const remark = `<td class="remark">${escaped(error || (values[warnings] ?? ""))}</td>`,
+            rest = [...cells.slice(1), ...others.map((i) => shown(values[i]))];
+        const [first, factor, ...more] = [cells[0], shown(values[safety]), ...rest].map(
+            (cell) => `<td>${escaped(cell)}</td>`,
+        );
+        return `<tr class="${colour}">${first}${factor}${remark}${more.join("")}</tr>`;
     });
     return `<table class="numbers rows"><caption class="hidden">Solved rows</caption><thead><tr>${head}</tr></thead><tbody>${body.join("")}</tbody></table>`;
 }
 
 /** Why the first rows that have no answer have none. */
 function faultsOf({ rows }) {
-    const found = rows.map(({ error }, i) => [i + 1, error]).filter(([, error]) => error !== "");
-    const first = found.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`);
-    return first.join(" ") + (found.length > 5 ? ` And ${found.length - 5} more.` : "");
+    const faults = rows.map(({ error }, i) => [i + 1, error]).filter(([, error]) => error !== "");
+    const first = faults.slice(0, 5).map(([i, error]) => `Row ${i}: ${error}.`);
+    return first.join(" ") + (faults.length > 5 ? ` And ${faults.length - 5} more.` : "");
 }
 
 /** What is said above the table. */
@@ -66,7 +67,7 @@ function remarkOf(solved) {
     return [
         `${rows.length} rows, ${errors} could not be solved. ${faultsOf(solved)}`,
         unused && `${unused[0].toUpperCase()}${unused.slice(1)}.`,
-        from && `From the case at the left: ${from}.`,
+        from && `From the case of the form: ${from}.`,
         rows.length > SHOWN && `The first ${SHOWN} are drawn; all are copied.`,
     ]
         .filter(Boolean)
@@ -93,7 +94,7 @@ function pasteArea() {
         "p",
         { class: "tools" },
         element("button", { type: "button", onclick: tryExample }, "Try an example"),
-        element("span", {}, "What the rows lack is taken from the case at the left."),
+        element("span", {}, "What the rows lack is taken from the case of the form."),
     );
     return { pasted, parts: [element("label", { for: "batch" }, title), pasted, line] };
 }

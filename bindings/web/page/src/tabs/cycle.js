@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
-import { copyButton, element } from "../elements.js";
+import { copyButton, element, escaped } from "../elements.js";
 import { Aside } from "../aside.js";
 import { allowable, criteria, lifeAt } from "../cycle/criteria.js";
 import { asFretting } from "../export.js";
+import { markWorst } from "../left/drawing.js";
 import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
+import { barText } from "../verdict.js";
 import { measureKinds } from "../words.js";
 import { tableText } from "./table.js";
 
@@ -49,15 +51,39 @@ function loopOf({ loop }, { unit, write }) {
     };
 }
 
-/** What the chosen criterion comes to where it is worst. */
-function verdictRows({ worst, criterion: { name, constants } }, { inputs, write }) {
-    const value = worst[name]?.value ?? 0,
-        limit = allowable(name, constants),
-        life = lifeAt(name, value, inputs.E1, constants);
+/** What the chosen criterion comes to where it is worst: value, limit, safety, life; each undefined where it is not known. */
+function verdictOf({ worst, criterion: { name, constants } }, { inputs }) {
+    const top = worst[name] ?? { value: 0 },
+        limit = allowable(name, constants);
+    const safety = limit !== undefined && top.value > 0 ? limit / top.value : undefined;
+    return { ...top, limit, safety, life: lifeAt(name, top.value, inputs.E1, constants) };
+}
+
+/** The same in a sentence, with a bar. */
+function sentenceText(answer, model) {
+    const { name } = answer.criterion,
+        { value, x, limit, safety, life } = verdictOf(answer, model),
+        { unit, write } = model;
+    const place = x === undefined ? "" : ` at x = ${write(x)} ${unit.length}`,
+        beside = safety < 1 ? "above" : "below";
+    const parts = [
+        `${criteria[name].title}: ${write(value)} ${unitOf(name, unit)}${place}`,
+        safety === undefined
+            ? "no limit of the material is given"
+            : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
+        life !== undefined && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
+    ];
+    const bar = safety === undefined ? "" : barText(safety, safety < 1 ? "red" : "green", "the limit");
+    return `<p class="sentence">${escaped(parts.filter(Boolean).join("; "))}.</p>${bar}`;
+}
+
+function verdictRows(answer, model) {
+    const { limit, safety, life } = verdictOf(answer, model),
+        { write } = model;
     return [
         {
             name: "cycle_safety",
-            value: limit && value > 0 ? write(limit / value) : "",
+            value: safety === undefined ? "" : write(safety),
             meaning: `limit ${write(limit)} over the worst value`,
         },
         {
@@ -113,7 +139,7 @@ function makeEntries() {
         typed: {
             loads: entry("textarea", { id: "loads", rows: 5, placeholder: "P\tQ", "aria-describedby": "loads-note" }),
             cycles: entry("input", { id: "cycles", type: "text", size: 4, inputmode: "numeric" }),
-            material: entry("textarea", { id: "material", rows: 3, placeholder: "swt_limit\t0.5" }),
+            material: entry("textarea", { id: "material", rows: 5, placeholder: "swt_limit\t0.5" }),
             criterion: element("select", { id: "criterion" }, ...options),
             plane: element("input", { id: "plane", type: "checkbox" }),
         },
@@ -123,6 +149,7 @@ function makeEntries() {
 }
 
 function showEntries({ typed }, state) {
+    if (state.material) typed.material.closest("details").open = true;
     for (const [name, part] of Object.entries(typed))
         if (part.type === "checkbox") part.checked = state[name] === "stress";
         else if (document.activeElement !== part) part.value = state[name];
@@ -152,7 +179,7 @@ function makeAnswers() {
         answer = present;
         unit = model.unit;
         const none = Boolean(answer.complaint);
-        numbers.innerHTML = none ? "" : worstText(answer, model);
+        numbers.innerHTML = none ? "" : sentenceText(answer, model) + worstText(answer, model);
         fatigue.draw(none ? "" : fatigueOf(answer, model));
         slip.draw(none ? "" : alongOf(answer, model, "slip_range", "range of slip along the surface"));
         loop.draw(none ? "" : loopOf(answer, model));
@@ -175,7 +202,7 @@ function criterionParts({ criterion, plane, material }) {
         ),
         element(
             "details",
-            { open: material.value !== "" },
+            {},
             element("summary", {}, "Constants of the material: limit and life"),
             element("label", { for: "material" }, names),
             material,
@@ -225,6 +252,8 @@ export function makeCycle(state, changed) {
         showRemark(entries, state, answer);
         showCommand(entries, state, answer, model);
         answers.show(answer, model);
+        const drawing = document.querySelector(".drawing svg");
+        if (drawing) markWorst(drawing, answer.worst?.[answer.criterion.name]?.x);
     };
     const show = (present) => {
         model = present;

@@ -67,19 +67,19 @@ export class Probe {
             return;
         }
         const [x, y] = keys.map((key) => readNumber(this.state[key], this.state.sign));
-        const found = Number.isFinite(x) && y >= 0 ? valuesAt(this.model, { x, y }) : null;
-        this.values.innerHTML = found
-            ? tableText("Stresses at the place", this.rows(found))
+        const stresses = Number.isFinite(x) && y >= 0 ? valuesAt(this.model, { x, y }) : null;
+        this.values.innerHTML = stresses
+            ? tableText("Stresses at the place", this.rows(stresses))
             : "<p>x must be a number, y a number not below 0; the apex of a sharp wedge has no stresses.</p>";
-        this.plot.querySelector(".probe").innerHTML = found ? probeText({ x, y }, this.grid) : "";
+        this.plot.querySelector(".probe").innerHTML = stresses ? probeText({ x, y }, this.grid) : "";
     }
 
-    rows(found) {
+    rows(stresses) {
         const unitOf = (name) => (name === "angle" ? "\u00b0" : this.model.unit.stress);
         return Object.entries(meanings).map(([name, meaning]) => ({
             name,
             meaning,
-            value: this.model.write(found[name]),
+            value: this.model.write(stresses[name]),
             unit: unitOf(name),
         }));
     }

@@ -73,8 +73,11 @@ const shownRows = {
 };
 
 /** Why nothing is drawn, as HTML; empty where it is. */
-function reasonFor({ results }) {
+const ofWedge = "The limits over friction are drawn for a wedge alone; the numbers below hold for this pad.";
+
+function reasonFor({ pad, results }) {
     if (!results) return noResults;
+    if (pad !== "wedge") return `<p>${ofWedge}</p>`;
     if (results.a_over_b === 0) return "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>";
     return results.a_over_b < 1e-14 ? "<p>a/b must be 0 or at least 1e-14 here.</p>" : "";
 }
@@ -101,7 +104,8 @@ export function makeStrength() {
     const numbers = element("div", { class: "wide" });
     const show = (model) => {
         const reason = reasonFor(model);
-        numbers.textContent = remark.textContent = "";
+        remark.textContent = "";
+        numbers.innerHTML = model.results && model.pad !== "wedge" ? numbersText(model) : "";
         plot.draw(reason);
         if (reason) return;
         curves = branches(model);

@@ -3,8 +3,9 @@
 import { element } from "../elements.js";
 import { fieldText } from "../plot/field.js";
 import { savedPlot } from "../plot/save.js";
-import { fieldOf, gridOf, measures, NX, NY } from "../stresses.js";
+import { fieldOf, gridOf, measures } from "../stresses.js";
 import { withUnit } from "../model.js";
+import { isMoving } from "../left/slider.js";
 import { Probe } from "./probe.js";
 import { noResults } from "./table.js";
 
@@ -26,7 +27,7 @@ function surfaceOf({ left, right, stick_left: from, stick_right: to }) {
 
 function plotOf(model, grid, field, measure) {
     const { hardest, unit } = model;
-    const values = { ...grid, values: field.values, nx: NX, ny: NY };
+    const values = { ...grid, values: field.values };
     return fieldText(values, {
         title: `${measures[measure].name} below the surface`,
         xLabel: withUnit("x", unit.length),
@@ -62,7 +63,7 @@ export function makeStress(state, changed) {
         choice.value = state.measure;
         yields.textContent = model.results ? hardestText(model) : "";
         if (model.results) {
-            grid = gridOf(model.results);
+            grid = gridOf(model.results, isMoving());
             field = fieldOf(model, grid, state.measure);
         }
         plot.draw(model.results ? plotOf(model, grid, field, state.measure) : noResults);

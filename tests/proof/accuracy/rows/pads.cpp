@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts of a flat pad with rounded edges, of a worn profile of 20 arcs and of an asymmetric one.
+ * The edges: sums over the arcs, each of them a wedge's rounding, and Krawczyk's operator. The
+ * stresses: sums over the breakpoints. */
+#include <algorithm>
+#include <math.h>
+
+#include "rows/breakpoints.hpp"
+#include "rows/eccentric.hpp"
+
+namespace
+{
+
+/* ---- Profiles ---- */
+
+enum { PAD_KIND, SEED, PAD_LOAD, PAD_MOMENT, PAD_FRICTION, PAD_SHEAR, PAD_X, PAD_Y };
+enum { FLAT, WORN, ASYMMETRIC, KINDS };
+
+/* In units of A = 1. */
+struct profile {
+    double a, R;                  /* of a flat pad; its reach is a + R */
+    double left, right;           /* a patch that shows what is special */
+    std::vector<double> x, slope; /* of any other */
+};
+
+/* Edges from far beyond the flat's corners to 1e-9 beyond them. */
+void draw_flat(probe *own, profile *p)
+{
+    p->a = log_between(own, 1e-3, 1e3);
+    p->right = p->a / (1 - log_between(own, 1e-9, 0.99));
+    p->left = -p->right;
+    p->R = p->right * log_between(own, 1, 1e3);
+}
+
+/* Slopes that rise in every arc, in some only a little. */
+void draw_slopes(probe *own, size_t n, profile *p)
+{
+    double x = -1, slope = -0.05 * uniform(own) - 0.01;
+    for (size_t i = 0; i < n; i++) {
+        p->x.push_back(x);
+        p->slope.push_back(slope);
+        x += (1 + 9 * uniform(own)) / 5.5 * 2 / (double)n;
+        slope += 0.2 / (double)n * log_between(own, 1e-2, 1);
+    }
+    const size_t i = (size_t)(uniform(own) * (double)(n - 1));
+    p->left = chance(own, 0.3) ? p->x[i] : between(own, p->x[0], p->x[n - 1]);
+    p->right = p->left + log_between(own, 1e-3, 2);
+}
+
+void mirror(profile *p)
+{
+    const size_t n = p->x.size();
+    for (size_t i = 0; i < n / 2; i++) {
+        p->x[n - 1 - i] = -p->x[i];
+        p->slope[n - 1 - i] = -p->slope[i];
+    }
+    p->x[n / 2] = p->slope[n / 2] = 0;
+}
+
+profile profile_of(const double v[])
+{
+    profile p = {};
+    probe own = {};
+    own.random = (uint64_t)v[SEED];
+    if (v[PAD_KIND] == FLAT)
+        draw_flat(&own, &p);
+    else
+        draw_slopes(&own, v[PAD_KIND] == WORN ? 21 : 7, &p);
+    if (v[PAD_KIND] == WORN)
+        mirror(&p);
+    return p;
+}
+
+/* ---- Arcs ---- */
+
+struct arc {
+    ball middle, half, weight;
+};
+
+std::vector<arc> arcs_of(const profile &p)
+{
+    if (p.x.empty()) {
+        const ball half = ball(p.R) / 2, middle = half + p.a, weight = ball(1) / 2;
+        return {{-middle, half, weight}, {middle, half, weight}};
+    }
+    std::vector<arc> arcs;
+    const ball all = ball(p.slope.back()) - p.slope.front();
+    for (size_t i = 1; i < p.x.size(); i++)
+        arcs.push_back({(ball(p.x[i]) + p.x[i - 1]) / 2, (ball(p.x[i]) - p.x[i - 1]) / 2,
+                        (ball(p.slope[i]) - p.slope[i - 1]) / all});
+    return arcs;
+}
+
+/* Half of the angle between the outermost slopes; 1 of a flat pad. */
+ball angle_of(const profile &p)
+{
+    return p.x.empty() ? 1 : (ball(p.slope.back()) - p.slope.front()) / 2;
+}
+
+carried carried_by(const std::vector<arc> &arcs, const ball_edges &e)
+{
+    const ball middle = (e.left + e.right) / 2;
+    carried sum = {0, 0, 0, 0, 0, middle, (e.right - e.left) / 2};
+    for (const arc &part : arcs) {
+        const ball from = part.middle - part.half, to = part.middle + part.half;
+        if (from >= e.right || to <= e.left) {
+            sum.tilt += from >= e.right ? -part.weight : part.weight;
+            continue;
+        }
+        const carried c = carried_by(part.half, {e.left - part.middle, e.right - part.middle});
+        sum.P += part.weight * c.P;
+        sum.M += part.weight * (c.M + part.middle * c.P);
+        sum.tilt += part.weight * c.tilt;
+        sum.u += part.weight * c.u;
+        sum.v += part.weight * c.v;
+    }
+    return sum;
+}
+
+/* ---- What is drawn ---- */
+
+/* kind, seed, P, M; false where the patch holds nothing. */
+bool some_pad(probe *call, int kinds)
+{
+    argument(call, "kind", (int)(kinds * uniform(call)));
+    argument(call, "seed", 1 + floor(1e9 * uniform(call)));
+    const precision here(256);
+    const profile p = profile_of(call->value);
+    const carried c = carried_by(arcs_of(p), {p.left, p.right});
+    const double unit = middle(angle_of(p));
+    const double P = argument(call, "P", middle(c.P) * unit), M = middle(c.M) * unit;
+    argument(call, "M", chance(call, 0.3) || call->value[PAD_KIND] == FLAT ? 0 : M);
+    return P > 1e-30;
+}
+
+rwedge_contact *made(const double v[], double f)
+{
+    const profile p = profile_of(v);
+    rwedge_contact *contact = NULL;
+    const int32_t status =
+        p.x.empty()
+            ? rwedge_contact_create_flat(p.a, p.R, 1, f, &contact)
+            : rwedge_contact_create_profile(p.x.size(), p.x.data(), p.slope.data(), 1, f, &contact);
+    if (status == RWEDGE_OK &&
+        rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], 0, 0) == RWEDGE_OK)
+        return contact;
+    rwedge_contact_destroy(contact);
+    return NULL;
+}
+
+/* ---- Edges ---- */
+
+bool draw_edges(probe *call)
+{
+    rwedge_contact *contact = some_pad(call, KINDS) ? made(call->value, 0.5) : NULL;
+    if (!contact)
+        return false;
+    double *r = call->result;
+    if (rwedge_contact_edges(contact, &r[0], &r[1]) != RWEDGE_OK ||
+        rwedge_contact_beyond_flat(contact, &r[2], &r[3]) != RWEDGE_OK)
+        r[0] = NAN;
+    rwedge_contact_destroy(contact);
+    return true;
+}
+
+bool draw_beyond_flat(probe *call)
+{
+    rwedge_contact *contact = some_pad(call, 1) ? made(call->value, 0.5) : NULL;
+    double *r = call->result;
+    if (!contact || rwedge_contact_edges(contact, &r[0], &r[1]) != RWEDGE_OK ||
+        rwedge_contact_beyond_flat(contact, &r[2], &r[3]) != RWEDGE_OK)
+        r[0] = r[2] = NAN;
+    rwedge_contact_destroy(contact);
+    return contact != NULL;
+}
+
+ball_edges edges_near(const profile &p, const double v[], const double guess[2])
+{
+    const std::vector<arc> arcs = arcs_of(p);
+    const ball theta = angle_of(p);
+    return patch_carrying([&](const ball_edges &e) { return carried_by(arcs, e); },
+                          v[PAD_LOAD] / theta, v[PAD_MOMENT] / theta, guess);
+}
+
+/* 1 - |delta|. */
+ball flatness(const profile &p, const ball_edges &e)
+{
+    return 1 - abs(carried_by(arcs_of(p), e).tilt);
+}
+
+/* In place of theta: of a flat pad, its slope at the edge. */
+ball steepness(const profile &p, const ball_edges &e)
+{
+    return p.x.empty() ? (e.right - p.a) / p.R : angle_of(p);
+}
+
+/* What a flat magnifies: the root of 1 - a/b. */
+ball narrowness(const profile &p, const ball_edges &e)
+{
+    return p.x.empty() ? sqrt(1 - p.a / e.right) : ball(1);
+}
+
+ball judge_edges(const probe &call)
+{
+    const double *r = call.result;
+    const profile p = profile_of(call.value);
+    const ball_edges e = edges_near(p, call.value, r);
+    const ball width = e.right - e.left, reach = max(width, max(abs(e.left), abs(e.right)));
+    const carried c = carried_by(arcs_of(p), e);
+    const ball flat = 1 - abs(c.tilt);
+    const ball even = min(c.u, c.v) / max(c.u, c.v);
+    return max(error_over(r[0], e.left, reach), error_over(r[1], e.right, reach)) * flat * even *
+           narrowness(p, e);
+}
+
+ball judge_beyond_flat(const probe &call)
+{
+    const double *r = call.result;
+    const profile p = profile_of(call.value);
+    const double guess[2] = {-p.a - r[2], p.a + r[2]};
+    const ball_edges e = edges_near(p, call.value, guess);
+    return max(relative_error(r[2], -e.left - p.a), relative_error(r[3], e.right - p.a));
+}
+
+/* ---- Stresses after one step of Q ---- */
+
+enum { STICK_LEFT, STICK_RIGHT, WHOLE_LEFT, WHOLE_RIGHT, FOUND };
+
+/* Next to an edge, to a place where the curvature changes, or anywhere. */
+double some_x(probe *call, const profile &p)
+{
+    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+    std::vector<double> marks(r, r + FOUND);
+    if (p.x.empty())
+        marks.insert(marks.end(), {-p.a, p.a});
+    else
+        marks.insert(marks.end(), p.x.begin(), p.x.end());
+    if (chance(call, 0.3))
+        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
+    const size_t which = (size_t)((double)marks.size() * uniform(call));
+    return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
+}
+
+bool draw_stresses(probe *call)
+{
+    if (!some_pad(call, KINDS))
+        return false;
+    const double *v = call->value, f = argument(call, "f", log_between(call, 0.01, 2));
+    const double Q = argument(call, "Q", either_sign(call, 0.9 * uniform(call) * f * v[PAD_LOAD]));
+    rwedge_contact *contact = made(v, f);
+    double *r = call->result;
+    bool is_drawn = contact && rwedge_contact_edges(contact, &r[2], &r[3]) == RWEDGE_OK &&
+                    rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], Q, 0) == RWEDGE_OK &&
+                    rwedge_contact_stick_zone(contact, &r[0], &r[1]) == RWEDGE_OK && r[0] < r[1];
+    if (is_drawn) {
+        const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+        const double x = argument(call, "x", some_x(call, profile_of(v)));
+        const double y =
+            argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
+        if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
+            RWEDGE_OK)
+            r[FOUND] = NAN;
+    }
+    rwedge_contact_destroy(contact);
+    return is_drawn;
+}
+
+/* A jump of the curvature. */
+void add_jump(const ball &at, const ball &k, const ball_edges &e, profile_patch *to)
+{
+    if (at <= e.left)
+        to->rate += k;
+    else if (!(at >= e.right))
+        to->ends.push_back(breakpoint_at((at - to->middle) / to->half, k));
+}
+
+profile_patch patch_of(const profile &p, double left, double right)
+{
+    const ball_edges e = {left, right};
+    profile_patch made = {(e.left + e.right) / 2, (e.right - e.left) / 2, 0, 0, 0, {}};
+    if (p.x.empty()) {
+        made.rate = ball(1) / p.R; /* from far on the left */
+        add_jump(-p.a, -ball(1) / p.R, e, &made);
+        add_jump(p.a, ball(1) / p.R, e, &made);
+    }
+    for (size_t i = 1; i < p.x.size(); i++) {
+        const ball k = (ball(p.slope[i]) - p.slope[i - 1]) / (ball(p.x[i]) - p.x[i - 1]);
+        add_jump(p.x[i - 1], k, e, &made);
+        add_jump(p.x[i], -k, e, &made);
+    }
+    return made;
+}
+
+/* Over the larger of the stress and max(1, f)/(1+|z|) times the slope, 1 - |delta|, and the root of
+ * 1 - a/b of a flat. */
+ball judge_stresses(const probe &call)
+{
+    const double *v = call.value, *r = call.result;
+    const profile p = profile_of(v);
+    const profile_patch whole = patch_of(p, r[WHOLE_LEFT], r[WHOLE_RIGHT]),
+                        stick = patch_of(p, r[STICK_LEFT], r[STICK_RIGHT]);
+    const complex_ball z(v[PAD_X], v[PAD_Y]), G = potential_at(whole, z),
+                                              H = depth_slope_at(whole, z);
+    const ball f = v[PAD_SHEAR] < 0 ? -v[PAD_FRICTION] : v[PAD_FRICTION];
+    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
+    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
+    const ball xx = mean - difference, yy = mean + difference, xy = im(T) + re(K) - im(H);
+    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
+    const double far = 1 + hypot(v[PAD_X] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[PAD_Y]) / b;
+    const ball most = max(max(abs(xx), abs(yy)), abs(xy));
+    const ball_edges stuck = {r[STICK_LEFT], r[STICK_RIGHT]}, all = {r[WHOLE_LEFT], r[WHOLE_RIGHT]};
+    const ball flat = min(flatness(p, stuck), flatness(p, all));
+    const ball scale =
+        max(most, steepness(p, all) * fmax(1, v[PAD_FRICTION]) / far) / (narrowness(p, all) * flat);
+    return max(max(error_over(r[FOUND], xx, scale), error_over(r[FOUND + 1], yy, scale)),
+               error_over(r[FOUND + 2], xy, scale));
+}
+
+#define PADS "flat, a/b 0.01 to 1 - 1e-9; 20 worn arcs; 6 arcs, asymmetric"
+
+} // namespace
+
+const row PAD_ROWS[] = {
+    {"contact_edges, of pads", PADS ", P and M; edges at places",
+     "of the width or \\|x\\|, over 1 - \\|delta\\| and the root of 1 - a/b", 1e-14, "1e-14", 0.2,
+     draw_edges, judge_edges},
+    {"contact_beyond_flat", "flat, a/b 0.01 to 1 - 1e-9; P", "relative", 1e-14, "1e-14", 1,
+     draw_beyond_flat, judge_beyond_flat},
+    {"contact_stresses, of pads", PADS "; points dense at edges and places",
+     "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\| and the root of 1 - a/b; of the "
+     "edges found",
+     1e-13, "(1e-13)", 1, draw_stresses, judge_stresses},
+    {},
+};

@@ -67,16 +67,16 @@ Private Function text_at(ByVal address As LongPtr) As String
     text_at = StrConv(bytes, vbUnicode)
 End Function
 
-' The reason is that of a path without a closed form.
-Private Function failure(ByVal status As Long, Optional ByVal reason As String = "") As Variant
+' The path is why it has no closed form, where the function can tell.
+Private Function failure(ByVal status As Long, ByVal path As String) As Variant
     Select Case status
         Case LIBRARY_MISSING
             failure = CVErr(xlErrName)
         Case NOT_A_COLUMN
             failure = CVErr(xlErrValue)
         Case Else
-            If status = RWEDGE_EPATH And reason <> "" Then reason = ": " & reason Else reason = ""
-            Debug.Print "rwedge: " & text_at(c_strerror(status)) & reason
+            If status = RWEDGE_EPATH Then path = ": " & path Else path = ""
+            Debug.Print "rwedge: " & text_at(c_strerror(status)) & path
             If status = RWEDGE_EABSENT Then failure = CVErr(xlErrNA) Else failure = CVErr(xlErrNum)
     End Select
 End Function
@@ -190,7 +190,7 @@ Attribute RWEDGE_CONTACT_HISTORY.VB_Description = "Half-width, half-width of the
     Dim P() As Double, Q() As Double, n As Long, i As Long, j As Long, status As Long, contact As LongPtr, table() As Variant
     status = contact_before(theta, a, compliance, f, P_history, Q_history, P, Q, n, contact)
     If contact = 0 Then
-        RWEDGE_CONTACT_HISTORY = failure(status)
+        RWEDGE_CONTACT_HISTORY = failure(status, "")
         Exit Function
     End If
     ReDim table(1 To n, 1 To 3)
@@ -202,7 +202,7 @@ Attribute RWEDGE_CONTACT_HISTORY.VB_Description = "Half-width, half-width of the
             table(i, 3) = finite(c_contact_dissipated_energy(contact))
         Else
             For j = 1 To 3
-                table(i, j) = failure(status)
+                table(i, j) = failure(status, "")
             Next j
         End If
     Next i

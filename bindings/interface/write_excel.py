@@ -117,8 +117,7 @@ def statements(f, name, handle):
     else:
         lines.append(f"If status = RWEDGE_OK Then status = {call}")
         result = f"Array({', '.join(single)})"
-    why = f', "{f.path}"' if f.path else ""
-    lines += ["If status = RWEDGE_OK Then", f"    {name} = {result}", "Else", f"    {name} = failure(status{why})", "End If"]
+    lines += ["If status = RWEDGE_OK Then", f"    {name} = {result}", "Else", f'    {name} = failure(status, "{f.path}")', "End If"]
     if handle:
         lines.append(f"If {handle} <> 0 Then c_{handle}_destroy {handle}")
     dims = ["Dim " + line.rstrip(",") for line in filled(variables + ["status As Long"], WIDTH - 8)]

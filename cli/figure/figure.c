@@ -19,16 +19,18 @@
 
 #include <rwedge.h>
 
-enum { FIGURE_COUNT = 11 };
+enum { FIGURE_COUNT = 12 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure,  &figure_normal,  &figure_sliding, &figure_yield_point,
-    &figure_tension,   &figure_shear,   &figure_field,   &figure_loop,
-    &figure_eccentric, &figure_history, &figure_fretting};
+    &figure_pressure,  &figure_normal,  &figure_sliding,  &figure_yield_point,
+    &figure_tension,   &figure_shear,   &figure_field,    &figure_loop,
+    &figure_eccentric, &figure_history, &figure_fretting, &figure_measure};
 
 enum {
-    OPTION_FIGURE_VARIABLE = OPTION_AFTER_PLACES,
+    OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRITERIA,
     OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES,
-    OPTION_NO_TITLE
+    OPTION_NO_TITLE,
+    OPTION_MEASURE,
+    OPTION_OVER
 };
 
 static const table_variable stick_width = {
@@ -76,6 +78,13 @@ static const struct poptOption options[] = {
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_figure_option_table, 0,
      "A contact and its loads, for history, fretting, and the loop of any history:", NULL},
+    {"measure", '\0', POPT_ARG_STRING, NULL, OPTION_MEASURE,
+     "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
+    {"over", '\0', POPT_ARG_STRING, NULL, OPTION_OVER,
+     "Along the surface, below its worst place, or as contours (default surface)",
+     "surface|depth|field"},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, criteria_option_table, 0,
+     "Criteria, of figure measure:", NULL},
     {"data", '\0', POPT_ARG_NONE, NULL, OPTION_DATA,
      "Write the numbers behind the figure instead of a picture", NULL},
     {"no-title", '\0', POPT_ARG_NONE, NULL, OPTION_NO_TITLE, "Leave the title out of the picture",
@@ -195,10 +204,54 @@ static void refuse_course(const arguments *given, const figure *which)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
         if (given->value[i] != NULL)
-            usage_error("figure %s: a contact and its loads are for history, fretting, and loop "
-                        "with --history or --load",
+            usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
+                        "and loop with --history or --load",
                         which->name);
 }
+
+static void refuse_criteria(const arguments *given, const figure *which)
+{
+    const bool is_given = given->value[OPTION_MEASURE] != NULL || given->value[OPTION_OVER] != NULL;
+    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
+        if (given->value[i] != NULL || is_given)
+            usage_error("figure %s: criteria and measures are for figure measure", which->name);
+}
+
+/* ---- A measure ---- */
+
+static int read_over(const char *text)
+{
+    static const char *const names[OVER_COUNT] = {"surface", "depth", "field"};
+    int i = 0;
+    while (text != NULL && i < OVER_COUNT && strcmp(text, names[i]) != 0)
+        i++;
+    if (i == OVER_COUNT)
+        usage_error("--over %s: must be surface, depth or field", text);
+    return i;
+}
+
+/* Of those that are computed. */
+static int read_measure(const char *text, const criteria *asked)
+{
+    char allowed[600] = "";
+    int found = text == NULL ? MEASURE_SWT : -1;
+    for (int i = 0; i < COLUMN_COUNT; i++) {
+        const measure_kind *kind = column_kind_of(i);
+        if (!column_is_wanted(asked, i) || kind->is_angle)
+            continue;
+        list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
+        if (text != NULL && strcmp(text, kind->column) == 0)
+            found = i;
+    }
+    if (found < 0)
+        usage_error("--measure %s: must be one of: %s", text, allowed);
+    return found;
+}
+
+typedef struct {
+    criteria asked;
+    material constants;
+} measure_options;
 
 static double largest_half_width(const course *whole)
 {
@@ -220,9 +273,15 @@ static arguments with_bodies(const arguments *given)
 }
 
 static void read_course(const arguments *given, const figure *which, char decimal_sign,
-                        course *whole, places *at, figure_case *of)
+                        course *whole, places *at, measure_options *options_of, figure_case *of)
 {
-    const arguments as = with_bodies(given);
+    arguments as = with_bodies(given);
+    const bool has_measure = which == &figure_measure;
+    if (has_measure) {
+        material_read(as.value[OPTION_MATERIAL], &as, &options_of->constants);
+        criteria_read(&as, &options_of->constants, &options_of->asked);
+    } else
+        refuse_criteria(given, which);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (i != FRICTION && i != NU && given->value[OPTION_FIGURE_VARIABLE + i] != NULL)
             refuse_variable(which, i, given->value[OPTION_FIGURE_VARIABLE + i]);
@@ -235,6 +294,18 @@ static void read_course(const arguments *given, const figure *which, char decima
                 (course_usage){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2},
                 whole);
     *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
+    if (!has_measure)
+        return;
+    criteria_read_strength(&as, &whole->what, &options_of->asked);
+    of->asked = &options_of->asked;
+    of->measure = read_measure(given->value[OPTION_MEASURE], of->asked);
+    of->over = read_over(given->value[OPTION_OVER]);
+    const bool is_of_friction =
+        (of->measure >= MEASURE_SLIP_RANGE && of->measure < MEASURE_COUNT) ||
+        of->measure == COLUMN_WEAR;
+    if (is_of_friction && of->over != OVER_SURFACE)
+        usage_error("--over %s: %s is of the surface alone", given->value[OPTION_OVER],
+                    column_kind_of(of->measure)->column);
 }
 
 static const picture_format *format_named(const char *name)
@@ -266,6 +337,7 @@ typedef struct {
     bool no_title;
     course whole;
     places at;
+    measure_options measure;
     dataset rows;
 } work;
 
@@ -311,9 +383,11 @@ static int write_command(const arguments *given)
     else
         to_do.format = read_picture_format(given, &how);
     if (to_do.which->of_course)
-        read_course(given, to_do.which, how.decimal_sign, &to_do.whole, &to_do.at, &to_do.of);
+        read_course(given, to_do.which, how.decimal_sign, &to_do.whole, &to_do.at, &to_do.measure,
+                    &to_do.of);
     else {
         refuse_course(given, to_do.which);
+        refuse_criteria(given, to_do.which);
         read_case(given, to_do.which, &to_do.of);
     }
     output_options_spare(&how, given->value[OPTION_HISTORY]);

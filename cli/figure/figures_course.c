@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Along the loads ---- */
 
@@ -276,3 +277,142 @@ const figure figure_fretting = {.name = "fretting",
                                 .column = fretting_columns,
                                 .compute = compute_fretting,
                                 .draw = draw_fretting};
+
+/* ---- Any measure: along the surface, below its worst place, as contours ---- */
+
+enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
+
+static int32_t measure_place(const figure_case *of, const last_cycle *last, double x, double y,
+                             dataset *rows)
+{
+    measures at;
+    const int32_t status = last_cycle_measure(last, 1, &x, &y, &at);
+    dataset_add(rows, (data_row){.number = {x, y, at.value[of->measure]}});
+    return status;
+}
+
+static int32_t measure_surface(const figure_case *of, const last_cycle *last, dataset *rows)
+{
+    measured all;
+    if (!surface_usual(last, &all))
+        return RWEDGE_EABSENT;
+    const int32_t status = surface_measure(last, &all);
+    for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++)
+        dataset_add(rows,
+                    (data_row){.number = {all.place[i].x, 0, all.place[i].at.value[of->measure]}});
+    free(all.place);
+    return status;
+}
+
+static const data_row *worst_row_of(const dataset *rows)
+{
+    const data_row *best = rows->row;
+    for (size_t i = 0; i < rows->count; i++)
+        if (!(best->number[2] >= rows->row[i].number[2]) && !isnan(rows->row[i].number[2]))
+            best = &rows->row[i];
+    return best;
+}
+
+/* Down to the half-width, dense at the surface. */
+static int32_t measure_depth(const figure_case *of, const last_cycle *last, dataset *rows)
+{
+    dataset along = {0};
+    int32_t status = measure_surface(of, last, &along);
+    const double x = along.count > 0 ? worst_row_of(&along)->number[0] : 0;
+    free(along.row);
+    for (int i = 0; i < DEPTHS && status == RWEDGE_OK; i++) {
+        const double part = (double)i / (DEPTHS - 1);
+        status = measure_place(of, last, x, of->half_width * part * part, rows);
+    }
+    return status;
+}
+
+static int32_t measure_field(const figure_case *of, const last_cycle *last, dataset *rows)
+{
+    int32_t status = RWEDGE_OK;
+    const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
+    for (int j = 0; j < ROWS; j++)
+        for (int i = 0; i < COLUMNS && status == RWEDGE_OK; i++)
+            status = measure_place(of, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
+                                   half * pow((double)j / (ROWS - 1), 1.5), rows);
+    return status;
+}
+
+static int32_t compute_measure(const figure_case *of, dataset *rows)
+{
+    static int32_t (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
+        measure_surface, measure_depth, measure_field};
+    last_cycle last;
+    last_cycle_begin(of->whole, of->asked, &last);
+    return isnan(last.left) ? RWEDGE_EABSENT : ways[of->over](of, &last, rows);
+}
+
+/* A round step that gives 8 to 20 lines up to the top. */
+static double step_of_lines(double top)
+{
+    const double decade = pow(10, floor(log10(top / 8))), times = top / 8 / decade;
+    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
+}
+
+static void draw_measure_field(const dataset *rows, double top, drawing *on)
+{
+    const double *first = rows->row[0].number, *last = rows->row[rows->count - 1].number;
+    const double step = step_of_lines(top), width = last[0] - first[0];
+    char lines[NUMBER_SIZE];
+    on->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
+    on->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};
+    on->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
+    number_write(step, 3, '.', lines);
+    const size_t used = strlen(on->caption);
+    snprintf(on->caption + used, sizeof on->caption - used, "; lines: every %s", lines);
+}
+
+/* A column in words: "_" would begin a subscript. */
+static void write_name(const figure_case *of, char name[DRAWING_TEXT])
+{
+    snprintf(name, DRAWING_TEXT, "%s", column_kind_of(of->measure)->column);
+    for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_'))
+        *at = ' ';
+}
+
+static void draw_measure_curve(const figure_case *of, const dataset *rows, double top, drawing *on)
+{
+    const int along = of->over == OVER_DEPTH ? 1 : 0;
+    const double from = rows->row[0].number[along], to = rows->row[rows->count - 1].number[along];
+    on->x = (axis){"", from, to, tic_along_x(to - from), 0};
+    snprintf(on->x.text, sizeof on->x.text, "%s", along == 1 ? "*y*" : "*x*");
+    char name[DRAWING_TEXT];
+    write_name(of, name);
+    on->y = drawing_axis(1.05 * top, name);
+    on->y.from = -1.05 * extreme(rows, 2, -1);
+    on->height = 0.75;
+    drawing_curve(on, rows, 0, along, 2)->width = 1.3;
+}
+
+static const char *draw_measure(const figure_case *of, const dataset *rows, drawing *on)
+{
+    const double *worst = worst_row_of(rows)->number;
+    char x[NUMBER_SIZE], y[NUMBER_SIZE];
+    if (!(worst[2] > 0))
+        return "the measure is nowhere above 0";
+    write_number(worst[0], 4, x);
+    write_number(worst[1], 4, y);
+    write_name(of, on->title);
+    snprintf(on->caption, sizeof on->caption, "%s: %.4g at *x* = %s, *y* = %s",
+             of->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2], x, y);
+    if (of->over == OVER_FIELD)
+        draw_measure_field(rows, worst[2], on);
+    else
+        draw_measure_curve(of, rows, worst[2], on);
+    return NULL;
+}
+
+static const char *const measure_columns[] = {"x", "y", "value", NULL};
+
+const figure figure_measure = {.name = "measure",
+                               .summary = "any column of fretting, by --measure and --over",
+                               .of_course = true,
+                               .cycles = 3,
+                               .column = measure_columns,
+                               .compute = compute_measure,
+                               .draw = draw_measure};

@@ -6,6 +6,6 @@
 
 #include "kind.h"
 
-extern const figure figure_history, figure_fretting, figure_any_loop;
+extern const figure figure_history, figure_fretting, figure_measure, figure_any_loop;
 
 #endif

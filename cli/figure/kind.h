@@ -3,6 +3,7 @@
 #ifndef CLI_KIND_H
 #define CLI_KIND_H
 
+#include "fretting/criteria.h"
 #include "history/places.h"
 #include "picture/drawing.h"
 #include "options/variable.h"
@@ -19,12 +20,17 @@ typedef struct {
 
 enum { FIGURE_CURVES_MAX = 12 };
 
+/* Where a measure is drawn: along the surface, below its worst place, below the contact. */
+enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
+
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
     range value[FIGURE_VARIABLES];
     const course *whole; /* of a figure of a course; NULL otherwise */
     const places *at;
     double half_width; /* the largest of the contact, in its cycles */
+    const criteria *asked;
+    int measure, over; /* of figure measure: a column of "rwedge fretting", and where */
 } figure_case;
 
 double case_value(const figure_case *of, int variable);

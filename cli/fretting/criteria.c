@@ -28,6 +28,8 @@ struct poptOption criteria_option_table[] = {
     {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_DANG_VAN_ALPHA, "Dang Van's", "NUMBER"},
     {"plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
+    {"material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,
+     "Constants of body 1 by name, JSON or CSV", "FILE"},
     {"archard", '\0', POPT_ARG_STRING, NULL, OPTION_ARCHARD,
      "Depth worn per energy and area; the profile does not change", "NUMBER"},
     POPT_TABLEEND,

@@ -17,7 +17,6 @@
 enum {
     OPTION_WORST = OPTION_AFTER_CRITERIA,
     OPTION_AT_WORST,
-    OPTION_MATERIAL,
     OPTION_LENGTH,
     OPTION_METHOD,
     OPTION_ANGLE
@@ -40,8 +39,6 @@ static const struct poptOption options[] = {
      "Write the worst place of each measure to FILE too", "FILE"},
     {"at-worst", '\0', POPT_ARG_NONE, NULL, OPTION_AT_WORST,
      "Write a verdict for each criterion at its worst place, in place of the rows", NULL},
-    {"material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,
-     "Constants of body 1 by name, JSON or CSV", "FILE"},
     {"length", '\0', POPT_ARG_STRING, NULL, OPTION_LENGTH,
      "Verdicts by the theory of critical distances (default: that of the material, with --method)",
      "NUMBER"},

@@ -9,6 +9,7 @@
 #include "system/progress.h"
 #include "text/message.h"
 
+#include <math.h>
 #include <string.h>
 
 static struct poptOption history_output_option_table[] = {
@@ -150,8 +151,9 @@ static void say_what_is_doubtful(const plan *job)
     doubts_add(&all, (doubts){.error = job->whole.error}); /* with points no row says it */
     doubts_say(all, where);
     load_table_say_unused(&job->whole.loads);
-    if (job->whole.cycles > 1 && job->at.count == 0)
-        notice("dissipated in the last cycle: %.6g", job->energy[1] - job->energy[0]);
+    const double energy = job->energy[1] - job->energy[0]; /* NAN where it is not known */
+    if (job->whole.cycles > 1 && job->at.count == 0 && !isnan(energy))
+        notice("dissipated in the last cycle: %.6g", energy);
 }
 
 static int history(const arguments *given)

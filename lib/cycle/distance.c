@@ -44,10 +44,11 @@ static bool make_nodes(int level, const ray *line, nodes *all)
 static int32_t means(const rw_cycle *cycle, int level, const ray *line, double mean[])
 {
     nodes at;
-    double *stress = NULL;
     if (!make_nodes(level, line, &at))
         return RWEDGE_ENOMEM;
-    const int32_t status = rw_cycle_stresses(cycle, at.count, at.x, at.y, &stress);
+    double *stress = malloc(3 * cycle->loads * at.count * sizeof *stress);
+    const int32_t status =
+        stress ? rw_cycle_stresses(cycle, at.count, at.x, at.y, stress) : RWEDGE_ENOMEM;
     for (size_t row = 0; row < 3 * cycle->loads && status == RWEDGE_OK; row++) {
         mean[row] = 0;
         for (size_t i = 0; i < at.count; i++)
@@ -86,12 +87,7 @@ static int32_t settled_means(const rw_cycle *cycle, const ray *line, double mean
 static int32_t stresses_at(const rw_cycle *cycle, const ray *line, double stress[])
 {
     const double x = line->x + line->end * sin(line->angle), y = line->end * cos(line->angle);
-    double *found = NULL;
-    const int32_t status = rw_cycle_stresses(cycle, 1, &x, &y, &found);
-    if (status == RWEDGE_OK)
-        memcpy(stress, found, 3 * cycle->loads * sizeof *stress);
-    free(found);
-    return status;
+    return rw_cycle_stresses(cycle, 1, &x, &y, stress);
 }
 
 static int32_t go_through(const rwedge_contact *contact, const rw_load_list *list, bool is_line,

@@ -7,8 +7,8 @@
 
 /* ---- Stresses ---- */
 
-static int32_t fill(const rw_cycle *cycle, size_t n, const double x[], const double y[],
-                    double *stress)
+int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
+                          double stress[])
 {
     const size_t all = cycle->loads * n;
     int32_t status = RWEDGE_OK;
@@ -19,20 +19,6 @@ static int32_t fill(const rw_cycle *cycle, size_t n, const double x[], const dou
                                          stress + 2 * all);
         stress += n;
     }
-    return status;
-}
-
-int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
-                          double **stress)
-{
-    if (n > (SIZE_MAX / sizeof **stress - 1) / 3 / cycle->loads)
-        return RWEDGE_ERANGE;
-    double *all = malloc((3 * cycle->loads * n + 1) * sizeof *all);
-    const int32_t status = all ? fill(cycle, n, x, y, all) : RWEDGE_ENOMEM;
-    if (status == RWEDGE_OK)
-        *stress = all;
-    else
-        free(all);
     return status;
 }
 
@@ -49,8 +35,12 @@ double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[],
 static int32_t rub(const rw_cycle *cycle, size_t n, const double x[], double slip_range[],
                    double ruiz_f1[], double ruiz_f2[], double energy[])
 {
-    double *sxx = NULL, *surface = calloc(n + 1, sizeof *surface);
-    const int32_t status = surface ? rw_cycle_stresses(cycle, n, x, surface, &sxx) : RWEDGE_ENOMEM;
+    if (n > (SIZE_MAX / sizeof(double) - 1) / 3 / cycle->loads)
+        return RWEDGE_ERANGE;
+    double *surface = calloc(n + 1, sizeof *surface),
+           *sxx = malloc((3 * cycle->loads * n + 1) * sizeof *sxx);
+    const int32_t status =
+        surface && sxx ? rw_cycle_stresses(cycle, n, x, surface, sxx) : RWEDGE_ENOMEM;
     for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
         const rw_rubbing at = rw_rubbing_at(cycle, x[i]);
         slip_range[i] = at.slip_range;

@@ -15,6 +15,8 @@ typedef struct {
     int32_t measure;
     material material;
     double y;
+    double *stress;      /* room for those of one place */
+    bool *lacked_memory; /* somewhere */
 } line;
 
 typedef struct {
@@ -22,6 +24,12 @@ typedef struct {
 } peak;
 
 /* ---- One place ---- */
+
+static bool is_answer(const line *l, int32_t status)
+{
+    *l->lacked_memory = *l->lacked_memory || status == RWEDGE_ENOMEM;
+    return status == RWEDGE_OK;
+}
 
 static double friction_of(const line *l, double x, const double *sxx)
 {
@@ -50,20 +58,17 @@ static double measure_of(const line *l, double x, const double *sxx)
     double value = NAN, angle, out_of_plane;
     if (is_of_friction(l->measure))
         return friction_of(l, x, sxx);
-    rwedge_criterion_field(l->measure, loads, 1, sxx, sxx + loads, sxx + 2 * loads, m->E, m->nu,
-                           m->plane_stress, m->constant, m->su, &value, &angle, &out_of_plane);
+    is_answer(l, rwedge_criterion_field(l->measure, loads, 1, sxx, sxx + loads, sxx + 2 * loads,
+                                        m->E, m->nu, m->plane_stress, m->constant, m->su, &value,
+                                        &angle, &out_of_plane));
     return value;
 }
 
-/* NaN at the apex of a sharp wedge, and where memory is short. */
+/* NaN at the apex of a sharp wedge. */
 static double measure_at(const line *l, double x)
 {
-    double *stress, value = NAN;
-    if (rw_cycle_stresses(&l->cycle, 1, &x, &l->y, &stress) == RWEDGE_OK) {
-        value = measure_of(l, x, stress);
-        free(stress);
-    }
-    return value;
+    const int32_t status = rw_cycle_stresses(&l->cycle, 1, &x, &l->y, l->stress);
+    return is_answer(l, status) ? measure_of(l, x, l->stress) : NAN;
 }
 
 /* ---- The search ---- */
@@ -137,7 +142,11 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
                                    double *worst_x, double *worst_value)
 {
     const rw_load_list list = {loads, P, M, Q, sigma};
-    line l = {.measure = measure, .material = {E, nu, constant, su, plane_stress}, .y = y};
+    bool lacked_memory = false;
+    line l = {.measure = measure,
+              .material = {E, nu, constant, su, plane_stress},
+              .y = y,
+              .lacked_memory = &lacked_memory};
     if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
         !worst_value)
         return RWEDGE_ENULL;
@@ -146,16 +155,23 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
         return RWEDGE_EDOMAIN;
     if (n == 0)
         return RWEDGE_ERANGE;
+    peak best = {NAN, NAN};
     const bool is_slip = is_of_friction(measure);
     if (is_slip && y != 0)
         return RWEDGE_EDOMAIN;
     int32_t status =
         rw_cycle_create(contact, &list, is_slip ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
+    if (status == RWEDGE_OK && !(l.stress = malloc(3 * loads * sizeof *l.stress)))
+        status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
-        const peak best = search(&l, n, x, value);
+        best = search(&l, n, x, value);
+        status = lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+    }
+    if (status == RWEDGE_OK) {
         *worst_x = best.x;
         *worst_value = best.value;
     }
+    free(l.stress);
     rw_cycle_destroy(&l.cycle);
     return status;
 }

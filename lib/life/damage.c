@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Damage of a block of loads by Miner's sum, on the plane where it is largest. Damage is not smooth
- * over the planes: cycles pair up anew, and fall below a limit. So planes are taken from a grid of
- * GRID degrees, and steps are made from the worst of them, smaller and smaller, to the LAST step.
+ * over the planes: cycles pair up anew, and fall below a limit. So planes are taken from a grid, and
+ * steps are made from the worst of them, smaller and smaller, to the LAST one.
  * The plane on which the criterion itself is largest is among them: for a block of one cycle it is
  * the plane that is sought. */
 #include "base/domain.h"
 #include "life/life.h"
+#include "life/rainflow.h"
 #include "measures/plane_cycle.h"
 #include "measures/plane_search.h"
 #include "measures/planes.h"
-#include "life/rainflow.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -290,6 +290,7 @@ static void free_miner(miner *m)
     rw_plane_cycle_destroy(m->cycle);
     free(m->path);
     free(m->along);
+    free(m->other);
     free(m->stack);
     free(m->counted);
 }
@@ -298,11 +299,11 @@ static bool take_room(miner *m, size_t loads)
 {
     m->cycle = rw_plane_cycle_create(loads);
     m->path = calloc(loads, sizeof *m->path);
-    m->along = calloc(2 * loads, sizeof *m->along);
-    m->other = m->along + loads;
+    m->along = calloc(loads, sizeof *m->along);
+    m->other = calloc(loads, sizeof *m->other);
     m->stack = calloc(loads + 1, sizeof *m->stack);
     m->counted = calloc(loads, sizeof *m->counted);
-    return m->cycle && m->path && m->along && m->stack && m->counted;
+    return m->cycle && m->path && m->along && m->other && m->stack && m->counted;
 }
 
 static void give(const verdict *v, size_t n, const results *r)

@@ -165,6 +165,109 @@ static outcome history(void)
     return seen;
 }
 
+/* ---- Moment, tension and cycles ---- */
+
+static const double STEPS[][4] = {{0.5, 0.1, 0, 0},
+                                  {0.5, 0.1, 0.1, 0.01},
+                                  {0.5, 0.1, -0.05, 0},
+                                  {0.6, 0.12, -0.05, 0},
+                                  {0.6, 0.12, 0.02, 0.01}};
+enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS, STATE_MOST = 256 };
+
+typedef struct {
+    size_t size;
+    double number[STATE_MOST];
+} snapshot;
+
+static snapshot state_of(const rwedge_contact *contact)
+{
+    snapshot s = {.size = rwedge_contact_state_size(contact)};
+    assert_true(s.size <= STATE_MOST);
+    assert_ok(rwedge_contact_state(contact, s.size, s.number));
+    return s;
+}
+
+static void assert_as_before(const rwedge_contact *contact, const snapshot *before)
+{
+    const snapshot now = state_of(contact);
+    assert_memory_equal(&now, before, sizeof now);
+}
+
+/* Loads one by one and all at once, and a contact that is restored from their state. */
+static outcome off_centre(void)
+{
+    outcome seen = {0};
+    double P[STEP_COUNT], M[STEP_COUNT], Q[STEP_COUNT], sigma[STEP_COUNT], s[3][STEP_COUNT];
+    const double x = 0.1, y = 0.2;
+    rwedge_contact *contact = NULL, *restored = NULL;
+    seen.status = STATUS_OF(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &contact));
+    for (int i = 0; i < STEP_COUNT && seen.status == RWEDGE_OK; i++) {
+        const snapshot before = state_of(contact);
+        P[i] = STEPS[i][0], M[i] = STEPS[i][1], Q[i] = STEPS[i][2], sigma[i] = STEPS[i][3];
+        seen.status = STATUS_OF(rwedge_contact_apply(contact, P[i], M[i], Q[i], sigma[i]));
+        if (seen.status != RWEDGE_OK)
+            assert_as_before(contact, &before);
+    }
+    if (seen.status == RWEDGE_OK) {
+        const snapshot before = state_of(contact);
+        seen.status = STATUS_OF(rwedge_contact_stress_history(contact, STEP_COUNT, P, M, Q, sigma,
+                                                              1, &x, &y, s[0], s[1], s[2]));
+        if (seen.status != RWEDGE_OK)
+            assert_as_before(contact, &before);
+    }
+    if (seen.status == RWEDGE_OK) {
+        const snapshot last = state_of(contact);
+        seen.status = STATUS_OF(rwedge_contact_restore(last.size, last.number, &restored));
+        assert_true((restored == NULL) == (seen.status != RWEDGE_OK));
+    }
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, s, sizeof s);
+    RUN(rwedge_contact_destroy(restored));
+    RUN(rwedge_contact_destroy(contact));
+    return seen;
+}
+
+/* Where memory was short at a place of the search, the worst one was once sought without it. */
+static outcome cycles(void)
+{
+    static const int32_t measures[] = {RWEDGE_MEASURE_STRESS_RANGE, RWEDGE_MEASURE_DANG_VAN};
+    outcome seen = {0};
+    const double P[] = {0.6, 0.5}, M[] = {0, 0}, Q[] = {0.1, -0.1}, sigma[] = {0, 0}, x = 0.2,
+                 value = 1e-9;
+    double n[10];
+    rwedge_contact *contact = NULL;
+    seen.status = STATUS_OF(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &contact));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_contact_load(contact, 0.5, 0));
+    for (int i = 0; i < 2 && seen.status == RWEDGE_OK; i++)
+        seen.status = STATUS_OF(rwedge_contact_cycle_worst(contact, measures[i], 2, P, M, Q, sigma,
+                                                           1, &x, &value, 0, 70, 0.3, 0, 0.4, 1,
+                                                           &n[2 * i], &n[2 * i + 1]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_contact_cycle_friction(contact, 2, P, M, Q, sigma, 1, &x,
+                                                              &n[4], &n[5], &n[6], &n[7]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_permanent_stick(0.1, 0.4, 0.5, 0.5, 0.5, 0.1, -0.1, 0, 0.5,
+                                                       0.1, 0.1, 0.01, &n[8], &n[9]));
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, n, sizeof n);
+    RUN(rwedge_contact_destroy(contact));
+    return seen;
+}
+
+static outcome planes(void)
+{
+    outcome seen = {0};
+    const double sxx[] = {1, -2}, syy[] = {0, 0.5}, txy[] = {0.3, 0.1};
+    double n[3];
+    seen.status = STATUS_OF(rwedge_findley(2, sxx, syy, txy, 0.3, 0.2, &n[0], &n[1], &n[2]));
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, n, sizeof n);
+    return seen;
+}
+
+/* ---- Series ---- */
+
 static void keep_series(rwedge_series *series, outcome *seen)
 {
     assert_true((series == NULL) == (seen->status != RWEDGE_OK));
@@ -243,6 +346,13 @@ static void allocations_of_other_libraries_are_seen(void **state)
 #endif
 }
 
+static void assert_refused(const outcome *failed)
+{
+    assert_int_equal(failed->status, RWEDGE_ENOMEM);
+    for (int i = 0; i < NUMBERS; i++)
+        assert_true(failed->number[i] == 0);
+}
+
 static size_t every_allocation_of(const char *name, outcome (*call)(void))
 {
     const long before = heap.outstanding;
@@ -255,9 +365,7 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
             arm(k, for_ever != 0);
             const outcome failed = call();
             arm(0, false);
-            assert_int_equal(failed.status, RWEDGE_ENOMEM);
-            for (int i = 0; i < NUMBERS; i++)
-                assert_true(failed.number[i] == 0);
+            assert_refused(&failed);
             assert_int_equal(heap.outstanding, before);
             const outcome again = call();
             assert_memory_equal(&again, &expected, sizeof again);
@@ -271,6 +379,9 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
 static void every_failed_allocation_is_survived(void **state)
 {
     assert_true(every_allocation_of("contact", history) >= 10);
+    assert_true(every_allocation_of("off_centre", off_centre) >= 20);
+    assert_true(every_allocation_of("cycles", cycles) >= 12);
+    assert_true(every_allocation_of("planes", planes) >= 4);
     assert_int_equal(every_allocation_of("series_create", series_create), 1);
     assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
 }

@@ -34,6 +34,8 @@ typedef struct {
     const public_call *call;
     size_t all, number, calls; /* combinations; the next one; how many will be made */
     uint64_t seed;
+    int argument; /* that is outside of its domain, when these have been made */
+    size_t edge;  /* where */
 } combinations;
 
 static bool takes_long(const char *name)
@@ -55,10 +57,8 @@ static combinations combinations_of(const public_call *call)
     return c;
 }
 
-/* Most of those that are drawn have all of their arguments in the domain. */
-static double draw(combinations *c, const entry_argument *a)
+static double draw(combinations *c, const entry_argument *a, bool any)
 {
-    const bool any = random_fraction(&c->seed) < 0.03;
     double v;
     do
         v = edge(a, (size_t)(random_fraction(&c->seed) * (double)edge_count(a)));
@@ -66,14 +66,43 @@ static double draw(combinations *c, const entry_argument *a)
     return v;
 }
 
+static void draw_sound(combinations *c, double v[])
+{
+    for (int i = 0; i < c->call->arguments; i++)
+        v[i] = draw(c, c->call->argument[i], false);
+}
+
+/* At last all are 0, and each argument in turn is outside of its domain, all others in theirs. */
+static bool next_outside(combinations *c, double v[])
+{
+    if (c->number++ == c->calls) {
+        for (int i = 0; i < c->call->arguments; i++)
+            v[i] = 0;
+        return true;
+    }
+    for (; c->argument < c->call->arguments; c->argument++, c->edge = 0)
+        while (c->edge < edge_count(c->call->argument[c->argument])) {
+            const entry_argument *a = c->call->argument[c->argument];
+            const double outside = edge(a, c->edge++);
+            if (is_sound(a, outside))
+                continue;
+            draw_sound(c, v);
+            v[c->argument] = outside;
+            return true;
+        }
+    return false;
+}
+
+/* Most of those that are drawn have all of their arguments in the domain. */
 static bool next(combinations *c, double v[])
 {
-    if (c->number == c->calls)
-        return false;
+    if (c->number >= c->calls)
+        return next_outside(c, v);
     size_t rest = c->number++;
     for (int i = 0; i < c->call->arguments; i++) {
         const entry_argument *a = c->call->argument[i];
-        v[i] = c->all <= most_calls ? edge(a, rest % edge_count(a)) : draw(c, a);
+        const bool any = random_fraction(&c->seed) < 0.03;
+        v[i] = c->all <= most_calls ? edge(a, rest % edge_count(a)) : draw(c, a, any);
         rest /= edge_count(a);
     }
     return true;

@@ -165,7 +165,7 @@ run figure 6 --data -o old.csv
 same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
 
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure"
 refuses "rwedge figure: which figure must follow; allowed: $all" figure
 refuses "rwedge figure: 1: unknown figure; allowed: $all" figure 1
 refuses "rwedge figure: 3: unexpected; allowed: one figure, and options" figure 2 3
@@ -218,6 +218,26 @@ cut -d , -f 1-2 out | tail -n +2 >drawn
 same "places of fretting" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $specimen --cycles 2
 same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+# Any measure: along the surface as fretting has it, below its worst place, on a grid.
+run figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
+status_is 0
+same "columns of measure" "x,y,value" "$(head -n 1 out)"
+tail -n +2 out >drawn
+run fretting loads.csv $specimen --cycles 2 --crossland-alpha 0.3
+same "Crossland along the surface" "" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "crossland") c = i } { print $1 "," $2 "," $c }' out |
+    awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+for over in depth field; do
+    run figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --over $over --data
+    sed -n '2p;50p;$p' out >drawn
+    run fretting loads.csv $specimen --cycles 2 --crossland-alpha 0.3 --at "$(cut -d , -f 1,2 drawn | paste -s -d ';' -)"
+    column crossland out | paste -d ' ' - drawn | sed 's/ .*,/ /' >both
+    close_rows "Crossland over the $over" 1e-12 0
+done
+refuses "rwedge figure: --measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
+    figure measure --history loads.csv $specimen --measure none
+refuses "rwedge figure: --over all: must be surface, depth or field" figure measure --history loads.csv $specimen --over all
+refuses "rwedge figure: --over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field
+refuses "rwedge figure: figure fretting: criteria and measures are for figure measure" figure fretting --history loads.csv $specimen --kappa 3
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
 once="--load 135.75,0 --load 135.75,38"
 run figure fretting --history loads.csv $once $specimen --data
@@ -248,7 +268,7 @@ close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
 refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, and loop with --history or --load" figure 4 --E1 3
+refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 4 --E1 3
 refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
     figure fretting --history loads.csv --a-over-b 1
 cannot "rwedge figure: loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \

@@ -215,14 +215,12 @@ for command in "workbook" "table contact-law --format xlsx"; do
         grep -c 9999-12-31T23:59:59Z)"
 done
 SOURCE_DATE_EPOCH=0
-run workbook -o dated.xlsx
+run table contact-law -o dated.xlsx
 same "the first date is not the usual one" 1 \
     "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' | grep -c 1970-01-01T)"
 for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
-    for command in "workbook" "table contact-law --format xlsx"; do
-        cannot "rwedge ${command%% *}: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
-253402300799, the end of the year 9999" $command -o new.xlsx
-        same "no file" "" "$(ls new.xlsx 2>/dev/null)"
-    done
+    cannot "rwedge table: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
+253402300799, the end of the year 9999" table contact-law -o new.xlsx
+    same "no file" "" "$(ls new.xlsx 2>/dev/null)"
 done
 finish

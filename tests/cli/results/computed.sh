@@ -62,9 +62,14 @@ for wrong in 0 1e-7 0.1 nan 1,5; do
 done
 refuses "rwedge fretting: --tolerance 1e-3: given together with --exact; allowed: one of the two" \
     fretting lags.csv $specimen --tolerance 1e-3 --exact
-refuses "rwedge figure: figure 7: a contact and its loads are for history, fretting, and loop with --history or --load" figure 7 --exact
+refuses "rwedge figure: figure 7: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 7 --exact
 cannot "rwedge history: error.csv: column error: a result has that name; allowed: any other" \
     history "$(printf 'P,Q,error\n1,0,0\n' >error.csv; echo error.csv)" $specimen
+
+# Energy that is not known is not said to be "nan".
+printf 'P,M,Q,sigma\n100,5,0,0\n120,6,20,40\n100,5,-15,-20\n' >moves.csv
+run history moves.csv $specimen --cycles 2
+same "energy of a cycle" "- 0" "$(column energy out | tail -n 1) $(grep -c nan err)"
 
 # Half of an answered step is answered, and its other half leads to the same.
 block="--E1 74100 --nu1 .33 --theta .1 --radius 178 --f .65"

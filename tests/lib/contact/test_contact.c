@@ -311,48 +311,30 @@ static void a_steep_fall_of_the_load_is_refused(void **state)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create(0.05, 1, 1e-5, 0.5, &contact));
-    assert_ok(rwedge_contact_load(contact, 1e9, 0));
+    load(contact, 1e9, 0);
     const double before = rwedge_contact_half_width(contact);
     assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_ERANGE);
     assert_int_equal(rwedge_contact_load(contact, 1, 8), RWEDGE_ERANGE);
     assert_close(rwedge_contact_half_width(contact), before, 0);
-    assert_ok(rwedge_contact_load(contact, 3e4, 0));
-    assert_ok(rwedge_contact_load(contact, 1, 0));
-    assert_ok(rwedge_contact_load(contact, 1, 0.1));
+    load(contact, 3e4, 0);
+    load(contact, 1, 0);
+    load(contact, 1, 0.1);
     /* Q = 0.2 f P in the Hertz regime */
     assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact),
                  sqrt(0.8), 1e-9);
-    assert_ok(rwedge_contact_load(contact, 0, 0)); /* separation is no fall */
+    load(contact, 0, 0); /* separation is no fall */
     rwedge_contact_destroy(contact);
 }
 
 /* ---- Arguments ---- */
 
-static void missing_arrays_are_refused(void **state)
+static void no_points_need_no_arrays(void **state)
 {
     rwedge_contact *contact = create(0.1, 0.5);
     load(contact, 0.2, 0.05);
-    for (int missing = 0; missing < 6; missing++) {
-        double v[5] = {0.1, 0.2, 7, 8, 9}, *at[5];
-        for (int i = 0; i < 5; i++)
-            at[i] = i == missing ? NULL : &v[i];
-        rwedge_contact *there = missing == 5 ? NULL : contact;
-        assert_int_equal(rwedge_contact_stresses(there, 1, at[0], at[1], at[2], at[3], at[4]),
-                         RWEDGE_ENULL);
-        if (missing != 1 && missing != 4)
-            assert_int_equal(rwedge_contact_tractions(there, 1, at[0], at[2], at[3]), RWEDGE_ENULL);
-        if (missing != 1 && missing != 4 && missing != 3)
-            assert_int_equal(rwedge_contact_slip(there, 1, at[0], at[2]), RWEDGE_ENULL);
-        assert_true(v[2] == 7 && v[3] == 8 && v[4] == 9);
-    }
     assert_ok(rwedge_contact_tractions(contact, 0, NULL, NULL, NULL));
+    assert_ok(rwedge_contact_slip(contact, 0, NULL, NULL));
     assert_ok(rwedge_contact_stresses(contact, 0, NULL, NULL, NULL, NULL, NULL));
-    double factor = 7;
-    assert_int_equal(rwedge_contact_yield_factor(NULL, 0.3, 1, &factor, NULL, NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, -1, &factor, NULL, NULL),
-                     RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_contact_copy(contact, NULL), RWEDGE_ENULL);
-    assert_true(factor == 7);
     rwedge_contact_destroy(contact);
 }
 
@@ -498,7 +480,7 @@ int main(void)
         cmocka_unit_test(what_slips_is_at_the_limit_and_slips_with_the_traction),
         cmocka_unit_test(pressing_without_slip_gives_no_slip),
         cmocka_unit_test(stresses_are_flamant_integrated_over_the_tractions),
-        cmocka_unit_test(missing_arrays_are_refused),
+        cmocka_unit_test(no_points_need_no_arrays),
         cmocka_unit_test(a_unit_of_stress_beyond_the_domain_is_refused),
         cmocka_unit_test(results_beyond_the_domain_are_refused),
         cmocka_unit_test(the_ends_of_the_domain_are_sound),

@@ -185,6 +185,23 @@ static void a_profile_slips_as_its_wedge(void **state)
     rwedge_contact_destroy(pad);
 }
 
+static void a_centred_pad_dissipates_as_its_wedge(void **state)
+{
+    (void)state;
+    const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
+    const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
+    const double Q[] = {0, 0.04, -0.03, 0.05, 0.02, -0.05};
+    rwedge_contact *wedge = create(a, F), *pad = profile(4, x, slope);
+    for (int i = 0; i < 6; i++) {
+        load(wedge, 0.2, Q[i]);
+        load(pad, 0.2, Q[i]);
+        assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
+                     1e-11);
+    }
+    rwedge_contact_destroy(wedge);
+    rwedge_contact_destroy(pad);
+}
+
 static void the_sharp_wedge_is_a_kink(void **state)
 {
     const double x[] = {0, 0}, slope[] = {-THETA, THETA}, y = 0;
@@ -421,6 +438,7 @@ int main(void)
         cmocka_unit_test(the_edges_of_a_flat_are_known_from_its_corners),
         cmocka_unit_test(the_rounded_wedge_is_a_profile),
         cmocka_unit_test(a_profile_slips_as_its_wedge),
+        cmocka_unit_test(a_centred_pad_dissipates_as_its_wedge),
         cmocka_unit_test(the_sharp_wedge_is_a_kink),
         cmocka_unit_test(a_sampled_circle_converges_with_the_square_of_the_places),
         cmocka_unit_test(a_sampled_cylinder_is_hertz),

@@ -61,18 +61,6 @@ static void a_over_b_covers_the_whole_range(void **state)
     assert_close(rwedge_a_over_b(1e-118), sqrt(PI / 2) * 1e59, 1e-14);
 }
 
-static void bad_arguments_are_not_numbers(void **state)
-{
-    const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, -DBL_MIN, 1e-121, 1e61};
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        assert_nan(rwedge_load(bad[i]));
-        assert_nan(rwedge_load_derivative(bad[i]));
-        assert_nan(rwedge_a_over_b(bad[i]));
-    }
-    assert_nan(rwedge_a_over_b(0));
-    assert_nan(rwedge_a_over_b(-0.0));
-}
-
 static void load_derivative_matches_reference(void **state)
 {
     (void)state;
@@ -95,7 +83,6 @@ int main(void)
         cmocka_unit_test(a_over_b_inverts_the_load),
         cmocka_unit_test(a_over_b_covers_the_whole_range),
         cmocka_unit_test(load_derivative_matches_reference),
-        cmocka_unit_test(bad_arguments_are_not_numbers),
     };
     return RUN_CLAIMS("contact_law", tests);
 }

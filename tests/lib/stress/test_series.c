@@ -212,69 +212,17 @@ static void rank_deficiency_is_refused(void **state)
     assert_ptr_equal(series, untouched);
 }
 
-static void bad_arguments_are_refused(void **state)
+static void samples_are_as_many_as_terms_need_and_memory_holds(void **state)
 {
-    double x[3] = {-0.5, 0, 0.5}, p[3] = {-1, -1, -1}, s[3] = {7, 8, 9};
+    const double x[3] = {-0.5, 0, 0.5}, p[3] = {-1, -1, -1};
     rwedge_series *series = NULL;
-    assert_int_equal(rwedge_series_create(-1, 3, &series), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_series_create(NAN, 3, &series), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_series_create(0.5, 0, &series), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_series_create(0.5, INT32_MAX, &series), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_series_create(0.5, 3, NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_fit(3, x, p, 0, &series), RWEDGE_ERANGE);
     assert_int_equal(rwedge_series_fit(SIZE_MAX, x, p, 2, &series), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_series_fit(3, NULL, p, 2, &series), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_fit(3, x, NULL, 2, &series), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_fit(3, x, p, 2, NULL), RWEDGE_ENULL);
     assert_int_equal(rwedge_series_fit(0, NULL, NULL, 2, &series), RWEDGE_ERANK);
-    const double bad[] = {NAN, HUGE_VAL, 1, -1};
-    for (int i = 0; i < 4; i++) {
-        for (int place = 0; place < 3; place++) {
-            const double good = x[place];
-            x[place] = bad[i];
-            assert_int_equal(rwedge_series_fit(3, x, p, 1, &series), RWEDGE_EDOMAIN);
-            x[place] = good;
-        }
-    }
-    p[2] = NAN;
-    assert_int_equal(rwedge_series_fit(3, x, p, 2, &series), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_series_fit(3, x, p, 0, &series), RWEDGE_ERANGE);
     assert_null(series);
-    assert_nan(rwedge_coefficient(NAN, 1));
-    assert_nan(rwedge_coefficient(-1, 1));
-    assert_nan(rwedge_coefficient(0.5, -1));
-    assert_nan(rwedge_series_pressure(NULL, 0));
-    assert_nan(rwedge_series_residual(NULL));
-    assert_nan(rwedge_series_coefficient(NULL, 0));
-    assert_int_equal(rwedge_series_terms(NULL), 0);
-    rwedge_series_destroy(NULL);
     series = analytic(0.5, 4);
     assert_nan(rwedge_series_coefficient(series, -1));
-    assert_nan(rwedge_series_pressure(series, NAN));
     assert_within(rwedge_series_pressure(series, 1), 0, 0);
-    assert_int_equal(rwedge_series_stress(series, -1, 0, 1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_series_stress(series, 0, NAN, 1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_series_stress(series, 0, 0, -1, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_series_stress(NULL, 0, 0, 1, &s[0], &s[1], &s[2]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_stress(series, 0, 0, 1, NULL, &s[1], &s[2]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_potential(NULL, 0, 0, 1, &s[0], &s[1]), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_potential(series, 0, 0, 1, &s[0], NULL), RWEDGE_ENULL);
-    assert_int_equal(rwedge_series_potential(series, 0, 0, -1, &s[0], &s[1]), RWEDGE_EDOMAIN);
-    assert_true(s[0] == 7 && s[1] == 8 && s[2] == 9);
-    rwedge_series_destroy(series);
-}
-
-static void missing_outputs_are_refused(void **state)
-{
-    rwedge_series *series = analytic(0.5, 4);
-    for (int missing = 0; missing < 3; missing++) {
-        double v[3] = {7, 8, 9}, *at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = i == missing ? NULL : &v[i];
-        assert_int_equal(rwedge_series_stress(series, 0, 0, 1, at[0], at[1], at[2]), RWEDGE_ENULL);
-        if (missing < 2)
-            assert_int_equal(rwedge_series_potential(series, 0, 0, 1, at[0], at[1]), RWEDGE_ENULL);
-        assert_true(v[0] == 7 && v[1] == 8 && v[2] == 9);
-    }
     rwedge_series_destroy(series);
 }
 
@@ -335,21 +283,6 @@ static void no_pressure_is_fitted_by_none(void **state)
     assert_int_equal(rwedge_series_fit(1 << 14, x, p, 1 << 13, &series), RWEDGE_ERANGE);
 }
 
-static void samples_outside_the_domain_are_refused(void **state)
-{
-    const double bad[] = {1.1e60, -1.1e60, 9e-61, -9e-61, NAN, HUGE_VAL};
-    double x[SAMPLES], p[SAMPLES];
-    chebyshev_points(x);
-    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
-        for (int i = 0; i < SAMPLES; i++)
-            p[i] = -1;
-        p[3] = bad[k];
-        rwedge_series *series = NULL;
-        assert_int_equal(rwedge_series_fit(SAMPLES, x, p, 3, &series), RWEDGE_EDOMAIN);
-        assert_null(series);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -363,12 +296,10 @@ int main(void)
         cmocka_unit_test(fit_recovers_an_uneven_pressure),
         cmocka_unit_test(fit_approaches_the_closed_form),
         cmocka_unit_test(rank_deficiency_is_refused),
-        cmocka_unit_test(bad_arguments_are_refused),
-        cmocka_unit_test(missing_outputs_are_refused),
+        cmocka_unit_test(samples_are_as_many_as_terms_need_and_memory_holds),
         cmocka_unit_test(the_smallest_tips_have_a_bound_too),
         cmocka_unit_test(fits_scale_with_the_samples),
         cmocka_unit_test(no_pressure_is_fitted_by_none),
-        cmocka_unit_test(samples_outside_the_domain_are_refused),
     };
     return RUN_CLAIMS("series", tests);
 }

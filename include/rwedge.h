@@ -454,7 +454,9 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 
 /* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
- * grows with the loads that the tractions still depend on, and may pass the tolerance.          new
+ * grows with the loads that the tractions still depend on, and may pass the tolerance. Nearer to a
+ * front of slip than a hundredth of the half-width q may err by more: it rises there like a root.
+ *                                                                                               new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

@@ -58,14 +58,6 @@ static int32_t compute_field(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-/* A round step that gives 8 to 20 levels up to the top. */
-static double step_of_levels(double top)
-{
-    const double decade = pow(10, floor(log10(top / 8)));
-    const double times = top / 8 / decade;
-    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
-}
-
 /* ---- Contours ---- */
 
 /* Of the grid: no number stands on the edges of the picture. */

@@ -347,17 +347,10 @@ static int32_t compute_measure(const figure_case *of, dataset *rows)
     return isnan(last.left) ? RWEDGE_EABSENT : ways[of->over](of, &last, rows);
 }
 
-/* A round step that gives 8 to 20 lines up to the top. */
-static double step_of_lines(double top)
-{
-    const double decade = pow(10, floor(log10(top / 8))), times = top / 8 / decade;
-    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
-}
-
 static void draw_measure_field(const dataset *rows, double top, drawing *on)
 {
     const double *first = rows->row[0].number, *last = rows->row[rows->count - 1].number;
-    const double step = step_of_lines(top), width = last[0] - first[0];
+    const double step = step_of_levels(top), width = last[0] - first[0];
     char lines[NUMBER_SIZE];
     on->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
     on->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "kind.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -47,4 +48,11 @@ void draw_family(const figure_case *of, int variable, const dataset *rows, int x
         case_text(of, variable, n, text);
         snprintf(one->legend, sizeof one->legend, "%s", text);
     }
+}
+
+double step_of_levels(double top)
+{
+    const double decade = pow(10, floor(log10(top / 8)));
+    const double times = top / 8 / decade;
+    return (times >= 5 ? 5 : times >= 2.5 ? 2.5 : 1) * decade;
 }

@@ -51,6 +51,9 @@ typedef struct {
     const char *(*draw)(const figure_case *of, const dataset *rows, drawing *on);
 } figure;
 
+/* A round step that gives 8 to 20 levels up to the top. */
+double step_of_levels(double top);
+
 /* Style of the curve i of a family: colour and dashes both change, so that either tells
  * neighbours apart. */
 void style_of_family(curve *one, int i);

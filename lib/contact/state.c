@@ -311,9 +311,12 @@ static void pass_zones(tape *t, rw_zones *z)
 
 static void pass_errors(tape *t, rw_numerical *n)
 {
+    double *const rest[] = {&n->rest};
+    pass_finite(t, 1, rest);
     n->errors = (int)pass_count(t, (size_t)n->errors, RW_MOST_ERRORS);
     for (int i = 0; i < n->errors; i++) {
-        double *const numbers[] = {&n->error[i].error, &n->error[i].left, &n->error[i].right};
+        double *const numbers[] = {&n->error[i].error, &n->error[i].place.left,
+                                   &n->error[i].place.right};
         pass_finite(t, 3, numbers);
         t->is_sound = t->is_sound && n->error[i].error >= 0;
     }

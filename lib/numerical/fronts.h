@@ -27,7 +27,7 @@ typedef struct {
     bool sticks_to_edge[2];   /* left, right: of a growing contact */
     double y[RW_MOST_FRONTS]; /* angles of the fronts, then the layers */
     /* the quadrature: places, weights, changes of traction, X there */
-    int order;
+    int order, finest; /* of a panel; how many at a front, for the traction next to it */
     double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
@@ -37,8 +37,26 @@ typedef struct {
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
+/* What sticks. */
+typedef struct {
+    int count;
+    double end[RW_MOST_FRONTS];
+    double middle, half; /* of the contact */
+} rw_stuck;
+
+rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
+
+/* X outside of what sticks, and its size inside, over half^count. */
+double rw_X_at(const rw_stuck *stuck, double x);
+
+/* The quadrature for these zones, with so many panels at the fronts. */
+bool rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, rw_layers layers, int panels);
+
+/* The coefficients of 1/sqrt of dt, over sqrt(half), at the fronts and then at edges that stick. */
+bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
+
 /* For zones that alternate between stick and slip. false where memory is short. */
-bool rw_fronts_create(rw_fronts *fronts, int order);
+bool rw_fronts_create(rw_fronts *fronts, int order, int finest);
 void rw_fronts_destroy(rw_fronts *fronts);
 
 /* Takes over the zones; false where they are no pattern of such a problem. */
@@ -53,6 +71,11 @@ bool rw_fronts_relax(rw_fronts *fronts);
 
 /* The zones and layers that y stands for. */
 rw_layers rw_fronts_zones(const rw_fronts *fronts, rw_zones *zones);
+
+/* How far the slip would go the wrong way if a contact that is still went on between these zones by
+ * as much shear and stretch again; over the scale and the half-width. */
+double rw_fronts_wrong_rate(const rw_problem *problem, const rw_zones *zones, double shear,
+                            double stretch);
 
 /* Prepares and gives the traction in the zones that stick. */
 bool rw_fronts_prepare_stick(rw_fronts *fronts, const rw_zones *zones, rw_layers layers);

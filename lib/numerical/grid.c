@@ -42,11 +42,13 @@ bool rw_grid_create(rw_grid *g, int n)
                    .factor = all + 9 * rows + rows * rows,
                    .label = label};
     /* cos(pi k d/N) summed: of d = 0 ... 2N - 1, for i - j and i + j + 1 */
-    double *wave = all + 7 * rows;
+    double *wave = all + 7 * rows, *cosine = all; /* before there are places and changes */
+    for (int i = 0; i < 2 * n; i++)
+        cosine[i] = cos(RW_PI * i / n);
     for (int d = 0; d < 2 * n; d++) {
         wave[d] = 0;
         for (int k = 1; k < n; k++)
-            wave[d] += cos(RW_PI * k * d / n) / k;
+            wave[d] += cosine[k * d % (2 * n)] / k;
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)

@@ -87,30 +87,51 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 
 /* ---- Errors ---- */
 
-double rw_numerical_error(const rw_numerical *n)
+static bool do_meet(rw_patch one, rw_patch other)
 {
-    double sum = 0;
-    for (int i = 0; i < n->errors; i++)
-        sum += n->error[i].error;
-    return sum;
+    return one.left < other.right && other.left < one.right;
 }
 
-/* What stuck in a load that slipped less far in is forgotten with its error. */
-static void note_error(rw_numerical *n, const rw_stance *s, double error)
+/* What steps differ by is about what they err by, and may be less. */
+static const double CAUTION = 1.5;
+
+/* Errors at different places do not add up. */
+double rw_numerical_error(const rw_numerical *n)
 {
-    rw_load_error last = {error, s->contact.right, s->contact.left};
-    for (int i = 0; i < s->shear.zones.count; i++)
-        if (s->shear.zones.zone[i].label == 0) {
-            last.left = fmin(last.left, s->shear.zones.zone[i].left);
-            last.right = fmax(last.right, s->shear.zones.zone[i].right);
-        }
-    while (n->errors > 0 && n->error[n->errors - 1].left <= last.left &&
-           n->error[n->errors - 1].right >= last.right)
-        n->errors--;
-    if (n->errors == RW_MOST_ERRORS)
-        n->error[n->errors - 1].error += error;
-    else
-        n->error[n->errors++] = last;
+    double most = 0;
+    for (int i = 0; i < n->errors; i++) {
+        double sum = 0;
+        for (int k = 0; k < n->errors; k++)
+            sum += do_meet(n->error[i].place, n->error[k].place) ? n->error[k].error : 0;
+        most = fmax(most, sum);
+    }
+    return CAUTION * most + n->rest;
+}
+
+static bool sticks_in(const rw_zones *zones, rw_patch place)
+{
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label == 0 &&
+            do_meet((rw_patch){zones->zone[i].left, zones->zone[i].right}, place))
+            return true;
+    return false;
+}
+
+/* What is left of an error where slip has passed its place: it is less distinct than that. */
+static const double LEFT = 0.2;
+
+static void note_error(rw_numerical *n, const rw_stance *s)
+{
+    int kept = 0;
+    for (int i = 0; i < n->errors; i++)
+        if (sticks_in(&s->shear.zones, n->error[i].place))
+            n->error[kept++] = n->error[i];
+        else
+            n->rest = hypot(n->rest, LEFT * n->error[i].error);
+    if (kept == RW_MOST_ERRORS)
+        n->rest = hypot(n->rest, n->error[--kept].error);
+    n->error[kept++] = (rw_load_error){s->error, s->uncertain};
+    n->errors = kept;
 }
 
 /* ---- New places in contact ---- */
@@ -157,7 +178,10 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* ---- Steps ---- */
 
 /* Halvings of a load. */
-enum { HALVINGS = 4 };
+enum { HALVINGS = 6 };
+
+/* The error of the elements, of the tolerance; step by step it is another one. */
+static const double ELEMENTS = 1e-2;
 
 /* Takes over where a step has led. */
 static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
@@ -167,44 +191,70 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
         rw_shear_state_destroy(&now->shear);
         return false;
     }
-    note_error(n, now, now->error);
+    const double elements = ELEMENTS * w->frame->tolerance;
+    n->rest = hypot(n->rest, elements);
+    if (now->error > 0.01 * elements)
+        note_error(n, now);
     rw_shear_state_destroy(&n->now.shear);
     n->now = *now;
     return true;
 }
 
-/* The largest difference of two tractions, over the scale. */
-static double difference(double scale, const rw_stance *one, const rw_stance *other)
+/* Of the half-width: nearer to a front tractions are not compared. They rise there like a root. */
+static const double AT_FRONT = 0.01;
+
+static bool is_at_front(const rw_stance *s, double x)
 {
-    enum { POINTS = 61 };
-    double most = 0;
+    bool is_near = false;
+    for (int i = 0; i + 1 < s->shear.zones.count; i++)
+        is_near = is_near || fabs(x - s->shear.zones.zone[i].right) <
+                                 AT_FRONT * rw_patch_half_width(s->contact);
+    return is_near;
+}
+
+/* The largest difference of two tractions, over the scale, and where it is not much less. */
+static double difference(double scale, const rw_stance *one, const rw_stance *other,
+                         rw_patch *place)
+{
+    enum { POINTS = 121 };
+    double at[POINTS], apart[POINTS], most = 0;
     for (int i = 0; i < POINTS; i++) {
-        const double x = rw_patch_middle(one->contact) -
-                         rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
-        most = fmax(most, fabs(rw_traction_at(&one->shear.traction, x) -
-                               rw_traction_at(&other->shear.traction, x)));
+        const double x = at[i] =
+            rw_patch_middle(one->contact) -
+            rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
+        apart[i] = is_at_front(one, x) || is_at_front(other, x)
+                       ? 0
+                       : fabs(rw_traction_at(&one->shear.traction, x) -
+                              rw_traction_at(&other->shear.traction, x));
+        most = fmax(most, apart[i]);
     }
+    *place = (rw_patch){one->contact.right, one->contact.left};
+    for (int i = 0; i < POINTS; i++)
+        if (apart[i] > 0.1 * most) {
+            place->left = fmin(place->left, at[i]);
+            place->right = fmax(place->right, at[i]);
+        }
     return most / scale;
 }
 
 /* Energies may differ by so many times what tractions may, over the square of scale and
- * half-width. */
-static const double ENERGY = 10;
+ * half-width; that of the halves is of second order. */
+static const double ENERGY = 30;
 
-/* How far the halves are from the whole: the error of the halves is of that size, and of that of
- * the elements. Whether that is little, and so is the difference of the energies. */
-static const double SAFETY = 2, ELEMENTS = 2e-3;
+/* How far the halves are from the whole: the error of the halves is of that size. Whether that is
+ * little, and so is the difference of the energies. */
+static const double SAFETY = 4;
 
 static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
                     rw_stance *both)
 {
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
-    const double energy = fabs(whole->energy - both->energy) / (unit * unit);
-    both->error += half->error + SAFETY * difference(scale, whole, both);
-    const bool is_close = both->error <= frame->tolerance && energy <= ENERGY * frame->tolerance;
-    both->error += ELEMENTS * frame->tolerance;
-    return is_close;
+    const double energy = (both->energy - whole->energy) / (unit * unit);
+    both->error += half->error + half->haste + both->haste +
+                   SAFETY * difference(scale, whole, both, &both->uncertain);
+    both->energy += (both->energy - whole->energy) / 3;
+    return both->error <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
 }
 
 static rw_course half_way(rw_course from, rw_course to)
@@ -242,6 +292,11 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, true);
     trial half = try_step(w, &n->now, middle, is_last), both = {.is_known = false};
+    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.stance, &whole->stance)) {
+        whole->is_known = false;
+        drop(&half);
+        return accept(w, n, &whole->stance);
+    }
     if (half.is_known && whole->is_known)
         both = try_step(w, &half.stance, to, is_last);
     const bool is_close =

@@ -7,17 +7,19 @@
 
 #include "numerical/step.h"
 
-enum { RW_MOST_ERRORS = 24 };
+enum { RW_MOST_ERRORS = 48 };
 
-/* The error of a load, and what stuck of it: a later load that slips farther in forgets it. */
+/* The error of a step, and where it is. */
 typedef struct {
-    double error, left, right;
+    double error;
+    rw_patch place;
 } rw_load_error;
 
 typedef struct {
     rw_stance now;
     bool has_origin;    /* slip is known */
     rw_traction origin; /* slip less the displacement, at each place since it came into contact */
+    double rest;        /* of the error: of elements, and what is left where slip has passed */
     int errors;
     rw_load_error error[RW_MOST_ERRORS];
 } rw_numerical;

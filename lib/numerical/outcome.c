@@ -149,7 +149,7 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
 static double change_of_displacement(const rw_problem *p, const rw_outcome *o, double x)
 {
     return rw_traction_displacement(&o->state.traction, x) -
-           rw_traction_displacement(&p->old->traction, x) + p->stretch * (x - p->middle);
+           rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
 }
 
 /* That of a contact which grows under full friction: material comes into contact with it. */
@@ -220,14 +220,15 @@ static void check_slip_part(slipping *s, double from, double to)
         const double half = sin(RW_HALF_PI * s->node[i]), x = from + (to - from) * half * half;
         const double step = s->weight[i] * RW_HALF_PI * (to - from) * sin(RW_PI * s->node[i]);
         double slip = change_of_displacement(p, s->outcome, x) - s->outcome->move;
-        const double before = rw_friction_before(p, x), now = rw_friction_after(p, x);
+        const double now = rw_friction_after(p, x);
+        const double before = p->is_still ? now : rw_friction_before(p, x);
         if (s->attached)
             slip -= s->label * attached_displacement(p, s->attached, x);
         if (s->label == 0) {
             s->outcome->energy += fabs(slip) * before / 2 * step;
             continue;
         }
-        s->outcome->energy -= s->label * slip * (p->is_still ? now : (before + now) / 2) * step;
+        s->outcome->energy -= s->label * slip * (before + now) / 2 * step;
         const double excess = s->label * slip / (peak(p) * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
@@ -324,4 +325,11 @@ bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, rw_layers layers,
         return false;
     const after n = {p, &o->state.zones, layers, NULL, g};
     return complete(&n, o);
+}
+
+bool rw_outcome_of_state(const rw_problem *p, const rw_shear_state *state, rw_outcome *o)
+{
+    double at[RW_MOST_KINKS + 4];
+    *o = (rw_outcome){.state = *state};
+    return check(p, o, breaks_of(p, state, at), at);
 }

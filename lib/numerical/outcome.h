@@ -24,4 +24,8 @@ bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
 bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, rw_layers layers,
                         rw_outcome *outcome);
 
+/* What a state leaves that is known already; it stays the caller's. false where memory is short. */
+bool rw_outcome_of_state(const rw_problem *problem, const rw_shear_state *state,
+                         rw_outcome *outcome);
+
 #endif

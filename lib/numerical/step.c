@@ -6,11 +6,17 @@
 
 #include <string.h>
 
+/* Of the quadrature, where few digits are asked for. */
+enum { ORDER = 10 };
+
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
 /* Residuals that a pattern may cost. */
 enum { BUDGET = 400 };
+
+/* Residuals that take as long as a traction and its conditions. */
+enum { OUTCOME = 20 };
 
 /* Violations over the tolerance that count as none. */
 static const double ALLOWED = 0.2;
@@ -49,6 +55,18 @@ static bool is_ordered(const rw_fronts *f)
     return true;
 }
 
+/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of
+ * them, and what they would change is below the tolerance. Between two ways of slip one may be a
+ * point. */
+static bool has_sliver(const rw_work *w, const rw_fronts *f)
+{
+    const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
+    for (int i = 1; i + 1 < f->zones; i++)
+        if (f->y[i] - f->y[i - 1] < least && f->label[i - 1] == f->label[i + 1])
+            return true;
+    return false;
+}
+
 static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
     rw_fronts *f = &w->fronts;
@@ -73,9 +91,18 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
             w->effort += BUDGET - f->budget;
         }
         if (is_done)
-            return true;
+            return !has_sliver(w, f);
     }
     return false;
+}
+
+static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                       rw_outcome *outcome)
+{
+    if (!find_fronts(w, p, zones, angle))
+        return false;
+    w->effort += OUTCOME;
+    return rw_outcome_of_fronts(&w->fronts, outcome);
 }
 
 /* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
@@ -83,13 +110,13 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
 static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                         double least, rw_outcome *best)
 {
-    if (!find_fronts(w, p, zones, angle) || !rw_outcome_of_fronts(&w->fronts, best))
+    if (!try_fronts(w, p, zones, angle, best))
         return false;
     for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
         if (!rw_pattern_insert(&mended, &best->wrong, least) ||
-            !find_fronts(w, p, &mended, angle) || !rw_outcome_of_fronts(&w->fronts, &other))
+            !try_fronts(w, p, &mended, angle, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))
@@ -239,6 +266,23 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
     return widest;
 }
 
+/* At the end of the step, as its zones are then; and at the beginning, where an edge that did not
+ * slip so before is the first to slip. */
+static double haste(const rw_problem *p, const rw_stance *from, const rw_stance *there)
+{
+    const rw_zones *zones = &there->shear.zones, *old = &from->shear.zones;
+    const double shear = there->at.shear - from->at.shear;
+    const rw_zone left = zones->zone[0], right = zones->zone[zones->count - 1];
+    const rw_zones left_alone = {2, {left, {0, left.right, right.right}}};
+    const rw_zones right_alone = {2, {{0, left.left, right.left}, right}};
+    double most = rw_fronts_wrong_rate(p, zones, shear, p->stretch);
+    if (left.label != 0 && left.label != old->zone[0].label)
+        most = fmax(most, rw_fronts_wrong_rate(p, &left_alone, shear, p->stretch));
+    if (right.label != 0 && right.label != old->zone[old->count - 1].label)
+        most = fmax(most, rw_fronts_wrong_rate(p, &right_alone, shear, p->stretch));
+    return most;
+}
+
 bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
                       rw_stance *there)
 {
@@ -256,14 +300,46 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
                          .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
-                         .error = outcome.violation};
+                         .error = outcome.violation,
+                         .uncertain = contact};
+    if (p.is_still)
+        there->haste = haste(&p, from, there);
+    return true;
+}
+
+/* Whether all that sticks is inside of what stuck. */
+static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
+{
+    for (int i = 0, k = 0; i < inner->count; i++) {
+        if (inner->zone[i].label != 0)
+            continue;
+        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
+            k++;
+        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
+            return false;
+    }
+    return true;
+}
+
+bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
+{
+    rw_problem p;
+    rw_outcome outcome;
+    set_problem(w->frame, from, there->at, there->contact, &p);
+    if (!p.is_still || fmax(from->haste, there->haste) > p.allowed ||
+        !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
+        !rw_outcome_of_state(&p, &there->shear, &outcome) || outcome.violation > p.allowed)
+        return false;
+    there->energy = from->energy + outcome.energy;
+    there->error = fmax(from->error, fmax(there->error, outcome.violation));
     return true;
 }
 
 bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
-    return rw_fronts_create(&w->fronts, RW_TERMS);
+    const double digits = -log10(frame->tolerance);
+    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 2.5));
 }
 
 void rw_work_destroy(rw_work *w)

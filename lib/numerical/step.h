@@ -26,9 +26,11 @@ typedef struct {
     rw_patch unslipped;  /* what has not slipped since; of several parts the widest */
     double move, energy; /* summed */
     double error;        /* of the step that led here */
+    rw_patch uncertain;  /* where it is */
+    double haste;        /* slip that another such step would take the wrong way */
 } rw_stance;
 
-enum { RW_TRIALS = 2, RW_MOST_EFFORT = 4000 };
+enum { RW_TRIALS = 2, RW_MOST_EFFORT = 8000 };
 
 /* What steps work with, kept from one to the next. */
 typedef struct {
@@ -46,6 +48,10 @@ void rw_work_destroy(rw_work *work);
  * best, or the grid's answer: then false means that there is none. */
 bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse,
                       rw_stance *there);
+
+/* Whether a contact that is still went on from one stance to the other, of which both were reached
+ * from the same, as a step from the first to the second would: then the energy is that of both. */
+bool rw_step_goes_on(rw_work *work, const rw_stance *from, rw_stance *there);
 
 /* f times the peak pressure of a contact, in theta/A. */
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);

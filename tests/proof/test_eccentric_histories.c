@@ -14,7 +14,7 @@ typedef enum { IN_PHASE, SLIP_ONLY, RISING, FALLING, ROCKING, ANYTHING, KINDS } 
 static const char *const NAMES[KINDS] = {
     "P, M constant; Q, sigma in phase",     "P, M constant",
     "P, M rise and Q, sigma with them",     "P, M fall in proportion",
-    "grown, rocks under constant Q, sigma", "anything"};
+    "grown, rocks under constant Q, sigma", "anything, computed where there is no closed form"};
 
 /* Mean differences over a history, relative to friction's limit, to the largest slip there could
  * be, and to the energy. */
@@ -126,6 +126,8 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
     const double reach = 3 * a;
     boundary_element_start(&solver, THETA, a, A, f, (size_t)COARSEST << level, 1.4 * reach);
     rwedge_contact *contact = create(a, f);
+    if (kind == ANYTHING)
+        assert_int_equal(rwedge_contact_allow_error(contact, 1e-3), RWEDGE_OK);
     double half = 2 * a;
     for (int leg = 0; leg < LEGS; leg++) {
         const boundary_loads to = draw_leg(kind, leg, now, f, a / A, half, &seed);
@@ -162,8 +164,11 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
                    mean[level].shear, mean[level].slip, mean[level].energy);
         }
         assert_true(mean[LEVELS - 1].shear < 0.45 * mean[0].shear);
-        assert_true(mean[LEVELS - 1].slip < 0.45 * mean[0].slip);
-        assert_true(mean[LEVELS - 1].shear < 2e-3 && mean[LEVELS - 1].slip < 1e-4);
+        assert_true(mean[LEVELS - 1].shear < 2e-3);
+        if (kind == ANYTHING) /* what a computed load brings into contact slips from its end on */
+            assert_true(mean[LEVELS - 1].slip < 4e-3);
+        else
+            assert_true(mean[LEVELS - 1].slip < fmin(1e-4, 0.45 * mean[0].slip));
     }
 }
 

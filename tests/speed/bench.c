@@ -211,6 +211,40 @@ static double yield_factors_of_251(long n)
     return yield_factors(251, 0, n);
 }
 
+/* ---- Loads without a closed form ---- */
+
+/* Tension that lags behind Q by an eighth of a cycle; P, Q and tension may scatter. */
+static double lagging(double tolerance, double scatter, long n)
+{
+    rwedge_contact *contact = new_contact();
+    must(rwedge_contact_allow_error(contact, tolerance));
+    must(rwedge_contact_load(contact, 20000, 0));
+    for (long i = 1; i <= n; i++) {
+        const double phase = TURN * (double)i / 48;
+        const double noise = scatter * (fmod((double)i * 0.6180339887498949, 1) - 0.5);
+        must(rwedge_contact_apply(contact, 20000 * (1 + noise), 0, 9000 * (sin(phase) - noise),
+                                  2000 * (sin(phase - TURN / 8) + noise)));
+    }
+    const double error = rwedge_contact_error(contact);
+    rwedge_contact_destroy(contact);
+    return error;
+}
+
+static double lagging_coarse(long n)
+{
+    return lagging(1e-3, 0, n);
+}
+
+static double lagging_fine(long n)
+{
+    return lagging(1e-6, 0, n);
+}
+
+static double noisy_log(long n)
+{
+    return lagging(1e-3, 0.03, n);
+}
+
 /* ---- What is printed ---- */
 
 static void print_calls(double series, double search)
@@ -233,6 +267,9 @@ static void print_calls(double series, double search)
         {"yield factor, one load", yield_factors_of_one_load, 100, 0},
         {"yield factor, P and then Q", yield_factors_of_two, 100, 0},
         {"yield factor, 251 corners", yield_factors_of_251, 1, 0},
+        {"load, tension lags, to 1e-3", lagging_coarse, 48, 0},
+        {"load, tension lags, to 1e-6", lagging_fine, 48, 0},
+        {"load of a noisy log, to 1e-3", noisy_log, 48, 0},
         {"stresses through a cycle, by calls", history_by_calls, LOADS * CYCLES, 0},
         {"stresses through a cycle of Q", centred_history, LOADS * CYCLES, 0},
         {"and of Q and sigma, under M", history_off_centre, LOADS * CYCLES, 0},

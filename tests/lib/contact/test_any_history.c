@@ -349,7 +349,7 @@ static void follow_programme(programme p, int loads)
     rwedge_contact_destroy(contact);
 }
 
-/* RWEDGE_PROGRAMMES=1 follows all of them for three cycles; else every 16th for half of one. */
+/* RWEDGE_PROGRAMMES=1 follows all of them for a cycle; else every 16th for half of one. */
 static void realistic_programmes_are_answered(void **state)
 {
     (void)state;
@@ -359,7 +359,7 @@ static void realistic_programmes_are_answered(void **state)
         if (all || row % 16 == 5)
             follow_programme(
                 (programme){(int)table.cell[0], table.cell[1], (uint64_t)table.cell[2] + 1},
-                all ? 3 * CYCLE : CYCLE / 2);
+                all ? CYCLE : CYCLE / 2);
 }
 
 int main(void)

@@ -7,7 +7,8 @@ export const pads = {
     flat: { title: "flat and rounded", names: ["flat", "radius"] },
     profile: { title: "profile, pasted", names: ["profile", "hull"] },
 };
-const ofShapes = new Set(Object.values(pads).flatMap(({ names }) => names));
+/** The inputs that give a shape. */
+export const ofShapes = new Set(Object.values(pads).flatMap(({ names }) => names));
 
 /** The pad that texts give. */
 export function padOf(texts) {

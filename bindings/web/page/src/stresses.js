@@ -2,31 +2,20 @@
 // Where stresses are looked at, and what of them: places across the contact, a grid below it, one number or all of a place.
 import { rwedge, status } from "./library.js";
 
-const inPlane = (sxx, syy, txy) => Math.hypot((sxx - syy) / 2, txy);
-
-/** One number of the stresses. The library has the same for one point; the tests compare. nu: Poisson's ratio, plane strain. */
+/** One number of the stresses on a grid. The largest principal stress is written out: the library has it for one point at a time. */
 export const measures = {
-    von_mises: {
-        name: "von Mises",
-        measure: (sxx, syy, txy, nu) => {
-            const szz = nu * (sxx + syy),
-                [a, b, c] = [sxx - syy, syy - szz, szz - sxx];
-            return Math.sqrt((a * a + b * b + c * c) / 2 + 3 * txy * txy);
-        },
+    von_mises: { name: "von Mises", along: ({ sxx, syy, txy }, nu) => rwedge.von_mises(sxx, syy, txy, nu) },
+    s1: {
+        name: "largest principal stress s1",
+        along: ({ sxx, syy, txy }) => sxx.map((s, i) => (s + syy[i]) / 2 + Math.hypot((s - syy[i]) / 2, txy[i])),
     },
-    s1: { name: "largest principal stress s1", measure: (sxx, syy, txy) => (sxx + syy) / 2 + inPlane(sxx, syy, txy) },
     tau_max: {
         name: "largest shear stress \u03c4max",
-        measure: (sxx, syy, txy, nu) => {
-            const mean = (sxx + syy) / 2,
-                radius = inPlane(sxx, syy, txy),
-                szz = nu * (sxx + syy);
-            return (Math.max(mean + radius, szz) - Math.min(mean - radius, szz)) / 2;
-        },
+        along: ({ sxx, syy, txy }, nu) => rwedge.largest_shear(sxx, syy, txy, nu),
     },
-    sxx: { name: "stress along the surface sxx", measure: (sxx) => sxx },
-    syy: { name: "stress across the surface syy", measure: (sxx, syy) => syy },
-    txy: { name: "shear stress txy", measure: (sxx, syy, txy) => txy },
+    sxx: { name: "stress along the surface sxx", along: ({ sxx }) => sxx },
+    syy: { name: "stress across the surface syy", along: ({ syy }) => syy },
+    txy: { name: "shear stress txy", along: ({ txy }) => txy },
 };
 
 /** Places across the contact, dense at its edges; none is the apex of a sharp wedge, where the pressure is infinite. */
@@ -64,9 +53,8 @@ export function gridOf({ left, right }, isMoving) {
 
 /** The stresses on the grid, and one measure of them. */
 export function fieldOf({ contact, setup }, grid, measure) {
-    const s = contact.stresses(grid.x, grid.y),
-        { measure: number } = measures[measure];
-    return { ...s, values: s.sxx.map((sxx, i) => number(sxx, s.syy[i], s.txy[i], setup.nu1)) };
+    const stresses = contact.stresses(grid.x, grid.y);
+    return { ...stresses, values: measures[measure].along(stresses, setup.nu1) };
 }
 
 /** All numbers of one place; null where there are none. */

@@ -72,9 +72,9 @@ const shownRows = {
     yield_y: "",
 };
 
-/** Why nothing is drawn, as HTML; empty where it is. */
 const ofWedge = "The limits over friction are drawn for a wedge alone; the numbers below hold for this pad.";
 
+/** Why nothing is drawn, as HTML; empty where it is. */
 function reasonFor({ pad, results }) {
     if (!results) return noResults;
     if (pad !== "wedge") return `<p>${ofWedge}</p>`;

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The quadrature over what slips: panels that shrink towards the fronts. */
+#include "base/domain.h"
+#include "numerical/fronts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_PANELS = 12 };
+
+static const double RATIO = 0.12;
+
+/* Of the half-width: distances from a front are not less. */
+static const double AT_FRONT = 1e-15;
+
+bool rw_fronts_create(rw_fronts *f, int order, int finest)
+{
+    *f = (rw_fronts){.order = order, .finest = finest, .capacity = 4096};
+    rw_gauss(order, f->node, f->weight);
+    for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
+        const double angle = RW_PI * f->node[i], half = sin(angle / 2);
+        f->weight[i] *= RW_HALF_PI * sin(angle);
+        f->node[i] = half * half;
+    }
+    f->x = malloc(4 * f->capacity * sizeof *f->x);
+    f->step = f->x + f->capacity;
+    f->change = f->step + f->capacity;
+    f->X = f->change + f->capacity;
+    return f->x != NULL;
+}
+
+void rw_fronts_destroy(rw_fronts *f)
+{
+    free(f->x);
+    *f = (rw_fronts){0};
+}
+
+rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
+{
+    rw_stuck s = {.middle = f->problem->middle, .half = f->problem->half};
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label == 0) {
+            s.end[2 * s.count] = zones->zone[i].left;
+            s.end[2 * s.count + 1] = zones->zone[i].right;
+            s.count++;
+        }
+    return s;
+}
+
+/* X outside of what sticks, and its size inside, over half^count. */
+double rw_X_at(const rw_stuck *s, double x)
+{
+    double product = 1;
+    for (int i = 0; i < s->count; i++) {
+        const double least = AT_FRONT * s->half;
+        const double size =
+            sqrt(fmax(fabs(x - s->end[2 * i]), least) * fmax(fabs(x - s->end[2 * i + 1]), least)) /
+            s->half;
+        product *= x < s->end[2 * i] ? -size : size;
+    }
+    return product;
+}
+
+static double nearest_end(const rw_stuck *s, double x)
+{
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 2 * s->count; i++)
+        nearest = fmin(nearest, fabs(x - s->end[i]));
+    return nearest;
+}
+
+static bool put(rw_fronts *f, double x, double step, double change)
+{
+    if (f->count == f->capacity) {
+        const size_t n = f->capacity;
+        double *all = malloc(8 * n * sizeof *all);
+        if (!all)
+            return false;
+        for (int i = 0; i < 4; i++)
+            memcpy(all + 2 * n * (size_t)i, f->x + n * (size_t)i, n * sizeof *all);
+        free(f->x);
+        f->x = all;
+        f->step = all + 2 * n;
+        f->change = all + 4 * n;
+        f->X = all + 6 * n;
+        f->capacity = 2 * n;
+    }
+    f->x[f->count] = x;
+    f->step[f->count] = step;
+    f->change[f->count++] = change;
+    return true;
+}
+
+static double change_at(const rw_fronts *f, rw_layers layers, int label, double x)
+{
+    const double base = rw_base_traction(f->problem, layers, x);
+    return label == 0 ? -base : label * rw_friction_after(f->problem, x) - base;
+}
+
+/* A panel at the distances from `near` to `far` of both ends. */
+static bool put_panel(rw_fronts *f, const rw_segment *s, rw_layers layers, double near, double far)
+{
+    for (int side = 0; side < 2; side++)
+        for (int i = 0; i < f->order; i++) {
+            const double distance = near + (far - near) * f->node[i];
+            const double x = side == 0 ? s->from + distance : s->to - distance;
+            if (!put(f, x, (far - near) * f->weight[i], change_at(f, layers, s->label, x)))
+                return false;
+        }
+    return true;
+}
+
+static bool put_segment(rw_fronts *f, rw_segment *s, rw_layers layers)
+{
+    s->first = f->count;
+    const double half = (s->to - s->from) / 2;
+    double near = 0, far = half * pow(RATIO, s->panels);
+    for (int i = 0; i <= s->panels; i++) {
+        if (!put_panel(f, s, layers, near, far))
+            return false;
+        near = far;
+        far = i + 1 == s->panels ? half : far / RATIO;
+    }
+    s->count = f->count - s->first;
+    return true;
+}
+
+/* A segment as it was computed last is left as it is. */
+static bool add_segment(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, double from,
+                        double to, int label, int finest)
+{
+    const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
+                 length = to - from;
+    int panels = 1;
+    if (near == 0)
+        panels = finest;
+    else if (near < length)
+        panels = (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(near / length) / log(RATIO))));
+    if (f->segments == RW_MOST_SEGMENTS)
+        return false;
+    rw_segment *s = &f->segment[f->segments++];
+    if (s->first == f->count && s->from == from && s->to == to && s->label == label &&
+        s->panels == panels && s->count > 0) {
+        f->count += s->count;
+        return true;
+    }
+    const size_t first = s->first, count = s->count;
+    *s = (rw_segment){from, to, label, panels, 0, 0};
+    if (!put_segment(f, s, layers))
+        return false;
+    if (s->first != first || s->count != count) /* it has taken the place of those that follow */
+        for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
+            f->segment[i].count = 0;
+    return true;
+}
+
+/* Whether the zone has slipped as far as it can before, so that nothing changes. */
+static bool is_spent(const rw_problem *p, int label, double from, double to)
+{
+    const rw_zones *old = &p->old->zones;
+    for (int i = 0; p->is_still && i < old->count; i++)
+        if (old->zone[i].label == label && label != 0 && from >= old->zone[i].left &&
+            to <= old->zone[i].right)
+            return true;
+    return false;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double one = *(const double *)a, other = *(const double *)b;
+    return (one > other) - (one < other);
+}
+
+/* All places where the change is not smooth, between two others. */
+static int breaks_of(const rw_problem *p, double from, double to, double at[])
+{
+    const double other[] = {-p->a, p->a, p->to.left, p->to.right, p->from.left, p->from.right};
+    int n = 0;
+    at[n++] = from;
+    for (int i = 0; i < 6; i++)
+        if (other[i] > from && other[i] < to)
+            at[n++] = other[i];
+    for (int i = 0; i < p->old->kinks; i++)
+        if (p->old->kink[i] > from && p->old->kink[i] < to)
+            at[n++] = p->old->kink[i];
+    at[n++] = to;
+    qsort(at, (size_t)n, sizeof *at, by_size);
+    return n;
+}
+
+static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, rw_zone zone,
+                     int finest)
+{
+    double at[RW_MOST_KINKS + 8];
+    const int n = breaks_of(f->problem, zone.left, zone.right, at);
+    for (int i = 0; i + 1 < n; i++)
+        if (at[i + 1] > at[i] && !is_spent(f->problem, zone.label, at[i], at[i + 1]) &&
+            !add_segment(f, sticks, layers, at[i], at[i + 1], zone.label, finest))
+            return false;
+    return true;
+}
+
+bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, rw_layers layers, int finest)
+{
+    const rw_problem *p = f->problem;
+    const rw_stuck sticks = rw_stuck_of(f, zones);
+    if (layers.first != f->layers.first || layers.second != f->layers.second)
+        for (int i = 0; i < RW_MOST_SEGMENTS; i++)
+            f->segment[i].count = 0;
+    f->layers = layers;
+    f->segments = 0;
+    f->count = 0;
+    if (p->both.left < p->to.left &&
+        !add_zone(f, &sticks, layers, (rw_zone){0, p->both.left, p->to.left}, finest))
+        return false;
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label != 0 && !add_zone(f, &sticks, layers, zones->zone[i], finest))
+            return false;
+    if (p->both.right > p->to.right &&
+        !add_zone(f, &sticks, layers, (rw_zone){0, p->to.right, p->both.right}, finest))
+        return false;
+    for (size_t i = 0; i < f->count; i++)
+        f->X[i] = rw_X_at(&sticks, f->x[i]);
+    return true;
+}

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random histories without a closed form: four loads each after the first, of Q and tension, in
+ * every other one of P and M too. Each load is done or refused as a whole. The shear is finite,
+ * within friction, and adds up to Q. The error that is told is held against a contact that goes
+ * there in two parts, to a tenth of the tolerance. Next to a front of slip, a hundredth of the
+ * half-width, it is not: q rises there like a root.
+ *
+ *     history_survey HISTORIES [SEED]
+ *
+ * The exit status is 1 where a claim fails, or where the error that is told is not between the true
+ * one and 30 times that in 9 of 10 histories, but for one. Half of the tolerance counts as none.
+ * Of 100 histories with the seed 2026 it is in 96. */
+#include "claims.h"
+#include "rwedge.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static const double PI = 3.14159265358979323846, TOLERANCE = 1e-3;
+
+/* One load may take, in seconds: an unoptimised build, a slow machine. */
+static const double LONGEST = 30;
+
+enum { LOADS = 4, POINTS = 400, ZONES = 24 };
+
+typedef struct {
+    double P, M, Q, sigma;
+} loads;
+
+static int faults, unsolved;
+static double slowest;
+
+static void claim(bool holds, long history, const char *what)
+{
+    if (holds)
+        return;
+    faults++;
+    printf("history %ld: %s\n", history, what);
+}
+
+static double signed_fraction(uint64_t *state)
+{
+    return 2 * random_fraction(state) - 1;
+}
+
+static rwedge_contact *new_contact(double a, double f, double tolerance, double P)
+{
+    rwedge_contact *contact = NULL;
+    if (rwedge_contact_create(1, a, 1, f, &contact) != RWEDGE_OK ||
+        rwedge_contact_allow_error(contact, tolerance) != RWEDGE_OK ||
+        rwedge_contact_apply(contact, P, 0, 0, 0) != RWEDGE_OK)
+        exit(1);
+    return contact;
+}
+
+static double between(double from, double to, int part, int parts)
+{
+    return part == parts ? to : from + (to - from) * part / parts;
+}
+
+/* In a straight line; whether it was done. A refused load changes nothing. */
+static bool go(rwedge_contact *contact, loads to, int parts, long history)
+{
+    loads from, now;
+    rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
+    for (int i = 1; i <= parts; i++) {
+        const loads at = {between(from.P, to.P, i, parts), between(from.M, to.M, i, parts),
+                          between(from.Q, to.Q, i, parts), between(from.sigma, to.sigma, i, parts)};
+        loads before;
+        rwedge_contact_loads(contact, &before.P, &before.M, &before.Q, &before.sigma);
+        const clock_t start = clock();
+        const int32_t status = rwedge_contact_apply(contact, at.P, at.M, at.Q, at.sigma);
+        slowest = fmax(slowest, (double)(clock() - start) / CLOCKS_PER_SEC);
+        rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+        claim(status == RWEDGE_OK || status == RWEDGE_ENOCONV, history, "another status");
+        if (status != RWEDGE_OK) {
+            claim(now.Q == before.Q && now.sigma == before.sigma, history, "a changed contact");
+            unsolved++;
+            return false;
+        }
+    }
+    return true;
+}
+
+typedef struct {
+    double left, right, peak;
+    double x[POINTS], q[POINTS];
+} shear;
+
+static void look(const rwedge_contact *contact, double f, double Q, long history, shear *s)
+{
+    double sum = 0, p;
+    s->peak = 0;
+    rwedge_contact_edges(contact, &s->left, &s->right);
+    const double middle = (s->left + s->right) / 2, half = (s->right - s->left) / 2;
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = PI * (i + 0.5) / POINTS;
+        s->x[i] = middle - half * cos(angle);
+        rwedge_contact_tractions(contact, 1, &s->x[i], &p, &s->q[i]);
+        claim(isfinite(s->q[i]), history, "not finite");
+        s->peak = fmax(s->peak, -p);
+        sum -= s->q[i] * half * sin(angle) * PI / POINTS;
+    }
+    for (int i = 0; i < POINTS; i++) {
+        rwedge_contact_tractions(contact, 1, &s->x[i], &p, &s->q[i]);
+        claim(fabs(s->q[i]) <= f * (-p + 2 * TOLERANCE * s->peak), history, "beyond friction");
+    }
+    claim(fabs(sum - Q) <= 1e-2 * f * s->peak * half, history, "out of balance");
+}
+
+static bool is_at_front(const rwedge_contact *contact, const shear *s, double x)
+{
+    double left[ZONES], right[ZONES], slip[ZONES];
+    const size_t n = rwedge_contact_zone_count(contact);
+    bool is_near = false;
+    rwedge_contact_zones(contact, n, left, right, slip);
+    for (size_t i = 0; i + 1 < n; i++)
+        is_near = is_near || fabs(x - right[i]) < 0.01 * (s->right - s->left) / 2;
+    return is_near;
+}
+
+static bool is_honest(const rwedge_contact *contact, const rwedge_contact *better, double f,
+                      double Q, long history)
+{
+    shear one, other;
+    double error = 0;
+    look(contact, f, Q, history, &one);
+    look(better, f, Q, history, &other);
+    for (int i = 0; i < POINTS; i++)
+        if (!is_at_front(contact, &one, one.x[i]) && !is_at_front(better, &one, one.x[i]))
+            error = fmax(error, fabs(one.q[i] - other.q[i]));
+    error /= f * one.peak;
+    const double told = rwedge_contact_error(contact), own = rwedge_contact_error(better);
+    const bool holds = told >= error - own && told <= 30 * fmax(error + own, TOLERANCE / 2);
+    if (!holds)
+        printf("history %ld: told %.1e, true %.1e to %.1e\n", history, told, error, own);
+    return holds;
+}
+
+static bool survey(long history, uint64_t seed)
+{
+    uint64_t state = seed + (uint64_t)history;
+    for (int i = 0; i < 4; i++)
+        random_fraction(&state);
+    const double f = 0.2 + 0.6 * random_fraction(&state), a = 0.3 + 1.5 * random_fraction(&state);
+    const double P = 2 + 2 * random_fraction(&state);
+    const bool is_still = history % 2 == 0;
+    rwedge_contact *contact = new_contact(a, f, TOLERANCE, P);
+    rwedge_contact *better = new_contact(a, f, TOLERANCE / 10, P);
+    bool holds = true;
+    loads to = {P, 0, 0, 0};
+    for (int i = 0; i < LOADS; i++) {
+        const double b = rwedge_contact_half_width(contact);
+        to.P = is_still ? P : P * (0.9 + 0.2 * random_fraction(&state));
+        to.M = is_still ? 0 : 0.1 * to.P * b * signed_fraction(&state);
+        to.Q = 0.9 * f * to.P * signed_fraction(&state);
+        to.sigma = 4.8 * f * to.P / (PI * b) * signed_fraction(&state);
+        if (!go(contact, to, 1, history) || !go(better, to, 2, history))
+            break;
+        if (i + 1 == LOADS)
+            holds = is_honest(contact, better, f, to.Q, history);
+    }
+    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(better);
+    return holds;
+}
+
+int main(int argc, char **argv)
+{
+    const long histories = argc > 1 ? atol(argv[1]) : 0;
+    const uint64_t seed = argc > 2 ? (uint64_t)atol(argv[2]) : 1;
+    long honest = 0;
+    if (histories < 1 || argc > 3) {
+        fprintf(stderr, "usage: history_survey HISTORIES [SEED]\n");
+        return 2;
+    }
+    for (long i = 0; i < histories; i++)
+        honest += survey(i, seed);
+    printf("%ld histories: %ld told an honest error, %d loads unsolved, the slowest %.2f s\n",
+           histories, honest, unsolved, slowest);
+    return faults > 0 || unsolved > histories / 10 || slowest > LONGEST ||
+           (double)honest < 0.9 * (double)histories - 1;
+}

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Damage of a block of loads by Miner's sum, on the plane where it is largest. Damage is not smooth
- * over the planes: cycles pair up anew, and fall below a limit. So planes are taken from a grid, and
- * steps are made from the worst of them, smaller and smaller, to the LAST one.
+ * over the planes: cycles pair up anew, and fall below a limit. So planes are taken from a grid,
+ * and steps are made from the worst of them, smaller and smaller, to the LAST one.
  * The plane on which the criterion itself is largest is among them: for a block of one cycle it is
  * the plane that is sought. */
 #include "base/domain.h"

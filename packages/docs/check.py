@@ -42,6 +42,10 @@ def faults(folder: Path) -> list[str]:
     for path in folder.rglob("*.css"):
         found += [f"{path.relative_to(folder)}: {url} is loaded from elsewhere"
                   for url in re.findall(r"url\(['\"]?((?:https?:)?//[^)]*)", path.read_text(encoding="utf-8"))]
+    texts = (folder / "_static" / "texts.js").read_text(encoding="utf-8")  # in which the search shows the line that it finds
+    found += [f"{name}: not in the search's texts" for name in (folder / "searchindex.js").read_text(encoding="utf-8")
+              .partition('"docnames":[')[2].partition("]")[0].replace('"', "").split(",") if f'"{name}": "' not in texts]
+    found += [f"{path.relative_to(folder)}: a formula in dollars" for path in pages if re.search(r"\\(?:frac|varphi)", path.read_text("utf-8"))]
     print(f"{len(pages)} pages, {sum(len(p.links) for p in pages.values())} links")
     return found
 

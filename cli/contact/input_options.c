@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "input_options.h"
 
+#include "notices.h"
 #include "profiles.h"
 #include "text/message.h"
 #include "text/number.h"
@@ -43,9 +44,11 @@ static void read_profile(const arguments *line, const char *name)
 {
     char complaint[COMPLAINT_SIZE];
     const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
-    profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
+    const char *remark =
+        profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
     if (profiles_named(name, complaint) == NULL)
         failure("%s", complaint);
+    notice_if_any(remark);
 }
 
 static double read_tolerance(const arguments *line)

@@ -9,3 +9,9 @@ void doubts_say(doubts all, const char *where)
     while (doubts_next(&all, text))
         notice("%s%s", where, text);
 }
+
+void notice_if_any(const char *text)
+{
+    if (text[0] != '\0')
+        notice("%s", text);
+}

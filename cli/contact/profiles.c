@@ -4,7 +4,6 @@
 #include "pairs.h"
 #include "text/list.h"
 #include "text/memory.h"
-#include "text/message.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -15,6 +14,7 @@ typedef struct {
     char *name;
     pad_profile places;
     char problem[600]; /* why it is none; "" */
+    char remark[900];
 } entry;
 
 /* All that have been read. */
@@ -48,20 +48,17 @@ static void take(const pairs *all, bool takes_hull, entry *to)
             ? pad_profile_of_heights(all->count, all->first, all->second, takes_hull, &to->places,
                                      &remark)
             : pad_profile_of_slopes(all->count, all->first, all->second, &to->places, &remark);
-    char text[700] = "";
+    char text[sizeof to->problem] = "";
     if (remark.text[0] != '\0')
         list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
                  all->line[remark.place], remark.text,
                  !taken && strstr(remark.text, "hull") != NULL ? hull : "");
-    if (!taken)
-        snprintf(to->problem, sizeof to->problem, "%.599s", text);
-    else if (text[0] != '\0')
-        notice("%s", text);
+    strcpy(taken ? to->remark : to->problem, text);
     if (all->unused[0] != '\0')
-        notice("%s: %s", to->name, all->unused);
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, all->unused);
 }
 
-void profiles_read(const char *name, profile_style style)
+const char *profiles_read(const char *name, profile_style style)
 {
     static const pair_columns wanted = {.first = "x",
                                         .second = "slope",
@@ -71,7 +68,7 @@ void profiles_read(const char *name, profile_style style)
                                         .most = PROFILE_PLACES + 1};
     pairs all;
     if (entry_named(name) != NULL)
-        return;
+        return "";
     entry *to = new_entry(name);
     pairs_read(name, NULL, style.decimal_sign, &wanted, &all);
     if (all.problem[0] == '\0')
@@ -79,6 +76,7 @@ void profiles_read(const char *name, profile_style style)
     else
         snprintf(to->problem, sizeof to->problem, "%s", all.problem);
     pairs_free(&all);
+    return to->remark;
 }
 
 const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE])

@@ -11,9 +11,9 @@ typedef struct {
     bool takes_hull;
 } profile_style;
 
-/* Reads a file, unless it has been read, and says what is to be known of it: columns that are not
- * used, the hull. What is wrong with it is kept too. Not while threads look for profiles. */
-void profiles_read(const char *name, profile_style style);
+/* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not
+ * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
+const char *profiles_read(const char *name, profile_style style);
 
 /* Those that have been read: of input_texts. */
 const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE]);

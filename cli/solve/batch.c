@@ -173,7 +173,7 @@ static void read_profile(const run *r, const csv_row *row)
     const size_t column = r->table.names.column[INPUT_PROFILE];
     const profile_style style = {r->how->decimal_sign, r->many->takes_hull};
     if (column < row->count && row->cell[column][0] != '\0')
-        profiles_read(row->cell[column], style);
+        notice_if_any(profiles_read(row->cell[column], style));
 }
 
 /* Reads rows until there are enough for the threads; the event is that of the row that is none.

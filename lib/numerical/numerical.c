@@ -317,9 +317,8 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     return advance(w, n, to, &rest, halvings - 1);
 }
 
-/* A load whose error is larger than this, and than so many times what is asked for, has not
- * converged. */
-static const double FAR_OFF = 0.01, TIMES_OFF = 3;
+/* A load that adds a larger error has not converged: it is no answer. */
+static const double FAR_OFF = 0.5;
 
 rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
@@ -333,8 +332,7 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_cour
     }
     trial whole = try_step(&w, &next.now, to, false);
     const bool is_done = advance(&w, &next, to, &whole, HALVINGS) &&
-                         rw_numerical_error(&next) - rw_numerical_error(n) <=
-                             fmax(FAR_OFF, TIMES_OFF * frame->tolerance);
+                         rw_numerical_error(&next) - rw_numerical_error(n) <= FAR_OFF;
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)

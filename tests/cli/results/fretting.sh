@@ -215,7 +215,7 @@ refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one
     fretting cycle.csv $specimen --history within.csv --load 135.75,0
 refuses "rwedge fretting: --P 3: given together with --history, which has the loads; allowed: one of the two" \
     fretting cycle.csv $specimen --load 135.75,0 --P 3
-cannot "rwedge fretting: cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
+cannot "rwedge fretting: cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma" \
     fretting cycle.csv $specimen --load 135.75,0 --load 0,0 --exact
 
 # The mirror image, and any number of threads.
@@ -382,7 +382,7 @@ for metal in "$here"/../../../tables/materials/*.json; do
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
-refuses "rwedge fretting: swt-damage: needs sf, b, ef, c of --material" fretting block.csv $specimen --criteria swt-damage
+refuses "rwedge fretting: swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
 refuses "rwedge fretting: --method line: needs --length, or dK_th and ds0 of --material" \
     fretting cycle.csv $specimen --at-worst --method line
 refuses "rwedge fretting: --length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1

@@ -88,8 +88,7 @@ run solve $steel --profile filled.csv $loads
 cp out first
 run solve $steel --profile dent.csv --hull $loads
 message_is "rwedge solve: dent.csv: line 4: height 0.03: not convex at 1 place, x = 0; the convex hull that is taken is lower by up to \
-0.021875, at x = 0
-rwedge solve: dent.csv: columns with numbers that are not used: 'note'"
+0.021875, at x = 0; dent.csv: columns with numbers that are not used: 'note'"
 same_results "hull" 1e-11 out first
 
 # Many pads.

@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <string.h>
 
+static const char *remark = ""; /* on the profile */
+
 static const char PROFILE_NAME[] = "pasted", BETWEEN_ROWS = '\x1d';
 
 /* The rows of a profile become one that is read, by a name. */
@@ -17,13 +19,13 @@ static void take_profile(char *rows, bool takes_hull, input_texts *texts)
         *at = '\n';
     pasted_offer(rows);
     profiles_forget(0);
-    profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull});
+    remark = profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull});
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
 
 const char *field_remark(void)
 {
-    return profiles_remark(PROFILE_NAME);
+    return remark;
 }
 
 static void take(char *line, input_texts *texts)
@@ -51,6 +53,7 @@ input_texts field_texts(char *lines)
                          .profile_named = profiles_named,
                          .tolerance = usual_tolerance};
     profiles_forget(0);
+    remark = "";
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
     for (char *end = lines; end != NULL; lines = end + 1) {

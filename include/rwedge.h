@@ -449,8 +449,9 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  * the same bits, and again after full sliding, after separation, and, if P and M have not changed
  * since, after a load that slips past all that was computed.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
- * A load whose shear cannot be found, or whose error would be above 0.5, fails with RWEDGE_ENOCONV,
- * the contact as before: smaller loads may go. Of a flat pad and a profile: RWEDGE_EDOMAIN unless
+ * What cannot be had to the tolerance is tried once more to ten times as much. A load whose shear
+ * cannot be found, or whose error would be above 0.1, fails with RWEDGE_ENOCONV, the contact as
+ * before: smaller loads may go. Of a flat pad and a profile: RWEDGE_EDOMAIN unless
  * it is 0.
  * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);

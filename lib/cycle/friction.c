@@ -19,7 +19,8 @@ typedef struct {
 
 static bool is_in(const rw_state *state, double rounding, double x)
 {
-    return x >= state->patch.left - rounding && x <= state->patch.right + rounding;
+    return isgreaterequal(x, state->patch.left - rounding) &&
+           islessequal(x, state->patch.right + rounding);
 }
 
 static double clamped(double x, rw_patch patch)

@@ -76,13 +76,14 @@ static double strain(const rw_criterion *c, const rw_worst_plane *plane, double 
 /* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c)
 {
-    const double shift = plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
+    const bool in_domain = is_switch(plane_stress) && rw_is_positive(E) && rw_is_poisson(nu);
+    const double shift = !in_domain ? 0 : plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
     *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
                         .is_plane_stress = plane_stress != 0,
                         .value = strain_energy,
                         .E = E,
                         .nu = nu};
-    return is_switch(plane_stress) && rw_is_positive(E);
+    return in_domain;
 }
 
 bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c)

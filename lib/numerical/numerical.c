@@ -284,10 +284,12 @@ static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coar
 }
 
 /* The step as a whole, if it is known, and by way of the middle: how far these are apart is the
- * error. Both halves are divided again until it is small. */
-static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings)
+ * error. Both halves are divided again until it is small, or the effort is spent: the first may
+ * take half of what is left. */
+static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings,
+                    int effort)
 {
-    const bool is_last = halvings == 0 || w->effort > RW_MOST_EFFORT;
+    const bool is_last = halvings == 0 || w->effort > effort;
     const rw_course middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, true);
@@ -311,16 +313,16 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
         drop(&half);
         return false;
     }
-    if (!advance(w, n, middle, &half, halvings - 1))
+    if (!advance(w, n, middle, &half, halvings - 1, w->effort + (effort - w->effort) / 2))
         return false;
     trial rest = try_step(w, &n->now, to, false);
-    return advance(w, n, to, &rest, halvings - 1);
+    return advance(w, n, to, &rest, halvings - 1, effort);
 }
 
 /* A load that adds a larger error has not converged: it is no answer. */
-static const double FAR_OFF = 0.5;
+static const double FAR_OFF = 0.1;
 
-rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
+static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
     rw_work w;
     rw_numerical next;
@@ -331,11 +333,22 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_cour
         return RW_STEP_NO_MEMORY;
     }
     trial whole = try_step(&w, &next.now, to, false);
-    const bool is_done = advance(&w, &next, to, &whole, HALVINGS) &&
+    const bool is_done = advance(&w, &next, to, &whole, HALVINGS, RW_MOST_EFFORT / 2) &&
                          rw_numerical_error(&next) - rw_numerical_error(n) <= FAR_OFF;
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)
         *n = next;
     return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+}
+
+/* What cannot be had to the tolerance may be had to ten times as much: the error tells. */
+rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
+{
+    static const double LOOSEST = 1e-2;
+    const rw_frame looser = {frame->a, frame->f, fmin(10 * frame->tolerance, LOOSEST)};
+    const rw_step_result result = try_load(n, frame, to);
+    return result == RW_STEP_FAILED && looser.tolerance > frame->tolerance
+               ? try_load(n, &looser, to)
+               : result;
 }

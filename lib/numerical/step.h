@@ -30,7 +30,7 @@ typedef struct {
     double haste;        /* slip that another such step would take the wrong way */
 } rw_stance;
 
-enum { RW_TRIALS = 2, RW_MOST_EFFORT = 8000 };
+enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000 };
 
 /* What steps work with, kept from one to the next. */
 typedef struct {

@@ -215,7 +215,7 @@ refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one
     fretting cycle.csv $specimen --history within.csv --load 135.75,0
 refuses "rwedge fretting: --P 3: given together with --history, which has the loads; allowed: one of the two" \
     fretting cycle.csv $specimen --load 135.75,0 --P 3
-cannot "rwedge fretting: cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma" \
+cannot "rwedge fretting: cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
     fretting cycle.csv $specimen --load 135.75,0 --load 0,0 --exact
 
 # The mirror image, and any number of threads.

@@ -113,7 +113,7 @@ fails() { # MESSAGE TEXT
     cannot "rwedge history: bad.csv: $1" history bad.csv $specimen --exact -o x.csv
     same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
 }
-fails "line 3: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q" \
+fails "line 3: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
     'P,M,Q\n100,5,20\n100,40,20\n'
 fails "line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
     'P,Q,sigma\n100,20,30\n100,-20,-30\n'

@@ -82,8 +82,7 @@ static const char *draw_loop(const figure_case *of, const dataset *rows, drawing
                    drawing_tic(2.1 * reach), 0};
     on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
     on->height = 0.85;
-    snprintf(on->caption, sizeof on->caption,
-             "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
+    snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
     for (int n = 0; n < of->value[Q_OVER_FP].count; n++) {
         curve *one = drawing_curve(on, rows, n, 3, 2);
         style_of_family(one, n);

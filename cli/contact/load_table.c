@@ -2,11 +2,11 @@
 #include "load_table.h"
 
 #include "input/text_input.h"
-#include "model/load_row.h"
+#include "model/reading/load_row.h"
 #include "table_header.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #ifndef CLI_LOAD_TABLE_H
 #define CLI_LOAD_TABLE_H
 
-#include "model/header.h"
+#include "model/reading/header.h"
 #include "input/csv_row.h"
 #include "input_options.h"
 #include "model/loads.h"

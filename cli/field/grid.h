@@ -3,10 +3,10 @@
 #ifndef CLI_GRID_H
 #define CLI_GRID_H
 
-#include "text/range.h"
+#include "number/range.h"
 #include "rows/records.h"
 #include "contact/state.h"
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 
 typedef struct {
     contact_state state;

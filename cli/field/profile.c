@@ -4,8 +4,8 @@
 #include "text/message.h"
 #include "rows/output_options.h"
 #include "system/progress.h"
-#include "text/pi.h"
-#include "text/range.h"
+#include "number/pi.h"
+#include "number/range.h"
 #include "contact/state.h"
 
 #include <math.h>

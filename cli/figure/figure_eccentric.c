@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/loads.h"
 #include "figure_eccentric.h"
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>

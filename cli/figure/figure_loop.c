@@ -3,7 +3,7 @@
  * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
 #include "figure_loop.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>

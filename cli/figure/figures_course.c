@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "figures_course.h"
 
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 #include "fretting/surface.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
 #include "figures_traction.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 #include "text/message.h"
 
 #include <math.h>

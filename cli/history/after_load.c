@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "after_load.h"
 
-#include "model/peak.h"
+#include "model/results/peak.h"
 #include "text/message.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "course.h"
 
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "contact/pairs.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 
 #include "course.h"
 #include "rows/output_options.h"
-#include "text/range.h"
+#include "number/range.h"
 
 enum {
     OPTION_AT = OPTION_AFTER_COURSE,

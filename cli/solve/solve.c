@@ -6,9 +6,9 @@
 #include "input/text_input.h"
 #include "options/threads.h"
 #include "text/message.h"
-#include "text/number.h"
-#include "model/inverse.h"
-#include "model/verdict.h"
+#include "number/number.h"
+#include "model/results/inverse.h"
+#include "model/results/verdict.h"
 
 #include "contact/notices.h"
 #include "contact/load_table.h"

@@ -293,6 +293,38 @@ static void bodies_touch_under_shear_and_tension(void **state)
     rwedge_contact_destroy(parts);
 }
 
+/* A load that rocks the contact by more than its half-width, N and mm: what it sticks in is the
+ * same to a tolerance and to a tenth of it. */
+static void the_second_half_of_a_load_has_effort_left(void **state)
+{
+    (void)state;
+    rw_patch stick[2];
+    for (int i = 0; i < 2; i++) {
+        rwedge_contact *contact;
+        const double compliance = rwedge_compliance(72100, 0.33, 72100, 0.33);
+        assert_ok(rwedge_contact_create(0.05, 0.5, compliance, 0.3, &contact));
+        assert_ok(rwedge_contact_allow_error(contact, i == 0 ? 1e-3 : 1e-4));
+        apply(contact, 100, 5, 20, 0);
+        apply(contact, 100, 40, 20, 0);
+        stick[i] = stick_zone_of(contact);
+        rwedge_contact_destroy(contact);
+    }
+    assert_within(stick[0].left, stick[1].left, 1e-4);
+    assert_within(stick[0].right, stick[1].right, 1e-4);
+}
+
+/* Tension alone, of many times what friction bears, as the bodies touch. */
+static void a_load_that_errs_too_much_is_refused_and_changes_nothing(void **state)
+{
+    (void)state;
+    rwedge_contact *contact = allowing(1e-2);
+    assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0, 1e3), RWEDGE_ENOCONV);
+    assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_error(contact) == 0);
+    apply(contact, 4, 0, 0.5, 0);
+    assert_true(rwedge_contact_error(contact) == 0);
+    rwedge_contact_destroy(contact);
+}
+
 /* ---- Programmes of tests/data/programmes.csv: N, mm, MPa ---- */
 
 enum { CYCLE = 48 };
@@ -377,6 +409,8 @@ int main(void)
         cmocka_unit_test(yield_is_found_and_the_energy_grows),
         cmocka_unit_test(the_loops_area_is_the_energy),
         cmocka_unit_test(bodies_touch_under_shear_and_tension),
+        cmocka_unit_test(the_second_half_of_a_load_has_effort_left),
+        cmocka_unit_test(a_load_that_errs_too_much_is_refused_and_changes_nothing),
         cmocka_unit_test(realistic_programmes_are_answered),
     };
     return RUN_CLAIMS("any_history", tests);

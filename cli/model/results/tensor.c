@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tensor.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 

@@ -131,7 +131,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
     return sum;
 }
 
-static void contacts_are_the_limit_of_boundary_elements(void **state)
+CLAIM(contacts_are_the_limit_of_boundary_elements)
 {
     for (path kind = 0; kind < KINDS; kind++) {
         difference mean[LEVELS];
@@ -164,7 +164,7 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
  * it meets that from the edge, a part between them sticks, and there is no closed form, although
  * the front that the closed form names is within the old one at both edges. A little later all
  * slips. */
-static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
+CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
 {
     static const boundary_loads loads[] = {{.4779, 0, 0, 0},
                                            {.4779, 0, -.1494, -.0994},
@@ -187,13 +187,4 @@ static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
         }
     }
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_are_the_limit_of_boundary_elements),
-        cmocka_unit_test(what_sticks_between_two_fronts_has_no_closed_form),
-    };
-    return RUN_CLAIMS("eccentric_histories", tests);
 }

@@ -106,23 +106,14 @@ static rwedge_contact *worn(void)
     return contact;
 }
 
-static void a_flat_pad_is_the_limit_of_boundary_elements(void **state)
+CLAIM(a_flat_pad_is_the_limit_of_boundary_elements)
 {
     assert_limit(along_the_history(flat(), flat_height, 60),
                  along_the_history(flat(), flat_height, 180));
 }
 
-static void a_worn_pad_is_the_limit_of_boundary_elements(void **state)
+CLAIM(a_worn_pad_is_the_limit_of_boundary_elements)
 {
     assert_limit(along_the_history(worn(), worn_height, 60),
                  along_the_history(worn(), worn_height, 180));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_flat_pad_is_the_limit_of_boundary_elements),
-        cmocka_unit_test(a_worn_pad_is_the_limit_of_boundary_elements),
-    };
-    return RUN_CLAIMS("pad_element", tests);
 }

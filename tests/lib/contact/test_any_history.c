@@ -24,9 +24,8 @@ static rwedge_contact *computed(void)
     return contact;
 }
 
-static void nothing_is_computed_unless_it_is_allowed(void **state)
+CLAIM(nothing_is_computed_unless_it_is_allowed)
 {
-    (void)state;
     rwedge_contact *contact = allowing(0);
     apply(contact, 4, 0, 0, 0);
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9), RWEDGE_EPATH);
@@ -41,9 +40,8 @@ static void nothing_is_computed_unless_it_is_allowed(void **state)
 
 /* An independent prototype of the same equations, each load in four parts
  * (tests/data/README.md). */
-static void reference_histories(void **state)
+CLAIM(reference_histories)
 {
-    (void)state;
     reference table = reference_open("history.csv");
     rwedge_contact *contact = NULL;
     double number = 0;
@@ -79,9 +77,8 @@ static void reference_histories(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void the_shear_is_in_equilibrium_and_within_friction(void **state)
+CLAIM(the_shear_is_in_equilibrium_and_within_friction)
 {
-    (void)state;
     rwedge_contact *contact = computed();
     double left, right, sum = 0;
     assert_int_equal(rwedge_contact_edges(contact, &left, &right), RWEDGE_OK);
@@ -98,9 +95,8 @@ static void the_shear_is_in_equilibrium_and_within_friction(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void zones_cover_the_contact(void **state)
+CLAIM(zones_cover_the_contact)
 {
-    (void)state;
     rwedge_contact *contact = computed();
     double left[9], right[9], slip[9], from, to;
     const size_t n = rwedge_contact_zone_count(contact);
@@ -126,9 +122,8 @@ static void zones_cover_the_contact(void **state)
 }
 
 /* Of a contact in closed form they are the one patch that sticks and what is beside it. */
-static void zones_of_a_closed_form(void **state)
+CLAIM(zones_of_a_closed_form)
 {
-    (void)state;
     rwedge_contact *contact = allowing(0);
     double left[3], right[3], slip[3];
     assert_int_equal(rwedge_contact_zone_count(contact), 0);
@@ -146,9 +141,8 @@ static void zones_of_a_closed_form(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void full_sliding_and_separation_end_it(void **state)
+CLAIM(full_sliding_and_separation_end_it)
 {
-    (void)state;
     rwedge_contact *contact = computed(), *fresh = allowing(0);
     apply(contact, 4, 0, 2, 0.9);
     assert_true(rwedge_contact_error(contact) == 0);
@@ -166,9 +160,8 @@ static void full_sliding_and_separation_end_it(void **state)
 }
 
 /* Q alone, farther than all that was computed: the way there is forgotten. */
-static void a_load_that_slips_past_all_that_was_computed_ends_it(void **state)
+CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
 {
-    (void)state;
     rwedge_contact *contact = computed(), *direct = allowing(0);
     apply(contact, 4, 0, -0.4, -0.6);
     assert_true(rwedge_contact_error(contact) > 0);
@@ -188,9 +181,8 @@ static void a_load_that_slips_past_all_that_was_computed_ends_it(void **state)
     rwedge_contact_destroy(direct);
 }
 
-static void a_copy_and_a_restored_contact_go_on_to_the_same_bits(void **state)
+CLAIM(a_copy_and_a_restored_contact_go_on_to_the_same_bits)
 {
-    (void)state;
     rwedge_contact *contact = computed(), *copy, *restored;
     const size_t n = rwedge_contact_state_size(contact);
     double *numbers = malloc(n * sizeof *numbers);
@@ -211,9 +203,8 @@ static void a_copy_and_a_restored_contact_go_on_to_the_same_bits(void **state)
     rwedge_contact_destroy(restored);
 }
 
-static void a_stress_history_is_that_of_its_loads(void **state)
+CLAIM(a_stress_history_is_that_of_its_loads)
 {
-    (void)state;
     enum { LOADS = 5, POINTS = 3 };
     const double P[LOADS] = {4, 4, 4.5, 4, 4}, M[LOADS] = {0, 0, 0.3, 0, 0},
                  Q[LOADS] = {0, 0.5, 0.2, 2, 1}, sigma[LOADS] = {0, 0.9, -0.4, 0, 0};
@@ -235,9 +226,8 @@ static void a_stress_history_is_that_of_its_loads(void **state)
     rwedge_contact_destroy(one);
 }
 
-static void yield_is_found_and_the_energy_grows(void **state)
+CLAIM(yield_is_found_and_the_energy_grows)
 {
-    (void)state;
     rwedge_contact *contact = computed();
     double factor, x, y, before = rwedge_contact_dissipated_energy(contact);
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, &x, &y), RWEDGE_OK);
@@ -254,9 +244,8 @@ static void yield_is_found_and_the_energy_grows(void **state)
 
 /* Under constant P and tension the area of a closed loop of Q over the displacement is
  * dissipated. */
-static void the_loops_area_is_the_energy(void **state)
+CLAIM(the_loops_area_is_the_energy)
 {
-    (void)state;
     enum { STEPS = 120 };
     rwedge_contact *contact = computed();
     apply(contact, 4, 0, 0, 0.5);
@@ -279,9 +268,8 @@ static void the_loops_area_is_the_energy(void **state)
 }
 
 /* The bodies touch under a shear and a tension that do not grow in proportion to the contact. */
-static void bodies_touch_under_shear_and_tension(void **state)
+CLAIM(bodies_touch_under_shear_and_tension)
 {
-    (void)state;
     rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
     apply(whole, 4, 0.4, 0.8, 0.4);
     assert_true(rwedge_contact_error(whole) > 0);
@@ -295,9 +283,8 @@ static void bodies_touch_under_shear_and_tension(void **state)
 
 /* A load that rocks the contact by more than its half-width, N and mm: what it sticks in is the
  * same to a tolerance and to a tenth of it. */
-static void the_second_half_of_a_load_has_effort_left(void **state)
+CLAIM(the_second_half_of_a_load_has_effort_left)
 {
-    (void)state;
     rw_patch stick[2];
     for (int i = 0; i < 2; i++) {
         rwedge_contact *contact;
@@ -314,9 +301,8 @@ static void the_second_half_of_a_load_has_effort_left(void **state)
 }
 
 /* Tension alone, of many times what friction bears, as the bodies touch. */
-static void a_load_that_errs_too_much_is_refused_and_changes_nothing(void **state)
+CLAIM(a_load_that_errs_too_much_is_refused_and_changes_nothing)
 {
-    (void)state;
     rwedge_contact *contact = allowing(1e-2);
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0, 1e3), RWEDGE_ENOCONV);
     assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_error(contact) == 0);
@@ -382,9 +368,8 @@ static void follow_programme(programme p, int loads)
 }
 
 /* RWEDGE_PROGRAMMES=1 follows all of them for a cycle; else every 16th for half of one. */
-static void realistic_programmes_are_answered(void **state)
+CLAIM(realistic_programmes_are_answered)
 {
-    (void)state;
     const bool all = getenv("RWEDGE_PROGRAMMES") != NULL;
     reference table = reference_open("programmes.csv");
     for (int row = 0; reference_next(&table); row++)
@@ -392,26 +377,4 @@ static void realistic_programmes_are_answered(void **state)
             follow_programme(
                 (programme){(int)table.cell[0], table.cell[1], (uint64_t)table.cell[2] + 1},
                 all ? CYCLE : CYCLE / 2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_is_computed_unless_it_is_allowed),
-        cmocka_unit_test(reference_histories),
-        cmocka_unit_test(the_shear_is_in_equilibrium_and_within_friction),
-        cmocka_unit_test(zones_cover_the_contact),
-        cmocka_unit_test(zones_of_a_closed_form),
-        cmocka_unit_test(full_sliding_and_separation_end_it),
-        cmocka_unit_test(a_load_that_slips_past_all_that_was_computed_ends_it),
-        cmocka_unit_test(a_copy_and_a_restored_contact_go_on_to_the_same_bits),
-        cmocka_unit_test(a_stress_history_is_that_of_its_loads),
-        cmocka_unit_test(yield_is_found_and_the_energy_grows),
-        cmocka_unit_test(the_loops_area_is_the_energy),
-        cmocka_unit_test(bodies_touch_under_shear_and_tension),
-        cmocka_unit_test(the_second_half_of_a_load_has_effort_left),
-        cmocka_unit_test(a_load_that_errs_too_much_is_refused_and_changes_nothing),
-        cmocka_unit_test(realistic_programmes_are_answered),
-    };
-    return RUN_CLAIMS("any_history", tests);
 }

@@ -14,7 +14,7 @@ static double ellipse(double c, double b, double x)
     return x < c ? sqrt((c - x) * (c + x)) / b : 0;
 }
 
-static void hertz_loading_unloading_reloading_is_mindlin(void **state)
+CLAIM(hertz_loading_unloading_reloading_is_mindlin)
 {
     const double f = 0.4, R = 5, a = THETA * R, P = 0.02;
     rwedge_contact *contact = create(a, f);
@@ -50,7 +50,7 @@ static void hertz_loading_unloading_reloading_is_mindlin(void **state)
 }
 
 /* Cattaneo's slip: -A f p0/b times what the two ellipses displace. */
-static void hertz_slip_is_cattaneo(void **state)
+CLAIM(hertz_slip_is_cattaneo)
 {
     const double f = 0.4, P = 0.02, a = 1;
     rwedge_contact *contact = create(a, f);
@@ -65,7 +65,7 @@ static void hertz_slip_is_cattaneo(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void fig_7_of_the_paper_is_one_load(void **state)
+CLAIM(fig_7_of_the_paper_is_one_load)
 {
     static const double STICK[] = {0, 1.0 / 6, 1.0 / 2};
     const double alpha = 0.25, b = 0.8, f = 0.3, P = rwedge_normal_load(THETA, alpha * b, A, b);
@@ -99,7 +99,7 @@ static double half_tension(double x, const void *contact)
     return A / 2 * (s[0] - s[1]);
 }
 
-static void slip_is_the_surface_strain_integrated(void **state)
+CLAIM(slip_is_the_surface_strain_integrated)
 {
     static const double ROUNDINGS[] = {0, 1e-5, 0.1, 0.35, 0.6};
     for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++) {
@@ -140,7 +140,7 @@ static double displacement(const rwedge_contact *contact, double x)
 /* A point that comes into contact while the edge slips, slips from then on. Its slip is its
  * displacement now, less that of a contact whose load ended when the edge was at this point. One
  * step and many along the same line give the same. */
-static void slip_begins_where_a_point_comes_into_contact(void **state)
+CLAIM(slip_begins_where_a_point_comes_into_contact)
 {
     static const double ROUNDINGS[] = {0, 0.1, 0.35, 1};
     const double f = 0.4, P = 0.2;
@@ -182,7 +182,7 @@ static double shear_at(double x, const void *contact)
     return shear(contact, x);
 }
 
-static void tractions_add_up_to_the_load_after_every_step(void **state)
+CLAIM(tractions_add_up_to_the_load_after_every_step)
 {
     for (int number = 1; number <= 24; number++) {
         random_history h;
@@ -198,7 +198,7 @@ static void tractions_add_up_to_the_load_after_every_step(void **state)
     }
 }
 
-static void friction_is_nowhere_exceeded(void **state)
+CLAIM(friction_is_nowhere_exceeded)
 {
     for (int number = 1; number <= 60; number++) {
         random_history h;
@@ -219,7 +219,7 @@ static void friction_is_nowhere_exceeded(void **state)
     }
 }
 
-static void what_slips_is_at_the_limit_and_slips_with_the_traction(void **state)
+CLAIM(what_slips_is_at_the_limit_and_slips_with_the_traction)
 {
     int slipped = 0;
     for (int number = 1; number <= 60; number++) {
@@ -247,7 +247,7 @@ static void what_slips_is_at_the_limit_and_slips_with_the_traction(void **state)
     assert_true(slipped > 1000);
 }
 
-static void pressing_without_slip_gives_no_slip(void **state)
+CLAIM(pressing_without_slip_gives_no_slip)
 {
     rwedge_contact *contact = create(0.1, 0.5);
     load(contact, 0.1, 0.02);
@@ -280,7 +280,7 @@ static double point_force(double t, const void *context)
     return sum;
 }
 
-static void stresses_are_flamant_integrated_over_the_tractions(void **state)
+CLAIM(stresses_are_flamant_integrated_over_the_tractions)
 {
     for (int number = 1; number <= 20; number++) {
         random_history h;
@@ -307,7 +307,7 @@ static void stresses_are_flamant_integrated_over_the_tractions(void **state)
 
 /* In one load from 1e12 to 1e-3, the rounding of 1e12 would decide what slips. In two loads nothing
  * is lost. */
-static void a_steep_fall_of_the_load_is_refused(void **state)
+CLAIM(a_steep_fall_of_the_load_is_refused)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create(0.05, 1, 1e-5, 0.5, &contact));
@@ -328,7 +328,7 @@ static void a_steep_fall_of_the_load_is_refused(void **state)
 
 /* ---- Arguments ---- */
 
-static void no_points_need_no_arrays(void **state)
+CLAIM(no_points_need_no_arrays)
 {
     rwedge_contact *contact = create(0.1, 0.5);
     load(contact, 0.2, 0.05);
@@ -339,7 +339,7 @@ static void no_points_need_no_arrays(void **state)
 }
 
 /* theta/A is the unit of all stresses. */
-static void a_unit_of_stress_beyond_the_domain_is_refused(void **state)
+CLAIM(a_unit_of_stress_beyond_the_domain_is_refused)
 {
     rwedge_contact *contact = NULL;
     assert_int_equal(rwedge_contact_create(0.1, 1, 9e-61, 0.5, &contact), RWEDGE_EDOMAIN);
@@ -349,7 +349,7 @@ static void a_unit_of_stress_beyond_the_domain_is_refused(void **state)
 
 /* Of half-width, rounding over half-width, and pressure: a sharp wedge has b = A P/(2 theta), a
  * cylinder b^2 = (2/pi) A P a/theta. */
-static void results_beyond_the_domain_are_refused(void **state)
+CLAIM(results_beyond_the_domain_are_refused)
 {
     static const struct {
         double theta, a, A, P;
@@ -371,7 +371,7 @@ static void results_beyond_the_domain_are_refused(void **state)
 }
 
 /* theta, a, A, f, P: near the ends of the domain all is finite, and raises nothing. */
-static void the_ends_of_the_domain_are_sound(void **state)
+CLAIM(the_ends_of_the_domain_are_sound)
 {
     static const struct {
         double theta, a, A, f, P;
@@ -401,7 +401,7 @@ static void the_ends_of_the_domain_are_sound(void **state)
 }
 
 /* In proportion to f theta b. */
-static void slip_is_small_where_friction_is(void **state)
+CLAIM(slip_is_small_where_friction_is)
 {
     rwedge_contact *unit = NULL, *contact = NULL;
     assert_ok(rwedge_contact_create(1, 0, 1, 1, &unit));
@@ -420,7 +420,7 @@ static void slip_is_small_where_friction_is(void **state)
 
 /* Many steps of slope f, each of it to rounding. Together they bend the path by more than rounding,
  * so that it has corners with the same slope on both sides. All that was added slips. */
-static void steps_of_the_steepest_slope_may_bend(void **state)
+CLAIM(steps_of_the_steepest_slope_may_bend)
 {
     const double f = 0.5;
     rwedge_contact *contact = create(0.1, f);
@@ -442,7 +442,7 @@ static void steps_of_the_steepest_slope_may_bend(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void arrays_are_points_one_by_one(void **state)
+CLAIM(arrays_are_points_one_by_one)
 {
     enum { N = 70 };
     rwedge_contact *contact = create(0.1, 0.5);
@@ -464,29 +464,4 @@ static void arrays_are_points_one_by_one(void **state)
         assert_true(s[0][i] == one[0] && s[1][i] == one[1] && s[2][i] == one[2]);
     }
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_steep_fall_of_the_load_is_refused),
-        cmocka_unit_test(hertz_loading_unloading_reloading_is_mindlin),
-        cmocka_unit_test(hertz_slip_is_cattaneo),
-        cmocka_unit_test(slip_is_the_surface_strain_integrated),
-        cmocka_unit_test(slip_begins_where_a_point_comes_into_contact),
-        cmocka_unit_test(fig_7_of_the_paper_is_one_load),
-        cmocka_unit_test(tractions_add_up_to_the_load_after_every_step),
-        cmocka_unit_test(friction_is_nowhere_exceeded),
-        cmocka_unit_test(what_slips_is_at_the_limit_and_slips_with_the_traction),
-        cmocka_unit_test(pressing_without_slip_gives_no_slip),
-        cmocka_unit_test(stresses_are_flamant_integrated_over_the_tractions),
-        cmocka_unit_test(no_points_need_no_arrays),
-        cmocka_unit_test(a_unit_of_stress_beyond_the_domain_is_refused),
-        cmocka_unit_test(results_beyond_the_domain_are_refused),
-        cmocka_unit_test(the_ends_of_the_domain_are_sound),
-        cmocka_unit_test(slip_is_small_where_friction_is),
-        cmocka_unit_test(steps_of_the_steepest_slope_may_bend),
-        cmocka_unit_test(arrays_are_points_one_by_one),
-    };
-    return RUN_CLAIMS("contact", tests);
 }

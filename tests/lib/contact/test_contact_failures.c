@@ -38,7 +38,7 @@ static void assert_looks(const rwedge_contact *contact, const appearance *before
 
 /* ---- Copies ---- */
 
-static void a_copy_is_independent(void **state)
+CLAIM(a_copy_is_independent)
 {
     random_history h;
     rwedge_contact *contact = begin(&h, 6), *copy = NULL;
@@ -62,7 +62,7 @@ static void a_copy_is_independent(void **state)
 
 /* ---- Refusals ---- */
 
-static void a_refused_load_changes_nothing(void **state)
+CLAIM(a_refused_load_changes_nothing)
 {
     const double f = 0.5, P = 0.2;
     rwedge_contact *contact = create(0.1, f);
@@ -94,7 +94,7 @@ static void a_refused_load_changes_nothing(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void equality_is_full_sliding_to_rounding(void **state)
+CLAIM(equality_is_full_sliding_to_rounding)
 {
     uint64_t seed = 9;
     for (int i = 0; i < 1000; i++) {
@@ -112,7 +112,7 @@ static void equality_is_full_sliding_to_rounding(void **state)
 }
 
 /* A caller who interpolates along the line of full sliding rounds like the larger load. */
-static void an_interpolated_load_may_slide(void **state)
+CLAIM(an_interpolated_load_may_slide)
 {
     const double f = 0.3, from = 0.7, to = 0.003;
     rwedge_contact *contact = create(0.1, f);
@@ -126,7 +126,7 @@ static void an_interpolated_load_may_slide(void **state)
 }
 
 /* In many steps all are rounded like the first: once refused, or a ring of rounding stuck. */
-static void a_ramp_between_two_sliding_loads_slides(void **state)
+CLAIM(a_ramp_between_two_sliding_loads_slides)
 {
     uint64_t seed = 3;
     for (int number = 0; number < 200; number++) {
@@ -149,7 +149,7 @@ static void a_ramp_between_two_sliding_loads_slides(void **state)
 
 /* A ring that grows by roundings, with less shear than makes it slip: each of its steps alone might
  * be as steep as friction. */
-static void a_ring_that_grows_by_roundings_does_not_slip(void **state)
+CLAIM(a_ring_that_grows_by_roundings_does_not_slip)
 {
     const double f = 0.5;
     rwedge_contact *contact = create(0.1, f);
@@ -162,7 +162,7 @@ static void a_ring_that_grows_by_roundings_does_not_slip(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void far_points_have_no_stress(void **state)
+CLAIM(far_points_have_no_stress)
 {
     rwedge_contact *contact = create(1e-3, 0.3);
     load(contact, 1e-4, 0);
@@ -178,7 +178,7 @@ static void far_points_have_no_stress(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void without_friction_there_is_no_tangential_load(void **state)
+CLAIM(without_friction_there_is_no_tangential_load)
 {
     rwedge_contact *contact = create(0.1, 0);
     load(contact, 0.2, 0);
@@ -187,7 +187,7 @@ static void without_friction_there_is_no_tangential_load(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void what_a_separated_contact_has_not_is_absent(void **state)
+CLAIM(what_a_separated_contact_has_not_is_absent)
 {
     rwedge_contact *contact = create(0.4, 0.5);
     double out[4] = {7, 7, 7, 7};
@@ -202,7 +202,7 @@ static void what_a_separated_contact_has_not_is_absent(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void points_without_an_answer_write_nothing(void **state)
+CLAIM(points_without_an_answer_write_nothing)
 {
     rwedge_contact *sharp = create(0, 0.5), *contact = create(0.1, 0.5);
     double x[2] = {0.1, 0}, y[2] = {0, 0}, s[3][2] = {{7, 7}, {7, 7}, {7, 7}};
@@ -223,7 +223,7 @@ static void points_without_an_answer_write_nothing(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void outputs_may_be_the_inputs(void **state)
+CLAIM(outputs_may_be_the_inputs)
 {
     rwedge_contact *contact = create(0.1, 0.5);
     load(contact, 0.2, 0.05);
@@ -240,7 +240,7 @@ static void outputs_may_be_the_inputs(void **state)
 }
 
 /* Scales far from 1, where a careless intermediate result would over- or underflow. */
-static void results_scale_with_the_units(void **state)
+CLAIM(results_scale_with_the_units)
 {
     for (int length = -60; length <= 60; length += 15)
         for (int stress = -40; stress <= 40; stress += 20) {
@@ -274,23 +274,4 @@ static void results_scale_with_the_units(void **state)
             rwedge_contact_destroy(unit);
             rwedge_contact_destroy(scaled);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_copy_is_independent),
-        cmocka_unit_test(a_refused_load_changes_nothing),
-        cmocka_unit_test(equality_is_full_sliding_to_rounding),
-        cmocka_unit_test(an_interpolated_load_may_slide),
-        cmocka_unit_test(a_ramp_between_two_sliding_loads_slides),
-        cmocka_unit_test(a_ring_that_grows_by_roundings_does_not_slip),
-        cmocka_unit_test(far_points_have_no_stress),
-        cmocka_unit_test(without_friction_there_is_no_tangential_load),
-        cmocka_unit_test(what_a_separated_contact_has_not_is_absent),
-        cmocka_unit_test(points_without_an_answer_write_nothing),
-        cmocka_unit_test(outputs_may_be_the_inputs),
-        cmocka_unit_test(results_scale_with_the_units),
-    };
-    return RUN_CLAIMS("contact_failures", tests);
 }

@@ -32,7 +32,7 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
 }
 
 /* Random histories, saved after each load. */
-static void a_restored_contact_goes_on_to_the_same_bits(void **state)
+CLAIM(a_restored_contact_goes_on_to_the_same_bits)
 {
     static double numbers[MOST];
     for (int number = 0; number < 40; number++) {
@@ -54,7 +54,7 @@ static void a_restored_contact_goes_on_to_the_same_bits(void **state)
     }
 }
 
-static void moment_and_tension_are_in_it(void **state)
+CLAIM(moment_and_tension_are_in_it)
 {
     static double numbers[MOST];
     rwedge_contact *contact = create(0.4, 0.5);
@@ -74,7 +74,7 @@ static void moment_and_tension_are_in_it(void **state)
 }
 
 /* Each number, changed; each length but the right one. */
-static void damage_is_noticed(void **state)
+CLAIM(damage_is_noticed)
 {
     static double numbers[MOST];
     random_history history;
@@ -204,7 +204,7 @@ static double mutated(double value, const double numbers[], size_t n, uint64_t *
 }
 
 /* Some once read beyond the memory, and some took minutes. */
-static void mutants_are_refused_or_usable(void **state)
+CLAIM(mutants_are_refused_or_usable)
 {
     static double numbers[MOST], mutant[MOST];
     uint64_t seed = 3;
@@ -225,7 +225,7 @@ static void mutants_are_refused_or_usable(void **state)
 }
 
 /* The stick zone was then sought before the first corner. */
-static void a_path_of_one_corner_has_no_slope(void **state)
+CLAIM(a_path_of_one_corner_has_no_slope)
 {
     double numbers[MOST];
     rwedge_contact *contact = create(0.4, 0.5);
@@ -239,7 +239,7 @@ static void a_path_of_one_corner_has_no_slope(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void damage_that_is_signed_does_no_harm(void **state)
+CLAIM(damage_that_is_signed_does_no_harm)
 {
     static const double BAD[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, 0, 0.5, 1, 2, 1e300};
     static double numbers[MOST];
@@ -275,7 +275,7 @@ static void damage_that_is_signed_does_no_harm(void **state)
 
 /* A state of the first version, which did not hold the strain, is that of equal compliances. Since
  * the third, what is no wedge is after the energy, and what has no closed form at the end. */
-static void older_states_are_read(void **state)
+CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad; numbers at the end */
     enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 2 };
@@ -298,7 +298,7 @@ static void older_states_are_read(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void the_strain_is_in_it(void **state)
+CLAIM(the_strain_is_in_it)
 {
     static double numbers[MOST];
     rwedge_contact *contact = create(0.4, 0.5);
@@ -310,19 +310,4 @@ static void the_strain_is_in_it(void **state)
                 rwedge_contact_largest_tension_step(contact, 0.1));
     rwedge_contact_destroy(restored);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_contact_goes_on_to_the_same_bits),
-        cmocka_unit_test(moment_and_tension_are_in_it),
-        cmocka_unit_test(damage_is_noticed),
-        cmocka_unit_test(damage_that_is_signed_does_no_harm),
-        cmocka_unit_test(a_path_of_one_corner_has_no_slope),
-        cmocka_unit_test(mutants_are_refused_or_usable),
-        cmocka_unit_test(older_states_are_read),
-        cmocka_unit_test(the_strain_is_in_it),
-    };
-    return RUN_CLAIMS("contact_state", tests);
 }

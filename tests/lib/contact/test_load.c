@@ -28,7 +28,7 @@ static void assert_same_tractions(const rwedge_contact *one, const rwedge_contac
 
 /* ---- Nothing slips without a change of shear ---- */
 
-static void a_contact_without_shear_may_rock(void **state)
+CLAIM(a_contact_without_shear_may_rock)
 {
     rwedge_contact *rocked = example(), *fresh = example();
     const double moments[] = {300, -500, 0, 250};
@@ -47,7 +47,7 @@ static void a_contact_without_shear_may_rock(void **state)
 }
 
 /* The shear stays what it was, point by point, as long as the contact keeps the patch of 2000. */
-static void a_contact_may_move_around_its_last_sheared_patch(void **state)
+CLAIM(a_contact_may_move_around_its_last_sheared_patch)
 {
     rwedge_contact *contact = example(), *before;
     apply(contact, 2000, 0, 0, 0);
@@ -67,7 +67,7 @@ static void a_contact_may_move_around_its_last_sheared_patch(void **state)
 }
 
 /* Both ends of the step have an edge outside of the patch, what is between has not. */
-static void an_edge_may_not_come_inside_on_the_way(void **state)
+CLAIM(an_edge_may_not_come_inside_on_the_way)
 {
     rwedge_contact *contact = example(), *one, *two;
     apply(contact, 2000, 0, 0, 0);
@@ -95,7 +95,7 @@ static void an_edge_may_not_come_inside_on_the_way(void **state)
 /* ---- Rounding ---- */
 
 /* Each load is within rounding of the one before, not of the first. */
-static void small_steps_of_p_do_not_get_lost(void **state)
+CLAIM(small_steps_of_p_do_not_get_lost)
 {
     rwedge_contact *many = example(), *one = example();
     const double last = 1000 + 100 * 7 * 1.1369e-13;
@@ -113,7 +113,7 @@ static void small_steps_of_p_do_not_get_lost(void **state)
     rwedge_contact_destroy(one);
 }
 
-static void rounding_of_q_under_a_moment_is_taken(void **state)
+CLAIM(rounding_of_q_under_a_moment_is_taken)
 {
     static const double Q[] = {0, 200, 200.00000000001762, 199.99999999999085, 199.99999999999022};
     for (double M = 50; M < 500; M += 50) {
@@ -126,7 +126,7 @@ static void rounding_of_q_under_a_moment_is_taken(void **state)
 
 /* The same history at any size of the contact beside the rounding. Hertz' contact has no other
  * length. */
-static void tiny_contacts_are_refused_what_small_ones_are(void **state)
+CLAIM(tiny_contacts_are_refused_what_small_ones_are)
 {
     static const double Q[] = {0, -2.340588563211545, -3.5136028594429534, -3.9963298589392195},
                         sigma[] = {0, 22.465807666218144, 23.38291026065916, 34.496387747296794};
@@ -159,7 +159,7 @@ static void assert_out_of_range(rwedge_contact *contact, rw_loads to)
 
 /* Beside the distance from the centre rounding leaves no width: of the contact, and of what
  * sticks. */
-static void patches_without_a_width_are_out_of_range(void **state)
+CLAIM(patches_without_a_width_are_out_of_range)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create(.015781919866758993, 1, 7.660340870436608e-06, .3, &contact));
@@ -216,7 +216,7 @@ static rwedge_contact *in_parts(const rwedge_contact *contact, int n, rw_loads t
 }
 
 /* Along random histories, a step that goes in parts goes in one, to the same tractions. */
-static void a_step_that_goes_in_parts_goes_in_one(void **state)
+CLAIM(a_step_that_goes_in_parts_goes_in_one)
 {
     uint64_t seed = 11;
     int compared = 0;
@@ -242,7 +242,7 @@ static void a_step_that_goes_in_parts_goes_in_one(void **state)
 
 /* The third step reaches back over the first two at both edges. Halfway its front has passed the
  * older one at the right edge alone: those of Nowell and Hills (1987), whose halves reverse. */
-static void a_line_may_pass_loads_without_a_closed_form(void **state)
+CLAIM(a_line_may_pass_loads_without_a_closed_form)
 {
     const double R = 178, f = 0.65, P = 488, compliance = rwedge_compliance(74100, .33, 74100, .33);
     rwedge_contact *contact;
@@ -259,20 +259,4 @@ static void a_line_may_pass_loads_without_a_closed_form(void **state)
     assert_int_equal(rwedge_contact_apply(contact, P, 0, 125, 30), RWEDGE_EPATH);
     apply(contact, P, 0, 250, 60);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_contact_without_shear_may_rock),
-        cmocka_unit_test(a_contact_may_move_around_its_last_sheared_patch),
-        cmocka_unit_test(an_edge_may_not_come_inside_on_the_way),
-        cmocka_unit_test(small_steps_of_p_do_not_get_lost),
-        cmocka_unit_test(rounding_of_q_under_a_moment_is_taken),
-        cmocka_unit_test(tiny_contacts_are_refused_what_small_ones_are),
-        cmocka_unit_test(patches_without_a_width_are_out_of_range),
-        cmocka_unit_test(a_step_that_goes_in_parts_goes_in_one),
-        cmocka_unit_test(a_line_may_pass_loads_without_a_closed_form),
-    };
-    return RUN_CLAIMS("load", tests);
 }

@@ -80,7 +80,7 @@ static rw_loads next_loads(const rwedge_contact *contact, double f, uint64_t *se
 }
 
 /* Every advice comes up, and what it says leads there, on the very history. */
-static void advice_leads_there(void **state)
+CLAIM(advice_leads_there)
 {
     const double f = 0.5;
     uint64_t seed = 7;
@@ -101,20 +101,11 @@ static void advice_leads_there(void **state)
 }
 
 /* A load that one says to be in the way of slip, although it is one of Q and sigma alone. */
-static void a_load_of_q_and_sigma_is_not_told_to_be_one(void **state)
+CLAIM(a_load_of_q_and_sigma_is_not_told_to_be_one)
 {
     rwedge_contact *contact = create(0.4, 0.5);
     assert_ok(applied(contact, (rw_loads){0.5, 0.1, 0, 0}));
     const rw_loads to = {0.5, 0.1, 0.1, 1};
     assert_int_equal(advice_for(contact, to), TENSION);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(advice_leads_there),
-        cmocka_unit_test(a_load_of_q_and_sigma_is_not_told_to_be_one),
-    };
-    return RUN_CLAIMS("obstacle", tests);
 }

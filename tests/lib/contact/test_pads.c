@@ -36,7 +36,7 @@ static double flat_load(double a, double b)
     return b * b / (A * R) * (acos(alpha) - alpha * sqrt(1 - alpha * alpha));
 }
 
-static void a_cylinder_is_hertz(void **state)
+CLAIM(a_cylinder_is_hertz)
 {
     rwedge_contact *contact = flat(0);
     apply(contact, 2, 0, 0, 0);
@@ -50,7 +50,7 @@ static void a_cylinder_is_hertz(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void a_flat_pad_has_its_edge_tension(void **state)
+CLAIM(a_flat_pad_has_its_edge_tension)
 {
     const double known[][2] = {{0.5, 1.6282}, {0.9, 3.4057}, {0.99, 10.6226}};
     for (int i = 0; i < 3; i++) {
@@ -66,7 +66,7 @@ static void a_flat_pad_has_its_edge_tension(void **state)
 }
 
 /* The other route loses the digits that the two have in common. */
-static void a_flat_pad_is_hertz_less_a_rounded_wedge(void **state)
+CLAIM(a_flat_pad_is_hertz_less_a_rounded_wedge)
 {
     const double alphas[] = {0.01, 0.3, 0.9, 0.99};
     for (int i = 0; i < 4; i++) {
@@ -90,7 +90,7 @@ static void a_flat_pad_is_hertz_less_a_rounded_wedge(void **state)
 
 /* The load that belongs to a distance beyond the corners, as its series: s^2 (psi - sin psi cos
  * psi) = s^2 (2/3) psi^3 (1 - psi^2/5 + ...), cos psi = a/s. */
-static void the_edges_of_a_flat_are_known_from_its_corners(void **state)
+CLAIM(the_edges_of_a_flat_are_known_from_its_corners)
 {
     for (double d = 1e-12; d < 2e-5; d *= 10) {
         rwedge_contact *contact = flat(2);
@@ -138,7 +138,7 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
     }
 }
 
-static void the_rounded_wedge_is_a_profile(void **state)
+CLAIM(the_rounded_wedge_is_a_profile)
 {
     const double a = 0.7, x[] = {-a, 0, a}, slope[] = {-THETA, 0, THETA};
     const double ends[] = {-a, a}, outer[] = {-THETA, THETA};
@@ -166,7 +166,7 @@ static void the_rounded_wedge_is_a_profile(void **state)
 }
 
 /* P and Q alone: slip is then known along all of a history. */
-static void a_profile_slips_as_its_wedge(void **state)
+CLAIM(a_profile_slips_as_its_wedge)
 {
     const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
     const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
@@ -185,9 +185,8 @@ static void a_profile_slips_as_its_wedge(void **state)
     rwedge_contact_destroy(pad);
 }
 
-static void a_centred_pad_dissipates_as_its_wedge(void **state)
+CLAIM(a_centred_pad_dissipates_as_its_wedge)
 {
-    (void)state;
     const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
     const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
     const double Q[] = {0, 0.04, -0.03, 0.05, 0.02, -0.05};
@@ -202,7 +201,7 @@ static void a_centred_pad_dissipates_as_its_wedge(void **state)
     rwedge_contact_destroy(pad);
 }
 
-static void the_sharp_wedge_is_a_kink(void **state)
+CLAIM(the_sharp_wedge_is_a_kink)
 {
     const double x[] = {0, 0}, slope[] = {-THETA, THETA}, y = 0;
     rwedge_contact *wedge = create(0, F), *pad = profile(2, x, slope);
@@ -237,13 +236,13 @@ static double sampled_error(int n)
     return right / 0.4 - 1;
 }
 
-static void a_sampled_circle_converges_with_the_square_of_the_places(void **state)
+CLAIM(a_sampled_circle_converges_with_the_square_of_the_places)
 {
     assert_within(sampled_error(100), 0, 1e-4);
     assert_close(sampled_error(24) / sampled_error(96), 16, 0.15);
 }
 
-static void a_sampled_cylinder_is_hertz(void **state)
+CLAIM(a_sampled_cylinder_is_hertz)
 {
     double x[101], slope[101];
     for (int i = 0; i <= 100; i++) {
@@ -271,7 +270,7 @@ static void a_sampled_cylinder_is_hertz(void **state)
 static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};
 static const double WORN[] = {-0.1, -0.02, -0.02, 0.05, 0.12};
 
-static void a_mirrored_profile_mirrors_everything(void **state)
+CLAIM(a_mirrored_profile_mirrors_everything)
 {
     double x[5], slope[5];
     for (int i = 0; i < 5; i++) {
@@ -298,7 +297,7 @@ static void a_mirrored_profile_mirrors_everything(void **state)
     rwedge_contact_destroy(other);
 }
 
-static void a_pad_is_stored_and_restored(void **state)
+CLAIM(a_pad_is_stored_and_restored)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4), profile(5, WORN_X, WORN)};
     for (int i = 0; i < 3; i++) {
@@ -325,7 +324,7 @@ static void a_pad_is_stored_and_restored(void **state)
 }
 
 /* What sticks for good under P, Q between -1 and 1 of a half is the contact of the load P - Q/f. */
-static void what_never_slips_on_a_flat(void **state)
+CLAIM(what_never_slips_on_a_flat)
 {
     rwedge_contact *contact = flat(0.4), *smaller = flat(0.4);
     double left, right;
@@ -339,7 +338,7 @@ static void what_never_slips_on_a_flat(void **state)
 }
 
 /* The factor against J2 on a fine grid of the surface and below. */
-static void the_yield_factor_misses_no_place(void **state)
+CLAIM(the_yield_factor_misses_no_place)
 {
     rwedge_contact *pads[] = {flat(0.4), profile(5, WORN_X, WORN)};
     for (int i = 0; i < 2; i++) {
@@ -361,9 +360,8 @@ static void the_yield_factor_misses_no_place(void **state)
 }
 
 /* On one arc the middle of the patch is M/P, however narrow it is. */
-static void a_narrow_patch_far_from_the_origin_is_where_its_moment_is(void **state)
+CLAIM(a_narrow_patch_far_from_the_origin_is_where_its_moment_is)
 {
-    (void)state;
     const double x[] = {-1, 0.5, 0.7, 1.5}, slope[] = {-0.04, -0.03, -0.02, 0};
     for (double P = 1e-4; P > 1e-12; P /= 10) {
         rwedge_contact *pad = profile(4, x, slope);
@@ -376,9 +374,8 @@ static void a_narrow_patch_far_from_the_origin_is_where_its_moment_is(void **sta
 }
 
 /* P/(bk) without friction. Hertz' is 4.880036 for nu = 0.3: lib/README.md, "Strength". */
-static void a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp(void **state)
+CLAIM(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp)
 {
-    (void)state;
     const double alphas[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 0.95};
     double last = INFINITY;
     for (int i = 0; i < 8; i++) {
@@ -395,7 +392,7 @@ static void a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp(void **
     }
 }
 
-static void a_contact_that_reaches_too_far_is_refused(void **state)
+CLAIM(a_contact_that_reaches_too_far_is_refused)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4)};
     for (int i = 0; i < 2; i++) {
@@ -406,7 +403,7 @@ static void a_contact_that_reaches_too_far_is_refused(void **state)
     }
 }
 
-static void profiles_that_are_none_are_refused(void **state)
+CLAIM(profiles_that_are_none_are_refused)
 {
     rwedge_contact *contact = NULL;
     const double x[] = {0, 1, 2}, back[] = {0, 2, 1}, slope[] = {-0.1, 0, 0.1};
@@ -427,29 +424,4 @@ static void profiles_that_are_none_are_refused(void **state)
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-4), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_beyond_flat(contact, &left, &right), RWEDGE_EABSENT);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cylinder_is_hertz),
-        cmocka_unit_test(a_flat_pad_has_its_edge_tension),
-        cmocka_unit_test(a_flat_pad_is_hertz_less_a_rounded_wedge),
-        cmocka_unit_test(the_edges_of_a_flat_are_known_from_its_corners),
-        cmocka_unit_test(the_rounded_wedge_is_a_profile),
-        cmocka_unit_test(a_profile_slips_as_its_wedge),
-        cmocka_unit_test(a_centred_pad_dissipates_as_its_wedge),
-        cmocka_unit_test(the_sharp_wedge_is_a_kink),
-        cmocka_unit_test(a_sampled_circle_converges_with_the_square_of_the_places),
-        cmocka_unit_test(a_sampled_cylinder_is_hertz),
-        cmocka_unit_test(a_mirrored_profile_mirrors_everything),
-        cmocka_unit_test(a_pad_is_stored_and_restored),
-        cmocka_unit_test(what_never_slips_on_a_flat),
-        cmocka_unit_test(the_yield_factor_misses_no_place),
-        cmocka_unit_test(a_narrow_patch_far_from_the_origin_is_where_its_moment_is),
-        cmocka_unit_test(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp),
-        cmocka_unit_test(a_contact_that_reaches_too_far_is_refused),
-        cmocka_unit_test(profiles_that_are_none_are_refused),
-    };
-    return RUN_CLAIMS("pads", tests);
 }

@@ -13,7 +13,7 @@ static rwedge_contact *with_strain(double strain)
 
 /* Nowell and Hills (1987): the stick zone of a cylinder is off the centre by the strain times R/f.
  * E = 10 and nu = 0.5 against a rigid cylinder of R = 100: (1 - nu^2)/E 0.04 R/f = 0.6. */
-static void a_soft_body_under_a_rigid_one_has_twice_the_offset(void **state)
+CLAIM(a_soft_body_under_a_rigid_one_has_twice_the_offset)
 {
     const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
     rwedge_contact *contact;
@@ -26,7 +26,7 @@ static void a_soft_body_under_a_rigid_one_has_twice_the_offset(void **state)
 }
 
 /* The strain alone matters to the tractions: twice the strain is half the tension. */
-static void strain_takes_the_place_of_tension(void **state)
+CLAIM(strain_takes_the_place_of_tension)
 {
     rwedge_contact *like = create(0.4, F), *unlike = with_strain(A / 2);
     apply(like, 0, 0, 0, 0.02);
@@ -56,7 +56,7 @@ static void strain_takes_the_place_of_tension(void **state)
 }
 
 /* A rigid half-plane does not stretch: any tension leaves no slip. */
-static void a_tension_may_stretch_nothing(void **state)
+CLAIM(a_tension_may_stretch_nothing)
 {
     rwedge_contact *contact = with_strain(0);
     apply(contact, 1, 0, 0, 0);
@@ -66,7 +66,7 @@ static void a_tension_may_stretch_nothing(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void it_is_set_while_the_bodies_are_apart(void **state)
+CLAIM(it_is_set_while_the_bodies_are_apart)
 {
     rwedge_contact *contact = create(0.4, F);
     assert_int_equal(rwedge_contact_set_strain(NULL, 1), RWEDGE_ENULL);
@@ -81,15 +81,4 @@ static void it_is_set_while_the_bodies_are_apart(void **state)
     apply(contact, 1, 0, 0.2, 0.02);
     assert_true(rw_patch_middle(stick_zone_of(contact)) == 0);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_soft_body_under_a_rigid_one_has_twice_the_offset),
-        cmocka_unit_test(strain_takes_the_place_of_tension),
-        cmocka_unit_test(a_tension_may_stretch_nothing),
-        cmocka_unit_test(it_is_set_while_the_bodies_are_apart),
-    };
-    return RUN_CLAIMS("strain", tests);
 }

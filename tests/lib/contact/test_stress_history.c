@@ -33,7 +33,7 @@ static int32_t run(history *h, rwedge_contact *contact)
                                          h->y, h->sxx, h->syy, h->txy);
 }
 
-static void gives_the_bits_of_single_calls(void **state)
+CLAIM(gives_the_bits_of_single_calls)
 {
     static history h;
     static const double cases[][3] = {
@@ -57,7 +57,7 @@ static void gives_the_bits_of_single_calls(void **state)
     }
 }
 
-static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
+CLAIM(a_load_that_is_refused_leaves_all_as_it_was)
 {
     static history h, before;
     fill(&h, 0.1, 0.02);
@@ -79,7 +79,7 @@ static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
 }
 
 /* Random histories of P and Q. */
-static void gives_the_bits_of_single_calls_along_random_histories(void **state)
+CLAIM(gives_the_bits_of_single_calls_along_random_histories)
 {
     static history h;
     fill(&h, 0, 0);
@@ -106,7 +106,7 @@ static void gives_the_bits_of_single_calls_along_random_histories(void **state)
 }
 
 /* Steps of slope f, each to rounding, leave corners with the same slope on both sides. */
-static void corners_of_one_slope_add_nothing(void **state)
+CLAIM(corners_of_one_slope_add_nothing)
 {
     static history h;
     fill(&h, 0, 0);
@@ -135,7 +135,7 @@ static void corners_of_one_slope_add_nothing(void **state)
 }
 
 /* Separated there is only the tension. */
-static void separated_bodies_are_stretched(void **state)
+CLAIM(separated_bodies_are_stretched)
 {
     static const double P[] = {0, 0.5, 0}, M[] = {0, 0.1, 0}, Q[] = {0, 0, 0}, sigma[] = {2, 2, 3};
     const double x = 0.1, y = 0.2, deep = -1;
@@ -152,7 +152,7 @@ static void separated_bodies_are_stretched(void **state)
 }
 
 /* One argument at a time. */
-static void what_is_missing_is_said(void **state)
+CLAIM(what_is_missing_is_said)
 {
     static history h;
     fill(&h, 0.1, 0.02);
@@ -174,17 +174,4 @@ static void what_is_missing_is_said(void **state)
     }
     assert_true(rwedge_contact_half_width(contact) == 0);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gives_the_bits_of_single_calls),
-        cmocka_unit_test(gives_the_bits_of_single_calls_along_random_histories),
-        cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
-        cmocka_unit_test(corners_of_one_slope_add_nothing),
-        cmocka_unit_test(separated_bodies_are_stretched),
-        cmocka_unit_test(what_is_missing_is_said),
-    };
-    return RUN_CLAIMS("stress_history", tests);
 }

@@ -13,7 +13,7 @@ static double yield_factor(const rwedge_contact *contact, double nu, double k, d
     return factor;
 }
 
-static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **state)
+CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
 {
     static const double ALPHAS[] = {1e-13, 1e-7, 1e-3, 0.0176, 0.05, 0.1, 0.3, 0.5, 0.9, 1, 3};
     static const double FRICTIONS[] = {0, 0.05, 0.15, 0.2367, 0.26, 0.4, 0.8};
@@ -35,7 +35,7 @@ static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **stat
 
 /* Tips, frictions and Poisson's ratios where J2 has ridges that are flat to 1e-9, or a maximum
  * as near to the edge as b/f^2. */
-static void in_sliding_no_ridge_is_too_flat(void **state)
+CLAIM(in_sliding_no_ridge_is_too_flat)
 {
     uint64_t seed = 5;
     for (int i = 0; i < 2000; i++) {
@@ -56,7 +56,7 @@ static void in_sliding_no_ridge_is_too_flat(void **state)
 
 /* The maximum is b/f^2 away from the edge, in Hertz' contact above all. A search around the centre
  * sees it, but does not resolve it. */
-static void strong_friction_yields_next_to_the_edge(void **state)
+CLAIM(strong_friction_yields_next_to_the_edge)
 {
     static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9},
                         FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
@@ -88,7 +88,7 @@ static double root_J2(const rwedge_contact *contact, double nu, double x, double
 
 /* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is
  * attained where it says. */
-static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
+CLAIM(no_point_is_nearer_to_yield_than_the_factor_says)
 {
     for (int number = 2; number < 42; number++) {
         random_history h;
@@ -112,7 +112,7 @@ static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
 
 /* Narrow roundings, thin layers and strong friction; points at every scale around every place
  * where the tractions have a corner, and in rings around the maximum itself. */
-static void no_scale_hides_a_higher_point(void **state)
+CLAIM(no_scale_hides_a_higher_point)
 {
     uint64_t seed = 21;
     for (int number = 0; number < 150; number++) {
@@ -143,7 +143,7 @@ static void no_scale_hides_a_higher_point(void **state)
 }
 
 /* With moment and bulk tension: along the surface, in the depth, and around every edge. */
-static void no_point_is_nearer_to_yield_off_the_centre(void **state)
+CLAIM(no_point_is_nearer_to_yield_off_the_centre)
 {
     uint64_t seed = 31;
     int tilted = 0;
@@ -188,7 +188,7 @@ static void no_point_is_nearer_to_yield_off_the_centre(void **state)
 }
 
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
-static void a_maximum_next_to_the_edge_is_not_missed(void **state)
+CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
     rwedge_contact *contact = NULL;
     assert_ok(rwedge_contact_create(0.01, 3, 0.001, 84.04542447034143, &contact));
@@ -202,7 +202,7 @@ static void a_maximum_next_to_the_edge_is_not_missed(void **state)
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
  * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
  * search is another. */
-static void a_ridge_beside_the_grid_is_followed(void **state)
+CLAIM(a_ridge_beside_the_grid_is_followed)
 {
     rwedge_contact *contact = NULL;
     const double P = 0.98755269117723787, M = -0.16595399389051149;
@@ -216,7 +216,7 @@ static void a_ridge_beside_the_grid_is_followed(void **state)
 /* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
  * off; the grids of other marks find the same top. With nu a little below 0.5 there is less of a
  * plateau, and J2 differs by less than 1e-13. */
-static void a_long_climb_is_broken_off_without_harm(void **state)
+CLAIM(a_long_climb_is_broken_off_without_harm)
 {
     rwedge_contact *contact = NULL;
     assert_ok(rwedge_contact_create(0.11871519035629816, 4.8339965423190293e-15,
@@ -229,7 +229,7 @@ static void a_long_climb_is_broken_off_without_harm(void **state)
 }
 
 /* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
-static void many_corners_hide_no_higher_point(void **state)
+CLAIM(many_corners_hide_no_higher_point)
 {
     for (int kind = 0; kind < 2; kind++)
         for (int n = 30; n <= 120; n += 45) {
@@ -257,7 +257,7 @@ static void many_corners_hide_no_higher_point(void **state)
         }
 }
 
-static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
+CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 {
     rwedge_contact *contact = create(0, 0.5);
     load(contact, 0.2, 0);
@@ -271,7 +271,7 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
 }
 
 /* A place of the search's grid around another mark is the apex itself, to the last bit. */
-static void a_grid_that_meets_the_apex_raises_nothing(void **state)
+CLAIM(a_grid_that_meets_the_apex_raises_nothing)
 {
     const double P = 0.001, f = 0.3;
     rwedge_contact *contact = NULL;
@@ -285,7 +285,7 @@ static void a_grid_that_meets_the_apex_raises_nothing(void **state)
 }
 
 /* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
-static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
+CLAIM(nothing_yields_earlier_beside_a_stuck_apex)
 {
     for (double f = 0.05; f < 0.5; f += 0.05) {
         rwedge_contact *contact = create(0, f);
@@ -302,7 +302,7 @@ static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
     }
 }
 
-static void a_factor_beyond_the_domain_is_refused(void **state)
+CLAIM(a_factor_beyond_the_domain_is_refused)
 {
     rwedge_contact *contact = NULL;
     assert_ok(rwedge_contact_create(0.1, 1e30, 1e30, 0.5, &contact));
@@ -344,7 +344,7 @@ static void assert_same_fields(const rwedge_contact *contact, const rw_neighbour
     }
 }
 
-static void a_neighbourhood_has_the_fields_of_all_patches(void **state)
+CLAIM(a_neighbourhood_has_the_fields_of_all_patches)
 {
     uint64_t seed = 7;
     static const double CASES[][2] = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, -0.1}, {9, 0.2}};
@@ -366,26 +366,4 @@ static void a_neighbourhood_has_the_fields_of_all_patches(void **state)
         assert_int_equal(fewest, 1);
         rwedge_contact_destroy(contact);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
-        cmocka_unit_test(in_sliding_no_ridge_is_too_flat),
-        cmocka_unit_test(strong_friction_yields_next_to_the_edge),
-        cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
-        cmocka_unit_test(no_scale_hides_a_higher_point),
-        cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
-        cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
-        cmocka_unit_test(a_ridge_beside_the_grid_is_followed),
-        cmocka_unit_test(a_long_climb_is_broken_off_without_harm),
-        cmocka_unit_test(many_corners_hide_no_higher_point),
-        cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
-        cmocka_unit_test(a_grid_that_meets_the_apex_raises_nothing),
-        cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
-        cmocka_unit_test(a_factor_beyond_the_domain_is_refused),
-        cmocka_unit_test(a_neighbourhood_has_the_fields_of_all_patches),
-    };
-    return RUN_CLAIMS("yield_factor", tests);
 }

@@ -54,7 +54,7 @@ static friction rubbed(const rwedge_contact *contact, const loads *c, size_t n, 
 
 /* Cattaneo and Mindlin: a cylinder's slip in a cycle of +-Q has the range 2 f/R int sqrt(t^2 - c^2)
  * from c to x, under the shear f p. R = a/theta. */
-static void a_cylinder_slips_as_cattaneo_and_mindlin_say(void **state)
+CLAIM(a_cylinder_slips_as_cattaneo_and_mindlin_say)
 {
     const double a = 50, P = 0.02, Q = 0.7 * F * P, b = sqrt(2 * A * P * a / THETA / PI);
     const double c = b * sqrt(1 - Q / (F * P)), p0 = 2 * P / (PI * b);
@@ -116,7 +116,7 @@ static void energies_of_the_places_add_up(double a, const loads *first, const lo
     rwedge_contact_destroy(contact);
 }
 
-static void energy_is_that_of_the_contact(void **state)
+CLAIM(energy_is_that_of_the_contact)
 {
     const loads constant = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     const loads changing = add(add((loads){0}, 1.2, 0, 0.5, 0), 0.8, 0, -0.3, 0);
@@ -130,7 +130,7 @@ static void energy_is_that_of_the_contact(void **state)
 }
 
 /* Pressed, sheared, removed: what slips while the bodies separate counts. */
-static void the_energy_of_a_removal_counts(void **state)
+CLAIM(the_energy_of_a_removal_counts)
 {
     const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0), 0, 0, 0, 0);
     rwedge_contact *contact = create(0.4, F), *loaded = after(0.4, &removal, 0);
@@ -144,7 +144,7 @@ static void the_energy_of_a_removal_counts(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void what_a_removal_under_tension_costs_is_not_known(void **state)
+CLAIM(what_a_removal_under_tension_costs_is_not_known)
 {
     const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0.15), 0, 0, 0, 0);
     rwedge_contact *contact = create(0.4, F);
@@ -187,7 +187,7 @@ static walker walk(const rwedge_contact *before, const loads *cycle, double x)
     return w;
 }
 
-static void a_place_that_stays_slips_as_in_many_small_steps(void **state)
+CLAIM(a_place_that_stays_slips_as_in_many_small_steps)
 {
     const loads cycle = add(
         add(add(add((loads){0}, 1.3, 0, 0.5, 0), 0.7, 0, -0.2, 0), 1, 0, 0.1, 0), 0.8, 0, 0.35, 0);
@@ -205,7 +205,7 @@ static void a_place_that_stays_slips_as_in_many_small_steps(void **state)
 }
 
 /* Of two stays in one cycle each begins with the slip that the other ended with. */
-static void the_range_does_not_jump_at_an_edge_that_passes_twice(void **state)
+CLAIM(the_range_does_not_jump_at_an_edge_that_passes_twice)
 {
     const loads cycle =
         add(add(add(add((loads){0}, 1.3, 0, 0.6, 0), 0.7, 0, -0.3, 0), 1.1, 0, -0.5, 0), 0.7, 0,
@@ -219,7 +219,7 @@ static void the_range_does_not_jump_at_an_edge_that_passes_twice(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void there_is_no_friction_outside(void **state)
+CLAIM(there_is_no_friction_outside)
 {
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     rwedge_contact *contact = after(0.4, &cycle, 1);
@@ -250,7 +250,7 @@ static double at_one_place(const rwedge_contact *contact, const loads *c, int me
 }
 
 /* From 21 places; 2001 are looked at. */
-static void the_worst_is_found_between_the_places(void **state)
+CLAIM(the_worst_is_found_between_the_places)
 {
     enum { COARSE = 21, FINE = 2001 };
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
@@ -310,7 +310,7 @@ static void stress_mean(const rwedge_contact *contact, const loads *c, double an
     }
 }
 
-static void critical_distances_take_the_point_and_the_mean_of_the_line(void **state)
+CLAIM(critical_distances_take_the_point_and_the_mean_of_the_line)
 {
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
     rwedge_contact *contact = create(0.4, F);
@@ -357,7 +357,7 @@ static double punch(double s, const void *b)
 }
 
 /* On first loading (A f/pi) int ln(b/s) dP(s) over the zone that slips: flat punches. */
-static void displacement_is_that_of_flat_punches(void **state)
+CLAIM(displacement_is_that_of_flat_punches)
 {
     rwedge_contact *contact = create(0.4, F);
     load(contact, 1, 0);
@@ -394,13 +394,13 @@ static void its_loop_encloses_the_energy(double M, double sigma, double toleranc
     rwedge_contact_destroy(contact);
 }
 
-static void the_loop_of_the_displacement_encloses_the_energy(void **state)
+CLAIM(the_loop_of_the_displacement_encloses_the_energy)
 {
     its_loop_encloses_the_energy(0, 0, 1e-4);
     its_loop_encloses_the_energy(0.2, 0, 2e-3);
 }
 
-static void there_is_no_displacement_without_contact(void **state)
+CLAIM(there_is_no_displacement_without_contact)
 {
     rwedge_contact *contact = create(0.4, F);
     assert_nan(rwedge_contact_displacement(NULL, 1));
@@ -412,7 +412,7 @@ static void there_is_no_displacement_without_contact(void **state)
 
 /* ---- Refusals ---- */
 
-static void a_refusal_leaves_the_outputs(void **state)
+CLAIM(a_refusal_leaves_the_outputs)
 {
     loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     rwedge_contact *contact = after(0.4, &cycle, 1), *sharp = after(0, &cycle, 1);
@@ -447,24 +447,4 @@ static void a_refusal_leaves_the_outputs(void **state)
     assert_true(worst_x == 7 && worst == 7);
     rwedge_contact_destroy(sharp);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cylinder_slips_as_cattaneo_and_mindlin_say),
-        cmocka_unit_test(energy_is_that_of_the_contact),
-        cmocka_unit_test(the_energy_of_a_removal_counts),
-        cmocka_unit_test(what_a_removal_under_tension_costs_is_not_known),
-        cmocka_unit_test(a_place_that_stays_slips_as_in_many_small_steps),
-        cmocka_unit_test(the_range_does_not_jump_at_an_edge_that_passes_twice),
-        cmocka_unit_test(there_is_no_friction_outside),
-        cmocka_unit_test(the_worst_is_found_between_the_places),
-        cmocka_unit_test(critical_distances_take_the_point_and_the_mean_of_the_line),
-        cmocka_unit_test(displacement_is_that_of_flat_punches),
-        cmocka_unit_test(the_loop_of_the_displacement_encloses_the_energy),
-        cmocka_unit_test(there_is_no_displacement_without_contact),
-        cmocka_unit_test(a_refusal_leaves_the_outputs),
-    };
-    return RUN_CLAIMS("cycle", tests);
 }

@@ -26,7 +26,7 @@ static double rigid_displacement(double t, const void *context)
     return 2 * (c->Q - t) * g->A / PI * log(eta);
 }
 
-static void a_cycle_dissipates_the_area_of_its_loop(void **state)
+CLAIM(a_cycle_dissipates_the_area_of_its_loop)
 {
     static const double ROUNDINGS[] = {0, 1e-6, 0.01, 0.2, 0.3, 0.39, 2};
     for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++)
@@ -55,7 +55,7 @@ static void a_cycle_dissipates_the_area_of_its_loop(void **state)
 
 /* The energy does not fall, not even by the last bit, which the carry of the summation once took
  * back. */
-static void energy_never_falls(void **state)
+CLAIM(energy_never_falls)
 {
     for (int number = 1; number <= 3000; number++) {
         random_history h;
@@ -70,7 +70,7 @@ static void energy_never_falls(void **state)
     }
 }
 
-static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
+CLAIM(energy_does_not_depend_on_how_a_step_is_cut)
 {
     for (int number = 1; number <= 60; number++) {
         random_history h;
@@ -94,7 +94,7 @@ static void energy_does_not_depend_on_how_a_step_is_cut(void **state)
 
 /* In these units a reversal dissipates a tenth of the largest energy of the domain, or more than
  * all of it. The load that would exceed the domain is refused, and leaves all as it was. */
-static void energy_ends_with_the_domain(void **state)
+CLAIM(energy_ends_with_the_domain)
 {
     const double f = 0.5;
     rwedge_contact *unit = create(0.1, f);
@@ -154,14 +154,14 @@ static void cycle_often(double P_low)
     rwedge_contact_destroy(contact);
 }
 
-static void equal_cycles_change_nothing(void **state)
+CLAIM(equal_cycles_change_nothing)
 {
     cycle_often(0.2);
     cycle_often(0.15);
 }
 
 /* The path of the entry and that of the moment part at a corner. */
-static void slip_is_continuous_where_its_front_meets_a_corner(void **state)
+CLAIM(slip_is_continuous_where_its_front_meets_a_corner)
 {
     const double f = 0.5;
     rwedge_contact *exact = create(0.1, f), *nearly = NULL;
@@ -182,7 +182,7 @@ static void slip_is_continuous_where_its_front_meets_a_corner(void **state)
 /* The end of the rounding is far above the load at the start of a step, so that their rounding
  * errors differ. The kink of the integrand there was once taken for smooth: an error of 7e-6. The
  * expected values are from quadrature in 30 digits. */
-static void a_rising_step_may_pass_the_end_of_the_rounding(void **state)
+CLAIM(a_rising_step_may_pass_the_end_of_the_rounding)
 {
     const double theta = 0.09523331859380775, a = 0.00057589523786758271,
                  compliance = 0.0011329490948356104;
@@ -198,7 +198,7 @@ static void a_rising_step_may_pass_the_end_of_the_rounding(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void separation_forgets_all_but_the_energy(void **state)
+CLAIM(separation_forgets_all_but_the_energy)
 {
     rwedge_contact *contact = create(0.1, 0.6);
     load(contact, 0.2, 0);
@@ -219,7 +219,7 @@ static void separation_forgets_all_but_the_energy(void **state)
 
 /* Where 1 - Q/(fP) fell below 1e-6, the narrow front lost the panels next to it: errors up to 5 %.
  */
-static void a_narrow_front_has_its_energy(void **state)
+CLAIM(a_narrow_front_has_its_energy)
 {
     reference rows = reference_open("energy_off_centre.csv");
     while (reference_next(&rows)) {
@@ -234,7 +234,7 @@ static void a_narrow_front_has_its_energy(void **state)
 }
 
 /* Any separation was taken for one under constant tension. */
-static void a_separation_that_slips_off_the_centre_has_no_energy(void **state)
+CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
 {
     static const double LAST[][2] = {{0, 0}, {0.1, 0}, {0, 0.02}, {0.1, 0.02}};
     for (int i = 1; i < 4; i++) {
@@ -256,7 +256,7 @@ static void a_separation_that_slips_off_the_centre_has_no_energy(void **state)
     }
 }
 
-static void a_separation_without_shear_dissipates_nothing(void **state)
+CLAIM(a_separation_without_shear_dissipates_nothing)
 {
     for (int parts = 1; parts <= 2; parts++) {
         rwedge_contact *contact = create(0.4, 0.5);
@@ -271,7 +271,7 @@ static void a_separation_without_shear_dissipates_nothing(void **state)
 }
 
 /* A whole separation gave a number where its parts gave none. */
-static void a_separation_and_its_parts_have_the_same_energy(void **state)
+CLAIM(a_separation_and_its_parts_have_the_same_energy)
 {
     uint64_t seed = 5;
     int known = 0, unknown = 0;
@@ -303,23 +303,4 @@ static void a_separation_and_its_parts_have_the_same_energy(void **state)
         rwedge_contact_destroy(parts);
     }
     assert_true(known > 200 && unknown > 200);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cycle_dissipates_the_area_of_its_loop),
-        cmocka_unit_test(energy_never_falls),
-        cmocka_unit_test(energy_does_not_depend_on_how_a_step_is_cut),
-        cmocka_unit_test(equal_cycles_change_nothing),
-        cmocka_unit_test(slip_is_continuous_where_its_front_meets_a_corner),
-        cmocka_unit_test(a_rising_step_may_pass_the_end_of_the_rounding),
-        cmocka_unit_test(separation_forgets_all_but_the_energy),
-        cmocka_unit_test(energy_ends_with_the_domain),
-        cmocka_unit_test(a_narrow_front_has_its_energy),
-        cmocka_unit_test(a_separation_that_slips_off_the_centre_has_no_energy),
-        cmocka_unit_test(a_separation_without_shear_dissipates_nothing),
-        cmocka_unit_test(a_separation_and_its_parts_have_the_same_energy),
-    };
-    return RUN_CLAIMS("dissipation", tests);
 }

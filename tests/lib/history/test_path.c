@@ -15,7 +15,7 @@ static void stress_at(const rwedge_contact *contact, double x, double y, double 
 }
 
 /* One step from (P, M) to (P, M, Q, sigma), in 30 digits. */
-static void one_step_agrees_with_30_digits(void **state)
+CLAIM(one_step_agrees_with_30_digits)
 {
     reference rows = reference_open("eccentric.csv");
     while (reference_next(&rows)) {
@@ -47,7 +47,7 @@ static void one_step_agrees_with_30_digits(void **state)
  * e = a sigma/(4 f p0) off. E = 72.1 GPa, nu = 0.33, 543 N and 155 N on 4 mm, R = 10 mm, f = 0.3,
  * sigma = 100 MPa: half-width 0.206698 mm, p0 = 418.104 MPa, c = 0.045519, e = 0.041197, trailing
  * edge 345.747 MPa. */
-static void nowell_and_hills_cylinder(void **state)
+CLAIM(nowell_and_hills_cylinder)
 {
     const double compliance = rwedge_compliance(72.1e3, 0.33, 72.1e3, 0.33), R = 10, a = 3;
     rwedge_contact *contact;
@@ -68,7 +68,7 @@ static void nowell_and_hills_cylinder(void **state)
 }
 
 /* p0 = 157, sigma = 92.7, Q/P = 0.45, f = 0.75: c/a = 0.6325, e/a = 0.1968, edge 1.8193 p0. */
-static void nowell_and_hills_ratios(void **state)
+CLAIM(nowell_and_hills_ratios)
 {
     const double f = 0.75, p0 = 157, a = 100, unit = 157 * 100; /* p0 = theta/A b/a at b = 1 */
     rwedge_contact *contact;
@@ -86,7 +86,7 @@ static void nowell_and_hills_ratios(void **state)
 }
 
 /* NAFEMS' contact benchmark CB1: a steel cylinder of R = 50 on aluminium, 35 kN/mm. */
-static void nafems_cylinder(void **state)
+CLAIM(nafems_cylinder)
 {
     const double compliance = rwedge_compliance(210e3, 0.3, 70e3, 0.3), a = 20;
     rwedge_contact *contact;
@@ -174,7 +174,7 @@ static size_t marks(const rwedge_contact *contact, double points[])
     return n - 1;
 }
 
-static void tractions_carry_the_loads(void **state)
+CLAIM(tractions_carry_the_loads)
 {
     uint64_t seed = 5;
     for (int i = 0; i < 25; i++) {
@@ -192,7 +192,7 @@ static void tractions_carry_the_loads(void **state)
 }
 
 /* (M, Q, sigma) -> (-M, -Q, sigma) is seen in a mirror. */
-static void opposite_loads_give_the_mirror_image(void **state)
+CLAIM(opposite_loads_give_the_mirror_image)
 {
     rwedge_contact *one = create(0.4, F), *other = create(0.4, F);
     const double loads[][4] = {
@@ -216,7 +216,7 @@ static void opposite_loads_give_the_mirror_image(void **state)
 }
 
 /* div sigma = 0, by central differences. */
-static void stresses_are_in_equilibrium(void **state)
+CLAIM(stresses_are_in_equilibrium)
 {
     uint64_t seed = 8;
     for (int i = 0; i < 20; i++) {
@@ -236,7 +236,7 @@ static void stresses_are_in_equilibrium(void **state)
 }
 
 /* A tiny moment or tension changes as little. */
-static void results_are_continuous_in_moment_and_tension(void **state)
+CLAIM(results_are_continuous_in_moment_and_tension)
 {
     rwedge_contact *plain = create(0.4, F), *other = create(0.4, F);
     apply(plain, 0.5, 0, 0, 0);
@@ -255,7 +255,7 @@ static void results_are_continuous_in_moment_and_tension(void **state)
 }
 
 /* An edge of the contact, or of what sticks, that passes an end of the rounding. */
-static void results_are_continuous_where_an_edge_passes_the_rounding(void **state)
+CLAIM(results_are_continuous_where_an_edge_passes_the_rounding)
 {
     const double a = 1.2, P = 0.1;
     double inside = 0, outside = 3 * P; /* moments with the right edge there */
@@ -286,7 +286,7 @@ static void results_are_continuous_where_an_edge_passes_the_rounding(void **stat
 }
 
 /* A tension that is there before the contact only adds. */
-static void tension_before_contact_only_adds(void **state)
+CLAIM(tension_before_contact_only_adds)
 {
     rwedge_contact *with = create(0.4, F), *without = create(0.4, F);
     apply(with, 0, 0, 0, 0.7);
@@ -320,7 +320,7 @@ static void refuse(rwedge_contact *contact, double P, double M, double Q, double
     assert_memory_equal(before, after, n * sizeof *before);
 }
 
-static void what_has_no_closed_form_is_refused(void **state)
+CLAIM(what_has_no_closed_form_is_refused)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -351,7 +351,7 @@ static rwedge_contact *contact_with_two_fronts(void)
     return contact;
 }
 
-static void what_sticks_between_two_fronts_is_refused(void **state)
+CLAIM(what_sticks_between_two_fronts_is_refused)
 {
     rwedge_contact *contact = contact_with_two_fronts();
     refuse(contact, .4779, 0, -.1845, -.0204, RWEDGE_EPATH);
@@ -375,7 +375,7 @@ static double least_slip(const rwedge_contact *before, const rwedge_contact *aft
 
 /* Between the refused load and the next one that is not, the limit is where slip vanishes at one
  * point. */
-static void the_limit_is_where_slip_vanishes(void **state)
+CLAIM(the_limit_is_where_slip_vanishes)
 {
     rwedge_contact *before = contact_with_two_fronts();
     double refused = 0, accepted = 1, least = 0;
@@ -400,7 +400,7 @@ static void the_limit_is_where_slip_vanishes(void **state)
 }
 
 /* Q returns to that of a corner, sigma does not. */
-static void a_corner_with_another_tilt_is_refused(void **state)
+CLAIM(a_corner_with_another_tilt_is_refused)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -412,7 +412,7 @@ static void a_corner_with_another_tilt_is_refused(void **state)
 }
 
 /* The ring that is added has one D only where the tilt stays as it is. */
-static void rings_with_shear_need_a_constant_tilt(void **state)
+CLAIM(rings_with_shear_need_a_constant_tilt)
 {
     rwedge_contact *hertz = create(6, F), *centred = create(0.4, F);
     apply(hertz, 0.5, 0.5, 0, 0);
@@ -437,7 +437,7 @@ static void rings_with_shear_need_a_constant_tilt(void **state)
 }
 
 /* What recedes leaves patches of the history at both edges at once, or not at all. */
-static void recession_is_refused_where_it_passes_a_patch_at_one_edge(void **state)
+CLAIM(recession_is_refused_where_it_passes_a_patch_at_one_edge)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -461,7 +461,7 @@ static void assert_same_state(const rwedge_contact *one, const rwedge_contact *o
 }
 
 /* What recedes without slip to a patch of the history, and goes on, may do so in one step. */
-static void recession_passes_a_patch_at_both_edges_at_once(void **state)
+CLAIM(recession_passes_a_patch_at_both_edges_at_once)
 {
     static const double moments[] = {0, 0.2}, ends[] = {0.45, 0.3};
     for (int i = 0; i < 4; i++) {
@@ -481,7 +481,7 @@ static void recession_passes_a_patch_at_both_edges_at_once(void **state)
 }
 
 /* In shorter steps the front goes the same way. */
-static void long_steps_lead_where_short_ones_do(void **state)
+CLAIM(long_steps_lead_where_short_ones_do)
 {
     static const double from[] = {0.5, 0.1, 0.1, 0.01}, to[][4] = {{0.15, 0.03, 0.03, 0.003},
                                                                    {0.9, 0.19, 0.35, 0.02},
@@ -507,7 +507,7 @@ static void long_steps_lead_where_short_ones_do(void **state)
     }
 }
 
-static void a_tilted_contact_slides(void **state)
+CLAIM(a_tilted_contact_slides)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -525,7 +525,7 @@ static void a_tilted_contact_slides(void **state)
 
 /* With |Q| = f P there is one traction, whatever the way: also where the edges part, and where the
  * contact recedes. */
-static void every_way_leads_to_sliding(void **state)
+CLAIM(every_way_leads_to_sliding)
 {
     static const double to[][4] = {{0.5, 0.2, 0.25, 0.01},
                                    {0.3, 0.06, -0.15, 0.02},
@@ -550,7 +550,7 @@ static void every_way_leads_to_sliding(void **state)
     }
 }
 
-static void a_moment_may_be_taken_away(void **state)
+CLAIM(a_moment_may_be_taken_away)
 {
     rwedge_contact *contact = create(0.4, F), *fresh = create(0.4, F);
     apply(contact, 0.5, 0.05, 0, 0);
@@ -565,7 +565,7 @@ static void a_moment_may_be_taken_away(void **state)
 }
 
 /* Without friction the history leaves nothing, and M may do what it will. */
-static void without_friction_all_is_exact(void **state)
+CLAIM(without_friction_all_is_exact)
 {
     rwedge_contact *contact = create(0.4, 0);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -582,7 +582,7 @@ static void without_friction_all_is_exact(void **state)
     rwedge_contact_destroy(fresh);
 }
 
-static void random_loads_are_finite_or_change_nothing(void **state)
+CLAIM(random_loads_are_finite_or_change_nothing)
 {
     uint64_t seed = 77;
     int accepted = 0, refused = 0;
@@ -627,7 +627,7 @@ static void random_loads_are_finite_or_change_nothing(void **state)
 /* ---- Edges ---- */
 
 /* The edge's pressure like the root of the distance. */
-static void the_pressure_rises_as_its_asymptote_says(void **state)
+CLAIM(the_pressure_rises_as_its_asymptote_says)
 {
     uint64_t seed = 21;
     for (int i = 0; i < 20; i++) {
@@ -647,7 +647,7 @@ static void the_pressure_rises_as_its_asymptote_says(void **state)
 }
 
 /* The slip length 2 K_T/(f K_N) of a small Q: to 0.1 % at Q/(fP) = 0.001, 9 % at 0.1. */
-static void the_slip_length_is_that_of_the_asymptotes(void **state)
+CLAIM(the_slip_length_is_that_of_the_asymptotes)
 {
     static const double ratios[] = {0.001, 0.1}, within[] = {0.002, 0.1};
     for (int i = 0; i < 2; i++) {
@@ -666,7 +666,7 @@ static void the_slip_length_is_that_of_the_asymptotes(void **state)
 }
 
 /* The stick zone after the third half-cycle, whatever came first. */
-static void what_never_slips_is_what_cycles_leave(void **state)
+CLAIM(what_never_slips_is_what_cycles_leave)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -694,7 +694,7 @@ static void what_never_slips_is_what_cycles_leave(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void what_never_slips_is_the_same_on_the_way_back(void **state)
+CLAIM(what_never_slips_is_the_same_on_the_way_back)
 {
     double left, right, l, r;
     assert_ok(rwedge_permanent_stick(THETA, 0.4, A, F, 0.5, 0.1, -0.1, -0.03, 0.6, 0.1, 0.2, 0.02,
@@ -706,7 +706,7 @@ static void what_never_slips_is_the_same_on_the_way_back(void **state)
 
 /* The ring between P = 300 and 488 takes up the change of Q: the energy stays that of the first
  * load. */
-static void the_whole_smaller_contact_may_stick(void **state)
+CLAIM(the_whole_smaller_contact_may_stick)
 {
     double left, right;
     rwedge_contact *contact;
@@ -727,7 +727,7 @@ static void the_whole_smaller_contact_may_stick(void **state)
 }
 
 /* Q may exceed f P by rounding, as everywhere. */
-static void a_cycle_may_touch_sliding(void **state)
+CLAIM(a_cycle_may_touch_sliding)
 {
     double left, right, l, r;
     assert_ok(rwedge_permanent_stick(THETA, 0.4, A, 0.3, 1000, 0, nextafter(300, 400), 0, 1000, 0,
@@ -736,7 +736,7 @@ static void a_cycle_may_touch_sliding(void **state)
     assert_within(right, r, 1e-15 * r);
 }
 
-static void cycles_without_a_permanent_stick_zone_say_why(void **state)
+CLAIM(cycles_without_a_permanent_stick_zone_say_why)
 {
     static const struct {
         double f, v[8]; /* P, M, Q, sigma twice */
@@ -780,7 +780,7 @@ static double friction_times_slip(double x, const void *contact)
     return F * fabs(pressure(contact, x) * slip(contact, x));
 }
 
-static void energy_is_friction_times_slip(void **state)
+CLAIM(energy_is_friction_times_slip)
 {
     static const double moments[] = {0, 0.1, -0.2};
     for (int i = 0; i < 3; i++) {
@@ -803,7 +803,7 @@ static void energy_is_friction_times_slip(void **state)
 
 /* The slip begins in the outer of two rings with shear, so that the inner one is common to before
  * and after. */
-static void slip_may_leave_an_inner_ring_alone(void **state)
+CLAIM(slip_may_leave_an_inner_ring_alone)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.3, 0, 0.05, 0);
@@ -818,7 +818,7 @@ static void slip_may_leave_an_inner_ring_alone(void **state)
 }
 
 /* Its two halves are those of the histories of P and Q. */
-static void slip_is_continuous_in_the_moment(void **state)
+CLAIM(slip_is_continuous_in_the_moment)
 {
     rwedge_contact *plain = create(0.4, F), *other = create(0.4, F);
     static const double shears[] = {0, 0.2, -0.15, 0.1};
@@ -836,7 +836,7 @@ static void slip_is_continuous_in_the_moment(void **state)
 }
 
 /* For the same Q/f and sigma/f. */
-static void slip_is_proportional_to_friction(void **state)
+CLAIM(slip_is_proportional_to_friction)
 {
     rwedge_contact *rough = create(0.4, 2), *other = create(0.4, F);
     apply(rough, 0.5, 0.1, 0, 0);
@@ -855,7 +855,7 @@ static void slip_is_proportional_to_friction(void **state)
 }
 
 /* Slip began twice, at points that had come into contact at different times. */
-static void slip_has_one_origin_or_none(void **state)
+CLAIM(slip_has_one_origin_or_none)
 {
     rwedge_contact *contact = create(0.4, F);
     load(contact, 0.5, 0);
@@ -877,7 +877,7 @@ static void slip_has_one_origin_or_none(void **state)
 
 /* Where the contact falls with moment and tension, the energy has no single integral; where rings
  * come into contact that slip at once, neither has the slip an origin. */
-static void energy_and_slip_say_where_they_are_not_known(void **state)
+CLAIM(energy_and_slip_say_where_they_are_not_known)
 {
     rwedge_contact *contact = create(0.4, F);
     apply(contact, 0.5, 0.1, 0, 0);
@@ -902,14 +902,14 @@ static void energy_and_slip_say_where_they_are_not_known(void **state)
 }
 
 /* The integral once went on without end. */
-static void a_patch_without_width_ends_the_integral_of_its_gap(void **state)
+CLAIM(a_patch_without_width_ends_the_integral_of_its_gap)
 {
     assert_nan(rw_patch_gap(&(rw_geometry){.a = 0.4}, (rw_patch){0.1, 0.1}, 0.2));
     assert_nan(rw_patch_gap(&(rw_geometry){.a = 0}, (rw_patch){0.5, 0.5}, 0.6));
 }
 
 /* So small a force moves one edge of the slip by less than the rounding of its place. */
-static void the_energy_of_an_edge_that_stays_divides_by_nothing(void **state)
+CLAIM(the_energy_of_an_edge_that_stays_divides_by_nothing)
 {
     const double a = 1e-60, compliance = 0.9999, P = 1,
                  M = 0.25 * P * rwedge_half_width(1, a, compliance, P);
@@ -922,49 +922,4 @@ static void the_energy_of_an_edge_that_stays_divides_by_nothing(void **state)
     assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
     assert_true(rwedge_contact_dissipated_energy(contact) >= 0);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_step_agrees_with_30_digits),
-        cmocka_unit_test(nowell_and_hills_cylinder),
-        cmocka_unit_test(nowell_and_hills_ratios),
-        cmocka_unit_test(nafems_cylinder),
-        cmocka_unit_test(tractions_carry_the_loads),
-        cmocka_unit_test(opposite_loads_give_the_mirror_image),
-        cmocka_unit_test(stresses_are_in_equilibrium),
-        cmocka_unit_test(results_are_continuous_in_moment_and_tension),
-        cmocka_unit_test(results_are_continuous_where_an_edge_passes_the_rounding),
-        cmocka_unit_test(tension_before_contact_only_adds),
-        cmocka_unit_test(what_has_no_closed_form_is_refused),
-        cmocka_unit_test(what_sticks_between_two_fronts_is_refused),
-        cmocka_unit_test(the_limit_is_where_slip_vanishes),
-        cmocka_unit_test(a_corner_with_another_tilt_is_refused),
-        cmocka_unit_test(rings_with_shear_need_a_constant_tilt),
-        cmocka_unit_test(recession_is_refused_where_it_passes_a_patch_at_one_edge),
-        cmocka_unit_test(recession_passes_a_patch_at_both_edges_at_once),
-        cmocka_unit_test(long_steps_lead_where_short_ones_do),
-        cmocka_unit_test(a_tilted_contact_slides),
-        cmocka_unit_test(every_way_leads_to_sliding),
-        cmocka_unit_test(a_moment_may_be_taken_away),
-        cmocka_unit_test(without_friction_all_is_exact),
-        cmocka_unit_test(random_loads_are_finite_or_change_nothing),
-        cmocka_unit_test(the_pressure_rises_as_its_asymptote_says),
-        cmocka_unit_test(the_slip_length_is_that_of_the_asymptotes),
-        cmocka_unit_test(what_never_slips_is_what_cycles_leave),
-        cmocka_unit_test(what_never_slips_is_the_same_on_the_way_back),
-        cmocka_unit_test(the_whole_smaller_contact_may_stick),
-        cmocka_unit_test(a_cycle_may_touch_sliding),
-        cmocka_unit_test(cycles_without_a_permanent_stick_zone_say_why),
-        cmocka_unit_test(energy_is_friction_times_slip),
-        cmocka_unit_test(slip_may_leave_an_inner_ring_alone),
-        cmocka_unit_test(slip_is_proportional_to_friction),
-        cmocka_unit_test(slip_has_one_origin_or_none),
-        cmocka_unit_test(slip_is_continuous_in_the_moment),
-        cmocka_unit_test(energy_and_slip_say_where_they_are_not_known),
-        cmocka_unit_test(a_patch_without_width_ends_the_integral_of_its_gap),
-        cmocka_unit_test(the_energy_of_an_edge_that_stays_divides_by_nothing),
-    };
-    return RUN_CLAIMS("path", tests);
 }

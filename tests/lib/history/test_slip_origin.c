@@ -66,7 +66,7 @@ static void random_load(random_history *h, int step)
     h->Q = fmax(-0.9 * h->P, fmin(0.9 * h->P, h->Q / h->f + change)) * h->f;
 }
 
-static void paths_that_are_kept_are_what_they_were(void **state)
+CLAIM(paths_that_are_kept_are_what_they_were)
 {
     static copies c;
     size_t most = 0;
@@ -92,7 +92,7 @@ static void paths_that_are_kept_are_what_they_were(void **state)
 }
 
 /* Each load rises, every other one slips: once 194 MB for 4001 loads, 3.1 GB for 16001. */
-static void memory_grows_in_proportion_to_the_loads(void **state)
+CLAIM(memory_grows_in_proportion_to_the_loads)
 {
     enum { LOADS = 4000 };
     rwedge_contact *contact = NULL, *restored = NULL;
@@ -125,13 +125,4 @@ static void memory_grows_in_proportion_to_the_loads(void **state)
     free(numbers);
     rwedge_contact_destroy(restored);
     rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(paths_that_are_kept_are_what_they_were),
-        cmocka_unit_test(memory_grows_in_proportion_to_the_loads),
-    };
-    return RUN_CLAIMS("slip_origin", tests);
 }

@@ -64,7 +64,6 @@ static difference along_a_history(uint64_t number, double a, double f, int level
         }
         compare(contact, &solver, f, &mean);
     }
-    rwedge_contact_destroy(contact);
     return mean;
 }
 

@@ -80,7 +80,6 @@ static difference along_the_history(rwedge_contact *contact, double (*height)(do
     }
     printf("%3d elements: pressure %.1e shear %.1e slip %.1e energy %.1e\n", (int)n, worst.pressure,
            worst.shear, worst.slip, worst.energy);
-    rwedge_contact_destroy(contact);
     return worst;
 }
 
@@ -96,14 +95,14 @@ static rwedge_contact *flat(void)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
 static rwedge_contact *worn(void)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
 CLAIM(a_flat_pad_is_the_limit_of_boundary_elements)

@@ -51,10 +51,8 @@ static int advice_for(const rwedge_contact *contact, rw_loads to)
     for (size_t i = 0; i < sizeof ADVICE / sizeof *ADVICE; i++) {
         if (!strstr(text, ADVICE[i].words))
             continue;
-        rwedge_contact *trial;
-        assert_ok(rwedge_contact_copy(contact, &trial));
+        rwedge_contact *trial = copy_of(contact);
         assert_ok(follow(trial, ADVICE[i].way, to));
-        rwedge_contact_destroy(trial);
         return ADVICE[i].way;
     }
     fail_msg("no advice in \"%s\"", text);
@@ -94,7 +92,6 @@ CLAIM(advice_leads_there)
             if (applied(contact, to) == RWEDGE_EPATH)
                 times[advice_for(contact, to)]++;
         }
-        rwedge_contact_destroy(contact);
     }
     for (int i = 0; i < 5; i++)
         assert_true(times[i] > 0);
@@ -107,5 +104,4 @@ CLAIM(a_load_of_q_and_sigma_is_not_told_to_be_one)
     assert_ok(applied(contact, (rw_loads){0.5, 0.1, 0, 0}));
     const rw_loads to = {0.5, 0.1, 0.1, 1};
     assert_int_equal(advice_for(contact, to), TENSION);
-    rwedge_contact_destroy(contact);
 }

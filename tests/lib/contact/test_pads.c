@@ -8,25 +8,14 @@ static rwedge_contact *flat(double a)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_flat(a, R, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
 static rwedge_contact *profile(size_t n, const double x[], const double slope[])
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_profile(n, x, slope, A, F, &contact));
-    return contact;
-}
-
-typedef struct {
-    double xx, yy, xy;
-} stresses;
-
-static stresses stress(const rwedge_contact *contact, double x, double y)
-{
-    stresses s;
-    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s.xx, &s.yy, &s.xy));
-    return s;
+    return owned(contact);
 }
 
 /* The load of a flat that is in contact up to b: Ciavarella, Hills and Monno (1998). */
@@ -47,7 +36,6 @@ CLAIM(a_cylinder_is_hertz)
     apply(contact, 2, 1, 0, 0); /* the patch moves by M/P, the tilt is that over R */
     assert_close(edges_of(contact).right, 0.5 + b, 1e-15);
     assert_close(rwedge_contact_tilt(contact), 0.5 / R, 1e-14);
-    rwedge_contact_destroy(contact);
 }
 
 CLAIM(a_flat_pad_has_its_edge_tension)
@@ -58,10 +46,9 @@ CLAIM(a_flat_pad_has_its_edge_tension)
         rwedge_contact *contact = flat(a);
         apply(contact, P, 0, F * P, 0);
         assert_close(edges_of(contact).right, 1, 1e-14);
-        assert_close(stress(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
+        assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
         const double exact = 2 * (1 - a) / (acos(a) - a * sqrt(1 - a * a));
-        assert_close(stress(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);
-        rwedge_contact_destroy(contact);
+        assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);
     }
 }
 
@@ -78,13 +65,12 @@ CLAIM(a_flat_pad_is_hertz_less_a_rounded_wedge)
             double h[3], w[3];
             assert_ok(rwedge_stress(1, F, 0, x, y, &h[0], &h[1], &h[2]));
             assert_ok(rwedge_stress(a, F, 0, x, y, &w[0], &w[1], &w[2]));
-            const stresses s = stress(contact, x, y);
+            const stresses s = stress_at(contact, x, y);
             const double norm = fabs(h[0]) + fabs(h[1]) + fabs(h[2]);
             assert_within(s.xx * A * R, h[0] - a * w[0], 2e-14 * norm);
             assert_within(s.yy * A * R, h[1] - a * w[1], 2e-14 * norm);
             assert_within(s.xy * A * R, h[2] - a * w[2], 2e-14 * norm);
         }
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -104,7 +90,6 @@ CLAIM(the_edges_of_a_flat_are_known_from_its_corners)
         assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
         assert_close(right, d, 1e-14);
         assert_true(left == right);
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -130,11 +115,9 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
         assert_close(k[1][i], k[0][i], 1e-13);
     for (double x = -2; x < 2; x += 0.17) {
         const double y = fabs(x) < 0.5 ? 0 : 0.1;
-        const stresses s = stress(one, x, y), t = stress(other, x, y);
+        const stresses s = stress_at(one, x, y), t = stress_at(other, x, y);
         const double norm = fmax(fabs(s.xx) + fabs(s.yy) + fabs(s.xy), THETA / A / (1 + fabs(x)));
-        assert_within(t.xx, s.xx, 3e-14 * norm);
-        assert_within(t.yy, s.yy, 3e-14 * norm);
-        assert_within(t.xy, s.xy, 3e-14 * norm);
+        assert_within(apart(s, t), 0, 3e-14 * norm);
     }
 }
 
@@ -160,9 +143,6 @@ CLAIM(the_rounded_wedge_is_a_profile)
                 assert_within(slip(pads[k], at), slip(wedge, at), 1e-12 * THETA);
         }
     }
-    for (int k = 0; k < 2; k++)
-        rwedge_contact_destroy(pads[k]);
-    rwedge_contact_destroy(wedge);
 }
 
 /* P and Q alone: slip is then known along all of a history. */
@@ -181,8 +161,6 @@ CLAIM(a_profile_slips_as_its_wedge)
         assert_close(rwedge_contact_displacement(pad, b), rwedge_contact_displacement(wedge, b),
                      1e-4);
     }
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
 CLAIM(a_centred_pad_dissipates_as_its_wedge)
@@ -197,8 +175,6 @@ CLAIM(a_centred_pad_dissipates_as_its_wedge)
         assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
                      1e-11);
     }
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
 CLAIM(the_sharp_wedge_is_a_kink)
@@ -212,8 +188,6 @@ CLAIM(the_sharp_wedge_is_a_kink)
     }
     double s[3];
     assert_int_equal(rwedge_contact_stresses(pad, 1, x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
 /* The slope of a circle of radius 1 at |x| < b, b = 0.4: P A = b^2 int cos(phi)^2 g'(b sin phi), g'
@@ -232,7 +206,6 @@ static double sampled_error(int n)
     rwedge_contact *contact = profile((size_t)n + 1, x, slope);
     apply(contact, expected / A, 0, 0, 0);
     assert_ok(rwedge_contact_edges(contact, &left, &right));
-    rwedge_contact_destroy(contact);
     return right / 0.4 - 1;
 }
 
@@ -257,14 +230,10 @@ CLAIM(a_sampled_cylinder_is_hertz)
         assert_within(edges_of(pad).right, edges_of(cylinder).right, 1e-13);
         assert_within(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-12);
         for (double at = -1.93; at < 2; at += 0.31) {
-            const stresses s = stress(pad, at, 0.1), t = stress(cylinder, at, 0.1);
-            assert_within(s.xx, t.xx, 1e-13);
-            assert_within(s.yy, t.yy, 1e-13);
-            assert_within(s.xy, t.xy, 1e-13);
+            const stresses s = stress_at(pad, at, 0.1), t = stress_at(cylinder, at, 0.1);
+            assert_within(apart(s, t), 0, 1e-13);
         }
     }
-    rwedge_contact_destroy(pad);
-    rwedge_contact_destroy(cylinder);
 }
 
 static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};
@@ -288,38 +257,25 @@ CLAIM(a_mirrored_profile_mirrors_everything)
         assert_within(stick_zone_of(one).left, -stick_zone_of(other).right, 1e-12);
         assert_close(rwedge_contact_tilt(one), -rwedge_contact_tilt(other), 1e-12);
         for (double at = -1.5; at < 1.5; at += 0.21) {
-            const stresses s = stress(one, at, 0.03), t = stress(other, -at, 0.03);
+            const stresses s = stress_at(one, at, 0.03), t = stress_at(other, -at, 0.03);
             assert_within(s.xx, t.xx, 1e-12);
             assert_within(s.xy, -t.xy, 1e-12);
         }
     }
-    rwedge_contact_destroy(one);
-    rwedge_contact_destroy(other);
 }
 
 CLAIM(a_pad_is_stored_and_restored)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4), profile(5, WORN_X, WORN)};
     for (int i = 0; i < 3; i++) {
-        rwedge_contact *restored, *copy;
-        double numbers[400];
         apply(pads[i], 0.2, 0.01, 0, 0);
         apply(pads[i], 0.2, 0.01, 0.05, 0);
-        const size_t n = rwedge_contact_state_size(pads[i]);
-        assert_true(n <= 400);
-        assert_ok(rwedge_contact_state(pads[i], n, numbers));
-        assert_ok(rwedge_contact_restore(n, numbers, &restored));
-        assert_ok(rwedge_contact_copy(pads[i], &copy));
+        rwedge_contact *twins[] = {copy_of(pads[i]), restored(state_of(pads[i]))};
         apply(pads[i], 0.2, 0.01, -0.02, 0);
-        apply(restored, 0.2, 0.01, -0.02, 0);
-        apply(copy, 0.2, 0.01, -0.02, 0);
-        for (double at = -1.5; at < 1.5; at += 0.21) {
-            assert_true(stress(pads[i], at, 0.1).xx == stress(restored, at, 0.1).xx);
-            assert_true(stress(pads[i], at, 0.1).xx == stress(copy, at, 0.1).xx);
+        for (int k = 0; k < 2; k++) {
+            apply(twins[k], 0.2, 0.01, -0.02, 0);
+            assert_state(twins[k], state_of(pads[i]));
         }
-        rwedge_contact_destroy(pads[i]);
-        rwedge_contact_destroy(restored);
-        rwedge_contact_destroy(copy);
     }
 }
 
@@ -333,8 +289,6 @@ CLAIM(what_never_slips_on_a_flat)
         rwedge_contact_permanent_stick(contact, 0.1, 0, -0.02, 0, 0.1, 0, 0.02, 0, &left, &right));
     assert_close(right, edges_of(smaller).right, 1e-13);
     assert_close(left, edges_of(smaller).left, 1e-13);
-    rwedge_contact_destroy(contact);
-    rwedge_contact_destroy(smaller);
 }
 
 /* The factor against J2 on a fine grid of the surface and below. */
@@ -348,14 +302,13 @@ CLAIM(the_yield_factor_misses_no_place)
         assert_ok(rwedge_contact_yield_factor(pads[i], 0.3, 1, &factor, NULL, NULL));
         for (double x = -1.2; x < 1.2; x += 0.002)
             for (double y = 0; y < 0.4; y = y == 0 ? 1e-4 : 1.15 * y) {
-                const stresses s = stress(pads[i], x, y);
+                const stresses s = stress_at(pads[i], x, y);
                 const double mean = (s.xx + s.yy) / 2, half = (s.xx - s.yy) / 2;
                 const double J2 = half * half + s.xy * s.xy + mean * mean * 0.16 / 3;
                 highest = fmax(highest, J2);
             }
         assert_true(1 / sqrt(highest) > factor * (1 - 1e-12));
         assert_close(1 / sqrt(highest), factor, 5e-3);
-        rwedge_contact_destroy(pads[i]);
     }
 }
 
@@ -369,7 +322,6 @@ CLAIM(a_narrow_patch_far_from_the_origin_is_where_its_moment_is)
         apply(pad, P, M, 0, 0);
         assert_within(edges_of(pad).left, M / P - s, 1e-15);
         assert_within(edges_of(pad).right, M / P + s, 1e-15);
-        rwedge_contact_destroy(pad);
     }
 }
 
@@ -383,12 +335,11 @@ CLAIM(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp)
         double factor;
         rwedge_contact *pad = flat(a);
         apply(pad, P, 0, 0, 0);
-        assert_int_equal(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL), RWEDGE_OK);
+        assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL));
         assert_true((P * factor > 4.880036) == (a <= 0.5));
         if (a >= 0.4)
             assert_true(P * factor < last);
         last = P * factor;
-        rwedge_contact_destroy(pad);
     }
 }
 
@@ -399,7 +350,6 @@ CLAIM(a_contact_that_reaches_too_far_is_refused)
         assert_int_equal(rwedge_contact_load(pads[i], 50, 0), RWEDGE_ERANGE);
         apply(pads[i], 1, 0, 0, 0);
         assert_int_equal(rwedge_contact_apply(pads[i], 1, 12, 0, 0), RWEDGE_ERANGE);
-        rwedge_contact_destroy(pads[i]);
     }
 }
 
@@ -423,5 +373,4 @@ CLAIM(profiles_that_are_none_are_refused)
     contact = profile(3, x, slope);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-4), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_beyond_flat(contact, &left, &right), RWEDGE_EABSENT);
-    rwedge_contact_destroy(contact);
 }

@@ -16,13 +16,11 @@ static rwedge_contact *with_strain(double strain)
 CLAIM(a_soft_body_under_a_rigid_one_has_twice_the_offset)
 {
     const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create(0.1, 10, compliance, F, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 10, compliance, F);
     assert_ok(rwedge_contact_set_strain(contact, 0.075));
     apply(contact, 1, 0, 0, 0);
     apply(contact, 1, 0, 0.2, 0.04);
     assert_within(rw_patch_middle(stick_zone_of(contact)), 0.6, 1e-14);
-    rwedge_contact_destroy(contact);
 }
 
 /* The strain alone matters to the tractions: twice the strain is half the tension. */
@@ -51,8 +49,6 @@ CLAIM(strain_takes_the_place_of_tension)
                                              &of_unlike[3]));
     for (int i = 0; i < 4; i++)
         assert_close(of_unlike[i], of_like[i], 1e-13);
-    rwedge_contact_destroy(unlike);
-    rwedge_contact_destroy(like);
 }
 
 /* A rigid half-plane does not stretch: any tension leaves no slip. */
@@ -63,7 +59,6 @@ CLAIM(a_tension_may_stretch_nothing)
     apply(contact, 1, 0, 0, 1e6);
     assert_true(rwedge_contact_largest_tension_step(contact, 0.1) == HUGE_VAL);
     assert_true(rwedge_contact_dissipated_energy(contact) == 0);
-    rwedge_contact_destroy(contact);
 }
 
 CLAIM(it_is_set_while_the_bodies_are_apart)
@@ -80,5 +75,4 @@ CLAIM(it_is_set_while_the_bodies_are_apart)
     apply(contact, 1, 0, 0, 0.02);
     apply(contact, 1, 0, 0.2, 0.02);
     assert_true(rw_patch_middle(stick_zone_of(contact)) == 0);
-    rwedge_contact_destroy(contact);
 }

@@ -29,7 +29,6 @@ CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
                 assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
                 load(contact, P, -f * P); /* the mirror image */
                 assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
-                rwedge_contact_destroy(contact);
             }
 }
 
@@ -50,7 +49,6 @@ CLAIM(in_sliding_no_ridge_is_too_flat)
         load(contact, P, f * P);
         const double expected = rwedge_elastic_limit(alpha, f, nu) * b / P;
         assert_close(yield_factor(contact, nu, 1, NULL, NULL), expected, 1e-13);
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -71,7 +69,6 @@ CLAIM(strong_friction_yields_next_to_the_edge)
                 const double expected = rwedge_elastic_limit(ALPHAS[i], f, nu) * b / P;
                 assert_close(yield_factor(contact, nu, 1, &x, NULL), expected, 1e-13);
                 assert_true(fabs(x) > (1 - 10 / (f * f)) * b && fabs(x) < b);
-                rwedge_contact_destroy(contact);
             }
 }
 
@@ -106,7 +103,6 @@ CLAIM(no_point_is_nearer_to_yield_than_the_factor_says)
         assert_true(grid <= 1 / factor * (1 + 1e-14));
         assert_close(grid, 1 / factor, 0.02);
         assert_close(root_J2(contact, nu, x, y), 1 / factor, 1e-13);
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -138,7 +134,6 @@ CLAIM(no_scale_hides_a_higher_point)
                 assert_true(root_J2(contact, nu, x + r * hypot(x, y) * cos(angle * PI / 12),
                                     fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <=
                             highest);
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -182,7 +177,6 @@ CLAIM(no_point_is_nearer_to_yield_off_the_centre)
                         assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
                                             r * fabs(sin(angle * PI / 12))) <= highest);
             }
-        rwedge_contact_destroy(contact);
     }
     assert_true(tilted > 30);
 }
@@ -190,13 +184,11 @@ CLAIM(no_point_is_nearer_to_yield_off_the_centre)
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
 CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.01, 3, 0.001, 84.04542447034143, &contact));
+    rwedge_contact *contact = create_wedge(0.01, 3, 0.001, 84.04542447034143);
     load(contact, 5.88, -187.525);
     load(contact, 5.88, -37.718);
     load(contact, 5.88, -145.33);
     assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
-    rwedge_contact_destroy(contact);
 }
 
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
@@ -204,13 +196,11 @@ CLAIM(a_maximum_next_to_the_edge_is_not_missed)
  * search is another. */
 CLAIM(a_ridge_beside_the_grid_is_followed)
 {
-    rwedge_contact *contact = NULL;
     const double P = 0.98755269117723787, M = -0.16595399389051149;
-    assert_ok(rwedge_contact_create(0.1, 0, 0.1, 0.01043908085530201, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 0, 0.1, 0.01043908085530201);
     apply(contact, P, M, 0, 0);
     apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669);
     assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
-    rwedge_contact_destroy(contact);
 }
 
 /* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
@@ -218,14 +208,12 @@ CLAIM(a_ridge_beside_the_grid_is_followed)
  * plateau, and J2 differs by less than 1e-13. */
 CLAIM(a_long_climb_is_broken_off_without_harm)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.11871519035629816, 4.8339965423190293e-15,
-                                    3.9616415245691163e-08, 0.99667353322652019, &contact));
+    rwedge_contact *contact = create_wedge(0.11871519035629816, 4.8339965423190293e-15,
+                                           3.9616415245691163e-08, 0.99667353322652019);
     load(contact, 0.36913862821393151, 0);
     load(contact, 0.36913862821393151, 0.13581005141048719);
     const double factor = yield_factor(contact, 0.5, 1, NULL, NULL);
     assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
-    rwedge_contact_destroy(contact);
 }
 
 /* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
@@ -253,7 +241,6 @@ CLAIM(many_corners_hide_no_higher_point)
                             assert_true(root_J2(contact, 0.3, mark + r * cos(angle * PI / 8),
                                                 r * fabs(sin(angle * PI / 8))) <= highest);
                 }
-            rwedge_contact_destroy(contact);
         }
 }
 
@@ -267,21 +254,18 @@ CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     load(contact, 0.2, 0.1);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* A place of the search's grid around another mark is the apex itself, to the last bit. */
 CLAIM(a_grid_that_meets_the_apex_raises_nothing)
 {
     const double P = 0.001, f = 0.3;
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.3, 0, 0.001, f, &contact));
+    rwedge_contact *contact = create_wedge(0.3, 0, 0.001, f);
     load(contact, P, 0);
     load(contact, P, -0.3 * (f * P));
     feclearexcept(FE_ALL_EXCEPT);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
@@ -298,20 +282,17 @@ CLAIM(nothing_yields_earlier_beside_a_stuck_apex)
                 assert_true(root_J2(contact, 0.5, r * cos(angle * PI / 12),
                                     r * fabs(sin(angle * PI / 12))) <= highest);
         assert_true(root_J2(contact, 0.5, 0, 1e-9) <= highest);
-        rwedge_contact_destroy(contact);
     }
 }
 
 CLAIM(a_factor_beyond_the_domain_is_refused)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.1, 1e30, 1e30, 0.5, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 1e30, 1e30, 0.5);
     load(contact, 1, 0); /* stresses below 1e-30 */
     double factor = 7;
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e60, &factor, NULL, NULL),
                      RWEDGE_ERANGE);
     assert_true(factor == 7);
-    rwedge_contact_destroy(contact);
 }
 
 /* Many corners, off the centre where M is not 0: the patches that end far away count together. */
@@ -364,6 +345,5 @@ CLAIM(a_neighbourhood_has_the_fields_of_all_patches)
             assert_int_equal(n.last - n.first, whole.last - whole.first);
         }
         assert_int_equal(fewest, 1);
-        rwedge_contact_destroy(contact);
     }
 }

@@ -5,11 +5,11 @@
 
 #include "number/range.h"
 #include "rows/records.h"
-#include "contact/state.h"
+#include "contact/loaded_contact.h"
 #include "model/results/tensor.h"
 
 typedef struct {
-    contact_state state;
+    loaded_contact loaded;
     range x, y;
 } grid;
 

@@ -114,7 +114,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
     boundary_element_start(&solver, THETA, a, A, f, (size_t)COARSEST << level, 1.4 * reach);
     rwedge_contact *contact = create(a, f);
     if (kind == ANYTHING)
-        assert_int_equal(rwedge_contact_allow_error(contact, 1e-3), RWEDGE_OK);
+        assert_ok(rwedge_contact_allow_error(contact, 1e-3));
     double half = 2 * a;
     for (int leg = 0; leg < LEGS; leg++) {
         const boundary_loads to = draw_leg(kind, leg, now, f, a / A, half, &seed);
@@ -127,11 +127,10 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
         now = to;
         compare(contact, &solver, f, &sum);
     }
-    rwedge_contact_destroy(contact);
     return sum;
 }
 
-static void contacts_are_the_limit_of_boundary_elements(void **state)
+CLAIM(contacts_are_the_limit_of_boundary_elements)
 {
     for (path kind = 0; kind < KINDS; kind++) {
         difference mean[LEVELS];
@@ -164,7 +163,7 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
  * it meets that from the edge, a part between them sticks, and there is no closed form, although
  * the front that the closed form names is within the old one at both edges. A little later all
  * slips. */
-static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
+CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
 {
     static const boundary_loads loads[] = {{.4779, 0, 0, 0},
                                            {.4779, 0, -.1494, -.0994},
@@ -186,14 +185,4 @@ static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
             assert_true(d.shear < 3e-3);
         }
     }
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_are_the_limit_of_boundary_elements),
-        cmocka_unit_test(what_sticks_between_two_fronts_has_no_closed_form),
-    };
-    return RUN_CLAIMS("eccentric_histories", tests);
 }

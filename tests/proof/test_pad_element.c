@@ -80,7 +80,6 @@ static difference along_the_history(rwedge_contact *contact, double (*height)(do
     }
     printf("%3d elements: pressure %.1e shear %.1e slip %.1e energy %.1e\n", (int)n, worst.pressure,
            worst.shear, worst.slip, worst.energy);
-    rwedge_contact_destroy(contact);
     return worst;
 }
 
@@ -96,33 +95,24 @@ static rwedge_contact *flat(void)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
 static rwedge_contact *worn(void)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
-static void a_flat_pad_is_the_limit_of_boundary_elements(void **state)
+CLAIM(a_flat_pad_is_the_limit_of_boundary_elements)
 {
     assert_limit(along_the_history(flat(), flat_height, 60),
                  along_the_history(flat(), flat_height, 180));
 }
 
-static void a_worn_pad_is_the_limit_of_boundary_elements(void **state)
+CLAIM(a_worn_pad_is_the_limit_of_boundary_elements)
 {
     assert_limit(along_the_history(worn(), worn_height, 60),
                  along_the_history(worn(), worn_height, 180));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_flat_pad_is_the_limit_of_boundary_elements),
-        cmocka_unit_test(a_worn_pad_is_the_limit_of_boundary_elements),
-    };
-    return RUN_CLAIMS("pad_element", tests);
 }

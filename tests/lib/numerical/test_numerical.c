@@ -2,6 +2,7 @@
 /* Steps of the shear computed numerically where the contact has a closed form, which is not
  * used. */
 #include "claims.h"
+#include "contact/contact.h"
 #include "numerical/numerical.h"
 #include "rwedge.h"
 
@@ -21,15 +22,22 @@ static double no_slip(double x, const void *context)
     return 0;
 }
 
-static pair begin(double P, double M, double tolerance)
+/* The contact is taken over. */
+static pair begin_with(rwedge_contact *contact, double P, double M, double tolerance)
 {
-    pair c = {.frame = {1, F, tolerance}};
-    rw_stance now = {.contact = rw_patch_of_moment(1, P, M), .at = {P, M, 0, 0}};
+    pair c = {.frame = rw_frame_of(rw_arcs_of(&contact->geometry), F, tolerance), .exact = contact};
+    rw_stance now = {.contact = rw_arcs_patch_of_moment(&c.frame.arcs, P, M), .at = {P, M, 0, 0}};
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     assert_true(rw_numerical_begin(&c.numerical, &c.frame, &now, no_slip, NULL));
-    assert_ok(rwedge_contact_create(1, 1, 1, F, &c.exact));
     assert_ok(rwedge_contact_apply(c.exact, P, M, 0, 0));
     return c;
+}
+
+static pair begin(double P, double M, double tolerance)
+{
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create(1, 1, 1, F, &contact));
+    return begin_with(contact, P, M, tolerance);
 }
 
 static void end(pair *c)
@@ -114,6 +122,26 @@ static void tension_in_phase_with_a_moment(void **state)
     }
 }
 
+/* Cattaneo's and Mindlin's partial slip holds on any pad. */
+static void mindlin_on_other_pads(void **state)
+{
+    const double x[] = {-1.5, -0.6, 0.2, 0.2, 0.7, 1.8}, slope[] = {-1, -0.2, 0, 0.05, 0.3, 1};
+    for (int i = 0; i < 6; i++) {
+        rwedge_contact *pad;
+        assert_ok(i < 3 ? rwedge_contact_create_flat(0.8, 3, 1, F, &pad)
+                        : rwedge_contact_create_profile(6, x, slope, 1, F, &pad));
+        pair c = begin_with(pad, 0.5, 0.02, TOLERANCES[i % 3]);
+        const double Q[] = {0.2, -0.1, 0.15};
+        for (int k = 0; k < 3; k++) {
+            go(&c, 0.5, 0.02, Q[k], 0.05 * Q[k]);
+            slip_is_that_of_the_closed_form(&c);
+        }
+        assert_close(c.numerical.now.energy * pad->geometry.theta * pad->geometry.theta,
+                     rwedge_contact_dissipated_energy(pad), 2e-4 + TOLERANCES[i % 3]);
+        end(&c);
+    }
+}
+
 static void a_contact_that_grows_and_recedes(void **state)
 {
     for (int i = 0; i < 3; i++) {
@@ -170,6 +198,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mindlins_loading_unloading_and_reloading),
         cmocka_unit_test(tension_in_phase_with_a_moment),
+        cmocka_unit_test(mindlin_on_other_pads),
         cmocka_unit_test(a_contact_that_grows_and_recedes),
         cmocka_unit_test(a_step_in_parts_is_the_step_as_a_whole),
         cmocka_unit_test(repeated_loads_do_not_fill_the_memory),

@@ -75,9 +75,9 @@ void worst_find(const measured *all, worst_table *worst)
 
 /* ---- Among the places ---- */
 
-static int in_order(const void *one, const void *other)
+static int in_order(const void *left, const void *right)
 {
-    const measured_place *a = one, *b = other;
+    const measured_place *a = left, *b = right;
     if (a->y != b->y)
         return a->y < b->y ? -1 : 1;
     return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;

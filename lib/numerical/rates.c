@@ -130,8 +130,9 @@ rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after)
     for (int i = 0; i < old->count; i++)
         for (int k = 0; k < after->count; k++) {
             const rw_zone one = old->zone[i], other = after->zone[k];
-            const rw_zones both = {
-                1, {{one.label, fmax(one.left, other.left), fmin(one.right, other.right)}}};
+            const double left = k == 0 ? -HUGE_VAL : other.left; /* the contact may recede */
+            const double right = k + 1 == after->count ? HUGE_VAL : other.right;
+            const rw_zones both = {1, {{one.label, fmax(one.left, left), fmin(one.right, right)}}};
             if (one.label != 0 && one.label == other.label &&
                 both.zone[0].left < both.zone[0].right)
                 rw_pattern_insert(&begun, &both, 0);

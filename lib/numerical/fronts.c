@@ -104,8 +104,8 @@ static int expand_gap(const rw_stuck *sticks, double middle, double half, double
     for (int i = 0; i < TURN; i++)
         sine[i] = sin(2 * RW_PI * i / TURN);
     for (int i = 0; i < GAP_TERMS; i++)
-        sampled[i] = 4.0 / TURN / half *
-                     rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN));
+        sampled[i] =
+            4.0 / TURN / half * rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN));
     for (int k = 0; k < GAP_TERMS; k++) {
         c[k] = 0;
         for (int i = 0; i < GAP_TERMS; i++)

@@ -167,7 +167,7 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* ---- Steps ---- */
 
 /* Halvings of a load. */
-enum { HALVINGS = 6 };
+enum { HALVINGS = 9 };
 
 /* The error of the elements, of the tolerance; step by step it is another one. */
 static const double ELEMENTS = 1e-2;
@@ -212,8 +212,7 @@ static void spread(bool left_out[], double apart[])
 }
 
 /* The differences of two tractions, over the scale. The largest. */
-static double difference(double scale, const rw_stance *one, const rw_stance *other,
-                         double apart[])
+static double difference(double scale, const rw_stance *one, const rw_stance *other, double apart[])
 {
     bool left_out[RW_PLACES];
     double most = 0;

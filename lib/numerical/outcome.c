@@ -162,7 +162,8 @@ static double layer_at(double x, const void *context)
 
 static double attached_displacement(const rw_problem *p, const attached *a, double x)
 {
-    return rw_traction_displacement(&a->layer, x) - p->f * p->tilt[0] * (x - p->middle) - a->constant;
+    return rw_traction_displacement(&a->layer, x) - p->f * p->tilt[0] * (x - p->middle) -
+           a->constant;
 }
 
 static bool attach(const rw_problem *p, attached *a, double origin)

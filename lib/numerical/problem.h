@@ -59,8 +59,8 @@ typedef struct {
     double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
     rw_pad_potential from_pressure, to_pressure;
-    bool is_still;                 /* the contact is as it was */
-    bool grows[2];                 /* at the left, right edge */
+    bool is_still;                           /* the contact is as it was */
+    bool grows[2];                           /* at the left, right edge */
     double load[RW_LAYERS], tilt[RW_LAYERS]; /* by which layers change: lengths, theta */
     double ratio[RW_LAYERS][2][2]; /* of layers to friction: at the edges, before and after */
     double middle, half;           /* of the contact after the step */

@@ -222,8 +222,7 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
     bool is_known = guess && try_guess(w, p, guess, best);
     if (is_known && best->violation <= p->allowed)
         return true;
-    const rw_layers layers =
-        p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
+    const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
@@ -351,8 +350,7 @@ static void set_rates(const rw_frame *frame, const rw_stance *from, rw_course to
                           to.shear - from->at.shear, to.stretch - from->at.stretch);
 }
 
-static double haste(rw_work *w, const rw_problem *p, const rw_stance *from,
-                    const rw_stance *there)
+static double haste(rw_work *w, const rw_problem *p, const rw_stance *from, const rw_stance *there)
 {
     rw_problem at_end;
     set_rates(w->frame, from, there->at, there->contact, &at_end);

@@ -21,11 +21,11 @@ typedef struct {
     rw_shear_state shear;
     rw_patch contact;
     rw_course at;
-    bool is_still;       /* the contact is as it was at the beginning */
-    rw_patch unslipped;  /* what has not slipped since; of several parts the widest */
-    double move, energy; /* summed */
-    double error;        /* of the step that led here: violations, over the scale */
-    double haste;        /* what the rates at its ends say */
+    bool is_still;           /* the contact is as it was at the beginning */
+    rw_patch unslipped;      /* what has not slipped since; of several parts the widest */
+    double move, energy;     /* summed */
+    double error;            /* of the step that led here: violations, over the scale */
+    double haste;            /* what the rates at its ends say */
     double apart[RW_PLACES]; /* of the step in halves: how far it is from the whole */
 } rw_stance;
 

@@ -146,12 +146,13 @@ class Contact(ContactMethods, Handle):
         warn(theta=self.theta, f=self.f, beta=real("beta", beta))
 
     @classmethod
-    def cylinder(cls: type[Self], R: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> Self:
+    def cylinder(cls: type[Self], R: SupportsFloat, A: SupportsFloat, f: SupportsFloat, tolerance: SupportsFloat = 1e-4) -> Self:
         """A contact of a cylinder of the radius R: ``flat`` with a = 0. Source: new."""
-        return cls.flat(0.0, R, A, f)
+        return cls.flat(0.0, R, A, f, tolerance)
 
     @classmethod
-    def flat(cls: type[Self], a: SupportsFloat, R: SupportsFloat, A: SupportsFloat, f: SupportsFloat) -> Self:
+    def flat(cls: type[Self], a: SupportsFloat, R: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
+             tolerance: SupportsFloat = 1e-4) -> Self:
         """A contact of a flat pad with rounded edges.
 
         Parameters
@@ -164,6 +165,8 @@ class Contact(ContactMethods, Handle):
             composite compliance, 1/stress, finite, > 0
         f : float
             coefficient of friction, 0 <= f <= 1e6
+        tolerance : float, optional
+            of q over f times the peak pressure, as ``Contact`` has it
 
         Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
         refused. Source: new.
@@ -171,10 +174,13 @@ class Contact(ContactMethods, Handle):
         given = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
         handle = ctypes.c_void_p()
         check("contact_create_flat", _create_flat(*given.values(), ctypes.byref(handle)), given)
-        return cls._of_handle(handle)
+        contact = cls._of_handle(handle)
+        contact.allow_error(tolerance)
+        return contact
 
     @classmethod
-    def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat) -> Self:
+    def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat,
+                tolerance: SupportsFloat = 1e-4) -> Self:
         """A contact of any convex profile, by its slopes: linear between the places, constant beyond.
 
         Parameters
@@ -187,6 +193,8 @@ class Contact(ContactMethods, Handle):
             composite compliance, 1/stress, finite, > 0
         f : float
             coefficient of friction, 0 <= f <= 1e6
+        tolerance : float, optional
+            of q over f times the peak pressure, as ``Contact`` has it
 
         Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
         that where it is curved most. Source: new.
@@ -202,7 +210,9 @@ class Contact(ContactMethods, Handle):
         given, handle = {"A": real("A", A), "f": real("f", f)}, ctypes.c_void_p()
         status = _create_profile(places.size, places.ctypes.data, slopes.ctypes.data, *given.values(), ctypes.byref(handle))
         check("contact_create_profile", status, given)
-        return cls._of_handle(handle)
+        contact = cls._of_handle(handle)
+        contact.allow_error(tolerance)
+        return contact
 
     @classmethod
     def _of_handle(cls: type[Self], handle: ctypes.c_void_p) -> Self:
@@ -334,8 +344,8 @@ class Contact(ContactMethods, Handle):
         status = _apply(address, *loads)
         if status == EPATH:
             given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
-            computed = "; or have it computed: Contact(..., tolerance=1e-4)" if self._is_wedge else ""
-            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}{computed}", status)
+            computed = "or have it computed: Contact(..., tolerance=1e-4)"
+            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}; {computed}", status)
         check("contact_apply", status, loads._asdict(), place)
 
     def _load_all(self, loads: dict[str, Any]) -> None:

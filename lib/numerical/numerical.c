@@ -86,7 +86,7 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 /* ---- Errors ---- */
 
 /* What steps differ by is about what they err by, and may be less. */
-static const double CAUTION = 2;
+static const double CAUTION = 1.5;
 
 double rw_numerical_error(const rw_numerical *n)
 {
@@ -211,6 +211,10 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
+/* So many times the difference is the error, at most: what D is in a ring that is wide is seen by
+ * the halves but in part. */
+static const double SAFETY = 4;
+
 /* The differences of two tractions, over the scale. The largest. */
 static double difference(double scale, const rw_stance *one, const rw_stance *other, double apart[])
 {
@@ -220,8 +224,9 @@ static double difference(double scale, const rw_stance *one, const rw_stance *ot
         const double x = rw_place(one->contact, i);
         left_out[i] = is_at_front(one, x) || is_at_front(other, x);
         apart[i] = left_out[i] ? 0
-                               : fabs(rw_traction_at(&one->shear.traction, x) -
-                                      rw_traction_at(&other->shear.traction, x)) /
+                               : SAFETY *
+                                     fabs(rw_traction_at(&one->shear.traction, x) -
+                                          rw_traction_at(&other->shear.traction, x)) /
                                      scale;
         most = fmax(most, apart[i]);
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shear at one moment of a straight step: its rate, given which zones stick and slip. Where it
  * sticks the rate of w is one constant. Where it slips the rate of t is S f dp/ds, in closed form,
- * and the rate of w has the sign -S if these are the zones. A step that is right at its end may have
- * slipped another way before, and its halves as well: the rates at its ends tell. */
+ * and the rate of w has the sign -S if these are the zones. A step that is right at its end may
+ * have slipped another way before, and its halves as well: the rates at its ends tell. */
 #ifndef RW_RATES_H
 #define RW_RATES_H
 

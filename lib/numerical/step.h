@@ -46,8 +46,8 @@ bool rw_work_create(rw_work *work, const rw_frame *frame);
 void rw_work_destroy(rw_work *work);
 
 /* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them
- * best, or the grid's answer: then false means that there is none. guess, or NULL: zones of a step to
- * a place near by, which are tried first. */
+ * best, or the grid's answer: then false means that there is none. guess, or NULL: zones of a step
+ * to a place near by, which are tried first. */
 bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, const rw_zones *guess,
                       bool coarse, rw_stance *there);
 

@@ -19,7 +19,8 @@ extern int plain_terms; /* of the plain series, 60 if nothing else is said */
 /* Ends the program unless the status is RWEDGE_OK. */
 void must(int32_t status);
 
-/* Stresses at points, in one call and one by one, c/b = 0 in full sliding; J2 by the plain series. */
+/* Stresses at points, in one call and one by one; c/b = 0 is full sliding. J2 by the plain
+ * series. */
 double array_of_points(double c, double unused, long n);
 double points_one_by_one(double c, double unused, long n);
 double plain_points(long n);

@@ -55,8 +55,8 @@ class Criteria:
             numbers[0] = 0.0  # nu counts for the stress across the plane alone
         if "E" in constants:
             numbers.insert(2, int(plane_stress))
-        known = not np.isnan(self.stress).any()
-        with np.errstate(**{} if known else {"invalid": "ignore"}):
+        errors: Any = {"invalid": "ignore"} if np.isnan(self.stress).any() else {}
+        with np.errstate(**errors):
             return Formula(UFUNCS[name])(*np.moveaxis(self.stress, -1, 0), *numbers, axis=0)
 
     @staticmethod

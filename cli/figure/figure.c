@@ -347,9 +347,8 @@ static void compute(work *to_do)
 {
     to_do->rows.column = to_do->which->column;
     to_do->rows.text_column = to_do->which->text_column;
-    const int32_t status = to_do->which->compute(&to_do->inputs, &to_do->rows);
-    if (status != RWEDGE_OK)
-        failure("figure %s: %s", to_do->which->name, rwedge_strerror(status));
+    to_do->inputs.name = to_do->which->name;
+    to_do->which->compute(&to_do->inputs, &to_do->rows);
 }
 
 static void draw(const work *to_do, output *out)
@@ -364,14 +363,14 @@ static void draw(const work *to_do, output *out)
 }
 
 /* A rows_writer: a picture goes where rows would. */
-static bool write_figure(void *of_work, records *rows, bool show_progress)
+static void write_figure(void *of_work, records *rows)
 {
     work *to_do = of_work;
     compute(to_do);
     if (to_do->format == NULL)
-        return dataset_write(&to_do->rows, rows, show_progress);
-    draw(to_do, rows->out);
-    return true;
+        dataset_write(&to_do->rows, rows);
+    else
+        draw(to_do, rows->out);
 }
 
 static int write_command(const arguments *line)

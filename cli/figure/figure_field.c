@@ -38,7 +38,7 @@ static double sqrt_J2(double nu, double sxx, double syy, double txy)
     return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
-static int32_t compute_field(const figure_case *inputs, dataset *rows)
+static void compute_field(const figure_case *inputs, dataset *rows)
 {
     const double alpha = case_value(inputs, A_OVER_B), f = case_value(inputs, FRICTION),
                  nu = case_value(inputs, NU);
@@ -50,12 +50,11 @@ static int32_t compute_field(const figure_case *inputs, dataset *rows)
             const int32_t status = rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy);
             if (alpha == 0 && x == 0 && y == 0) /* infinite at the sharp apex */
                 sxx = syy = txy = NAN;
-            else if (status != RWEDGE_OK)
-                return status;
+            else
+                case_check(inputs, status);
             dataset_add(rows,
                         (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2(nu, sxx, syy, txy)}});
         }
-    return RWEDGE_OK;
 }
 
 /* ---- Contours ---- */
@@ -167,12 +166,12 @@ static void write_title(const figure_case *inputs, drawing *on)
     if (inputs->value[slips].count > 0)
         case_text(inputs, slips, 0, slip);
     const bool normal = case_value(inputs, FRICTION) == 0;
-    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
+    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
              alpha, f,
              normal     ? ""
-             : by_force ? ", *Q*/(*fP*) = "
-                        : ", *c*/*b* = ",
-             normal ? "" : slip, nu);
+             : by_force ? "*Q*/(*fP*) = "
+                        : "*c*/*b* = ",
+             normal ? "" : slip, normal ? "" : ", ", nu);
 }
 
 static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
@@ -185,7 +184,7 @@ static void write_caption(const figure_case *inputs, double step, bool has_yield
     number_write(top, 3, '.', value);
     number_write(step, 3, '.', lines);
     snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %s%s%s", zones, lines,
-             has_yield ? "; circle: first yield, " : "", has_yield ? value : "");
+             has_yield ? ";\ncircle: first yield, " : "", has_yield ? value : "");
 }
 
 static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *on)

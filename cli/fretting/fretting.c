@@ -142,32 +142,28 @@ static void compute(plan *job)
 
 static void write_row(const criteria *asked, const measured_place *place, records *rows)
 {
-    rows->format->value(rows, "x", cell_number(place->x));
-    rows->format->value(rows, "y", cell_number(place->y));
+    records_value(rows, cell_number(place->x));
+    records_value(rows, cell_number(place->y));
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(asked, i))
-            rows->format->value(rows, column_kind_of(i)->column, cell_number(place->at.value[i]));
-    rows->format->end_row(rows);
+            records_value(rows, cell_number(place->at.value[i]));
+    records_end_row(rows);
     progress_step();
 }
 
-static bool write_rows(void *of_plan, records *rows, bool show_progress)
+static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(show_progress, (int64_t)job->all.count, "rows");
-    rows->format->begin(rows);
-    rows->format->name(rows, "x");
-    rows->format->name(rows, "y");
+    progress_start(rows->show_progress, (int64_t)job->all.count, "rows");
+    records_name(rows, "x");
+    records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
-            rows->format->name(rows, column_kind_of(i)->column);
-    rows->format->end_header(rows);
+            records_name(rows, column_kind_of(i)->column);
+    records_end_header(rows);
     for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
         if (job->all.place[i].is_shown)
             write_row(&job->last.asked, &job->all.place[i], rows);
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }
 
 /* ---- The command ---- */

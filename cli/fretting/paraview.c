@@ -58,7 +58,7 @@ static source source_of(const measured_columns *columns)
     return s;
 }
 
-bool paraview_write(void *of_columns, records *rows, bool show_progress)
+void paraview_write(void *of_columns, records *rows)
 {
     const measured_columns *columns = of_columns;
     source s = source_of(columns);
@@ -72,7 +72,6 @@ bool paraview_write(void *of_columns, records *rows, bool show_progress)
                          .y = is_grid ? y_of_row : y_of_point,
                          .numbers = &numbers,
                          .source = &s};
-    const bool is_sound = vtk_write(&points, rows, show_progress);
+    vtk_write(&points, rows);
     free(s.shown);
-    return is_sound;
 }

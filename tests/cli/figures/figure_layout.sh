@@ -7,12 +7,9 @@
 nothing() { # MESSAGE ARGUMENTS...
     message=$1
     shift
-    run figure "$@" -o none.svg
-    status_is 1
-    message_is "rwedge figure: figure $1: nothing to draw: $message"
+    cannot "rwedge figure: figure $1: nothing to draw: $message" figure "$@" -o none.svg
     same "files" "" "$(ls none.svg 2>/dev/null)"
-    run figure "$@" --data
-    status_is 0
+    does figure "$@" --data
 }
 nothing "it yields at the surface, whatever f is" 5 --a-over-b 0
 nothing "it yields at the surface, whatever f is" 5 --nu 0
@@ -27,9 +24,7 @@ if ! command -v gnuplot >/dev/null 2>&1; then
 fi
 
 draws() {
-    run figure "$@" -o drawn.svg
-    status_is 0
-    message_is ""
+    does_quietly figure "$@" -o drawn.svg
     awk -f "$here/figure_texts.awk" drawn.svg >texts
     same "texts that cannot be read" "" "$(grep -v '^text ' texts)"
 }
@@ -120,7 +115,7 @@ above "displacement by slip / (fθb)" "0.1: W = 0.000855"
 draws loop --q-over-fp 0.05:0.6:0.05
 same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
 draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
-shows "a/b = 0.123456"
+shows "Cycles of Q under constant P, a/b = 0.123456"
 
 draws eccentric
 above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"

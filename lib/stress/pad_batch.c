@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Neighbouring arcs share a joint, where the curvature of the profile jumps by k_j. The potential of
- * all of them is a sum over the joints,
+/* Neighbouring arcs share a joint, where the curvature of the profile jumps by k_j. The potential
+ * of all of them is a sum over the joints,
  *
  *     G  = C R - D + i sum K_j (z - t_j) l_j,   K_j = k_j s/pi,   t_j = cos(psi_j),
  *     G' = i sum K_j l_j - (C R + D)/X,         C = sum K_j psi_j,   D = sum K_j sin(psi_j),
@@ -9,7 +9,7 @@
  * each. Of arcs that are much more curved than the pressure is large, the terms would cancel: they
  * are taken one by one. An end on the left of the patch has psi = pi. Far away
  *
- *     (pi/2) G = (pi/2) sum K_j sum_n (S_(n-1) - S_(n+1)) R^n/n,   S_n = sin(n psi_j)/n, S_0 = psi_j.
+ *     G = sum K_j sum_n (S_(n-1) - S_(n+1)) R^n/n,   S_n = sin(n psi_j)/n, S_0 = psi_j.
  */
 #define RW_VECTORS
 #include "stress/eccentric_form.h"

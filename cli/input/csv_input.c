@@ -197,7 +197,6 @@ static char take_byte(csv_input *in)
 /* The lines of a row; an empty one where there is a blank line. The last may lack its end. */
 static csv_event read_lines(csv_input *in)
 {
-    const char separator = csv_input_separator(in);
     position at = CELL_BEGINS;
     char byte = '\0';
     in->length = 0;
@@ -212,7 +211,7 @@ static csv_event read_lines(csv_input *in)
                        ? not_closed(in)
                        : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
         byte = take_byte(in);
-        at = after_byte(at, byte, separator);
+        at = after_byte(at, byte, csv_input_separator(in));
     }
     return CSV_ROW;
 }

@@ -79,7 +79,8 @@ static int run_command(const command *which, int count, const char **words)
 {
     words[0] = which->whole_name;
     message_speaker_is(words[0]);
-    return arguments_run(which->grammar, count, words, which->run);
+    arguments line;
+    return arguments_read(&line, which->grammar, count, words) ? which->run(&line) : STATUS_DONE;
 }
 
 static void show_version(void)
@@ -101,7 +102,6 @@ static int without_command(int argc, const char **argv)
         else
             refuse_command(line.operand != NULL ? line.operand[0] : NULL);
     }
-    arguments_free(&line);
     return STATUS_DONE;
 }
 

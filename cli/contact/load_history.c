@@ -71,16 +71,6 @@ static void add(load_history *loads, load next, csv_row row)
     loads->row[loads->count++] = row;
 }
 
-void load_history_free(load_history *loads)
-{
-    for (size_t i = 0; i < loads->count; i++)
-        csv_row_free(&loads->row[i]);
-    csv_row_free(&loads->first);
-    free(loads->row);
-    free(loads->load);
-    *loads = (load_history){0};
-}
-
 /* ---- The command line ---- */
 
 /* Reads up to most numbers, separated by commas; how many there are, 0 where it is not that. */
@@ -254,5 +244,4 @@ void history_source_apply(const history_source *from, char decimal_sign, double 
     load_history_read(from, decimal_sign, &loads);
     load_history_apply_all(&loads, f, contact);
     load_history_say_unused(&loads);
-    load_history_free(&loads);
 }

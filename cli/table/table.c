@@ -229,8 +229,6 @@ static int write_table(const arguments *line)
     check_size(line, &job);
     output_options_read(line, &how);
     output_options_write(&how, plan_write, &job);
-    for (int i = 0; i < VARIABLE_COUNT; i++)
-        range_free(&job.axis[i]);
     return STATUS_DONE;
 }
 

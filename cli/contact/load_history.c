@@ -62,11 +62,8 @@ void history_source_check(const history_source *from, const input_texts *texts)
 
 static void add(load_history *loads, load next, csv_row row)
 {
-    if (loads->count == loads->room) {
-        loads->room = 2 * loads->room + 64;
-        loads->load = memory_resized(loads->load, loads->room * sizeof *loads->load);
-        loads->row = memory_resized(loads->row, loads->room * sizeof *loads->row);
-    }
+    loads->load = memory_for_one_more(loads->load, loads->count, sizeof *loads->load);
+    loads->row = memory_for_one_more(loads->row, loads->count, sizeof *loads->row);
     loads->load[loads->count] = next;
     loads->row[loads->count++] = row;
 }

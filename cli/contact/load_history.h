@@ -27,7 +27,7 @@ typedef struct {
     bool has_mark;               /* whether the file begins with the mark of Unicode */
     load *load;
     csv_row *row; /* of the file, where each stands */
-    size_t count, room;
+    size_t count;
 } load_history;
 
 /* Where the loads come from; a file may be named by a word in place of the option. */

@@ -107,11 +107,11 @@ static const table_variable *variable_of(int i)
     return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
 }
 
-static void describe_uses(const figure *which, FILE *stream)
+static void describe_uses(const figure *chosen, FILE *stream)
 {
     const char *before = "      ";
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
-        const char *usual = which->use[i].usual;
+        const char *usual = chosen->use[i].usual;
         if (usual == NULL)
             continue;
         fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
@@ -153,23 +153,23 @@ static const figure *choose_figure(const arguments *line)
     return figures[i];
 }
 
-NO_RETURN static void refuse_variable(const figure *which, int variable, const char *text)
+NO_RETURN static void refuse_variable(const figure *chosen, int variable, const char *text)
 {
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (which->use[i].usual != NULL)
+        if (chosen->use[i].usual != NULL)
             list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
     usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
-                variable_of(variable)->option, text, which->name,
+                variable_of(variable)->option, text, chosen->name,
                 allowed[0] != '\0' ? allowed : "none of the variables");
 }
 
-static void read_variable(const figure *which, int i, const char *text, range *values)
+static void read_variable(const figure *chosen, int i, const char *text, range *values)
 {
-    const int most = which->use[i].most;
-    if (text == NULL && which->use[i].usual[0] == '\0')
+    const int most = chosen->use[i].most;
+    if (text == NULL && chosen->use[i].usual[0] == '\0')
         return;
-    variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    variable_read(variable_of(i), text != NULL ? text : chosen->use[i].usual, values);
     if (values->count > most && most == 1)
         usage_error("--%s %s: must be one number", variable_of(i)->option, text);
     if (values->count > most)
@@ -177,14 +177,14 @@ static void read_variable(const figure *which, int i, const char *text, range *v
                     variable_of(i)->option, text, most);
 }
 
-static void read_case(const arguments *line, const figure *which, figure_case *inputs)
+static void read_case(const arguments *line, const figure *chosen, figure_case *inputs)
 {
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
-        if (which->use[i].usual != NULL)
-            read_variable(which, i, text, &inputs->value[i]);
+        if (chosen->use[i].usual != NULL)
+            read_variable(chosen, i, text, &inputs->value[i]);
         else if (text != NULL)
-            refuse_variable(which, i, text);
+            refuse_variable(chosen, i, text);
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
         usage_error(
@@ -200,21 +200,21 @@ static bool has_loads(const arguments *line)
 }
 
 /* Without a table of loads there is nothing for its options to say. */
-static void refuse_history(const arguments *line, const figure *which)
+static void refuse_history(const arguments *line, const figure *chosen)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
                         "and loop with --history or --load",
-                        which->name);
+                        chosen->name);
 }
 
-static void refuse_criteria(const arguments *line, const figure *which)
+static void refuse_criteria(const arguments *line, const figure *chosen)
 {
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
         if (line->value[i] != NULL || is_given)
-            usage_error("figure %s: criteria and measures are for figure measure", which->name);
+            usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
 }
 
 /* ---- A measure ---- */
@@ -272,28 +272,28 @@ static arguments with_bodies(const arguments *line)
     return as;
 }
 
-static void read_history(const arguments *line, const figure *which, char decimal_sign,
+static void read_history(const arguments *line, const figure *chosen, char decimal_sign,
                          contact_history *history, places *at, measure_options *options_of,
                          figure_case *inputs)
 {
     arguments as = with_bodies(line);
-    const bool has_measure = which == &figure_measure;
+    const bool has_measure = chosen == &figure_measure;
     if (has_measure) {
         material_read(as.value[OPTION_MATERIAL], &as, &options_of->constants);
         criteria_read(&as, &options_of->constants, &options_of->asked);
     } else
-        refuse_criteria(line, which);
+        refuse_criteria(line, chosen);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            refuse_variable(which, i, line->value[OPTION_FIGURE_VARIABLE + i]);
-    if (which->needs_point && as.value[OPTION_AT] == NULL)
-        usage_error("--at: missing; figure %s needs a point x,y", which->name);
+            refuse_variable(chosen, i, line->value[OPTION_FIGURE_VARIABLE + i]);
+    if (chosen->needs_point && as.value[OPTION_AT] == NULL)
+        usage_error("--at: missing; figure %s needs a point x,y", chosen->name);
     places_read(&as, decimal_sign, at);
     if (at->count > 1)
         usage_error("--at %s: must be one point", as.value[OPTION_AT]);
     contact_history_read(
         &as, decimal_sign,
-        (usual_cycles){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2}, history);
+        (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2}, history);
     *inputs =
         (figure_case){.history = history, .at = at, .half_width = largest_half_width(history)};
     if (!has_measure)
@@ -333,7 +333,7 @@ static const picture_format *read_picture_format(const arguments *line, output_o
 /* ---- What is written ---- */
 
 typedef struct {
-    const figure *which;
+    const figure *chosen;
     figure_case inputs;
     const picture_format *format; /* NULL for the numbers */
     bool no_title;
@@ -345,18 +345,18 @@ typedef struct {
 
 static void compute(work *to_do)
 {
-    to_do->rows.column = to_do->which->column;
-    to_do->rows.text_column = to_do->which->text_column;
-    to_do->inputs.name = to_do->which->name;
-    to_do->which->compute(&to_do->inputs, &to_do->rows);
+    to_do->rows.column = to_do->chosen->column;
+    to_do->rows.text_column = to_do->chosen->text_column;
+    to_do->inputs.name = to_do->chosen->name;
+    to_do->chosen->compute(&to_do->inputs, &to_do->rows);
 }
 
 static void draw(const work *to_do, output *out)
 {
     drawing *on = memory_zeroed(1, sizeof *on);
-    const char *nothing = to_do->which->draw(&to_do->inputs, &to_do->rows, on);
+    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, on);
     if (nothing != NULL)
-        failure("figure %s: nothing to draw: %s", to_do->which->name, nothing);
+        failure("figure %s: nothing to draw: %s", to_do->chosen->name, nothing);
     if (to_do->no_title)
         on->title[0] = '\0';
     gnuplot_draw(on, to_do->format, out);
@@ -375,21 +375,21 @@ static void write_figure(void *of_work, records *rows)
 
 static int write_command(const arguments *line)
 {
-    work to_do = {.which = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
+    work to_do = {.chosen = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (to_do.which == &figure_loop && has_loads(line))
-        to_do.which = &figure_any_loop;
+    if (to_do.chosen == &figure_loop && has_loads(line))
+        to_do.chosen = &figure_any_loop;
     if (line->value[OPTION_DATA] != NULL)
         output_options_read(line, &how);
     else
         to_do.format = read_picture_format(line, &how);
-    if (to_do.which->has_history)
-        read_history(line, to_do.which, how.decimal_sign, &to_do.history, &to_do.at, &to_do.measure,
-                     &to_do.inputs);
+    if (to_do.chosen->has_history)
+        read_history(line, to_do.chosen, how.decimal_sign, &to_do.history, &to_do.at,
+                     &to_do.measure, &to_do.inputs);
     else {
-        refuse_history(line, to_do.which);
-        refuse_criteria(line, to_do.which);
-        read_case(line, to_do.which, &to_do.inputs);
+        refuse_history(line, to_do.chosen);
+        refuse_criteria(line, to_do.chosen);
+        read_case(line, to_do.chosen, &to_do.inputs);
     }
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);

@@ -33,18 +33,18 @@ static const char *mark(int column)
     return curve(column, 1);
 }
 
-static const char *legend(int which)
+static const char *legend(int place)
 {
     char letters[4], *text = memory_zeroed(FORMULA_SIZE, 1);
     return compose(text, "='%s'!$%s$%d", WORKING_SHEET, column_letters(LEGEND_COLUMN, letters),
-                   CURVE_ROW + which + 1);
+                   CURVE_ROW + place + 1);
 }
 
-static void place(xlsx_chart *chart, int which)
+static void place(xlsx_chart *chart, int position)
 {
     chart->width = FIGURE_WIDTH;
     chart->height = 20 * FIGURE_ROWS;
-    chart->right = which * (FIGURE_WIDTH + 8);
+    chart->right = position * (FIGURE_WIDTH + 8);
 }
 
 static void draw_normal_load(xlsx *book, int row)

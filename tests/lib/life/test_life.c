@@ -49,7 +49,7 @@ CLAIM(run_outs_are_infinite)
     assert_true(isinf(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, 2e-3)));
 }
 
-/* 1e-540 cycles are none, as the parts of the curve are beside each other. */
+/* 1e-540 cycles are none: exp() of their logarithm underflows. */
 CLAIM(tiny_lives_leave_errno_alone)
 {
     errno = 0;

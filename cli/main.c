@@ -92,28 +92,28 @@ static void show_version(void)
 static int without_command(int argc, const char **argv)
 {
     const syntax grammar = {options, "COMMAND ...", list_commands, 0};
-    arguments given;
-    if (arguments_read(&given, &grammar, argc, argv)) {
-        if (given.value[OPTION_VERSION] != NULL)
+    arguments line;
+    if (arguments_read(&line, &grammar, argc, argv)) {
+        if (line.value[OPTION_VERSION] != NULL)
             show_version();
-        else if (given.value[OPTION_COMPLETION] != NULL)
-            completion_print(given.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
+        else if (line.value[OPTION_COMPLETION] != NULL)
+            completion_print(line.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
         else
-            refuse_command(given.operand != NULL ? given.operand[0] : NULL);
+            refuse_command(line.operand != NULL ? line.operand[0] : NULL);
     }
-    arguments_free(&given);
+    arguments_free(&line);
     return STATUS_DONE;
 }
 
 /* ---- rwedge help [COMMAND] ---- */
 
-static int help(const arguments *given)
+static int help(const arguments *line)
 {
     const char *words[] = {"rwedge", "--help", NULL};
-    const char *name = given->operand != NULL ? given->operand[0] : NULL;
+    const char *name = line->operand != NULL ? line->operand[0] : NULL;
     const command *which = name != NULL ? command_named(name) : NULL;
-    if (name != NULL && given->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one command", given->operand[1]);
+    if (name != NULL && line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one command", line->operand[1]);
     if (name != NULL && which == NULL)
         refuse_command(name);
     return which != NULL ? run_command(which, 2, words) : without_command(2, words);

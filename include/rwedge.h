@@ -450,16 +450,16 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  * since, after a load that slips past all that was computed.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
  * What cannot be had to the tolerance is tried once more to ten times as much. A load whose shear
- * cannot be found, or whose error would be above 0.1, fails with RWEDGE_ENOCONV, the contact as
- * before: smaller loads may go. Of a flat pad and a profile: RWEDGE_EDOMAIN unless
- * it is 0.
+ * cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV, the contact
+ * as before: smaller loads may go. Of a flat pad and a profile: RWEDGE_EDOMAIN unless it is 0.
  * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 
 /* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
  * grows with the loads that the tractions still depend on, and may pass the tolerance. Nearer to a
  * front of slip than a hundredth of the half-width q may err by more: it rises there like a root.
- *                                                                                               new
+ * In a load that changes P or M it is not seen that slip turns back on the way: then q may err by
+ * far more than is told. Go there in smaller loads.                                             new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

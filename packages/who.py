@@ -19,8 +19,8 @@ assert known.keys() == INSTEAD.keys(), "who.json has other fields"
 
 DESCRIPTION = (
     "Contact of a wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile and an elastically similar "
-    "half-plane: pressure, partial slip, stresses, elastic limit, maximum tension and histories of load in closed form. A C library, a "
-    "command-line tool, and bindings to Python, MATLAB, Octave, Fortran, JavaScript and Excel."
+    "half-plane: pressure, partial slip, stresses, elastic limit, maximum tension and histories of load in closed form; criteria and "
+    "life of fatigue. A C library, a command-line tool, and bindings to Python, MATLAB, Octave, Fortran, JavaScript and Excel."
 )
 KEYWORDS = ["contact mechanics", "flat and rounded pad", "fretting", "half-plane", "partial slip", "wedge"]
 

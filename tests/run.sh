@@ -55,9 +55,6 @@ wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none
 wish command:clang=clang command:clang-format-14=clang-format-14
 wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
-# another package's LAPACK with 64-bit integers, to be kept out
-wish command:abidiff=abigail-tools file:/usr/lib/*/liblapack64.so.3=liblapack64-3 \
-    file:/usr/lib/*/libopenblas64.so.0=libopenblas64-0-pthread
 # ball arithmetic: in FLINT 3, beside FLINT 2
 have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev

@@ -4,7 +4,7 @@
 #include "notices.h"
 #include "profiles.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 enum { OTHER_NAMES = 3, CONTACT_INPUTS = INPUT_K };
 

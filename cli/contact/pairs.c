@@ -2,9 +2,9 @@
 #include "pairs.h"
 
 #include "input/csv_row.h"
-#include "model/header.h"
+#include "model/reading/header.h"
 #include "text/memory.h"
-#include "text/number.h"
+#include "number/number.h"
 #include "text/printf_like.h"
 
 #include <inttypes.h>

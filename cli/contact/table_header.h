@@ -3,7 +3,7 @@
 #ifndef CLI_TABLE_HEADER_H
 #define CLI_TABLE_HEADER_H
 
-#include "model/header.h"
+#include "model/reading/header.h"
 #include "input/csv_row.h"
 
 /* Reads the first row, which is kept. Ends the command where there is none. */

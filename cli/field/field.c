@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { OPTION_X = OPTION_AFTER_STATE, OPTION_Y };
+enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_Y };
 
 static struct poptOption field_output_option_table[] = {
     {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
@@ -16,7 +16,7 @@ static struct poptOption field_output_option_table[] = {
 };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, NULL, NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
      "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
@@ -39,7 +39,7 @@ static void describe(FILE *stream)
         "  tau_max        largest shear stress on any plane\n"
         "  s1_angle       from the normal of the surface to that of the plane of s1, deg\n",
         stream);
-    state_describe(stream);
+    loaded_contact_describe(stream);
 }
 
 /* The text of an axis, or its default between two multiples of b. */
@@ -92,14 +92,14 @@ static int field(const arguments *line)
     output_options_read_of(line, formats, "", &how);
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
-    state_read(line, how.decimal_sign, &points.state);
+    loaded_contact_read(line, how.decimal_sign, &points.loaded);
     const bool vtk = how.format == NULL;
-    const double b = points.state.b, middle = (points.state.left + points.state.right) / 2;
+    const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
     read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
     check_grid(line, &points, vtk);
     output_options_write(&how, vtk ? grid_write_vtk : grid_write_rows, &points);
-    state_free(&points.state);
+    loaded_contact_free(&points.loaded);
     range_free(&points.x);
     range_free(&points.y);
     return STATUS_DONE;

@@ -18,15 +18,15 @@ int64_t grid_size(const grid *points)
 /* The stress at the point (x, y); NAN where it is infinite. */
 static tensor stress(const grid *points, double x, double y)
 {
-    const double at_x = x * points->state.length_unit, at_y = y * points->state.length_unit;
+    const double at_x = x * points->loaded.length_unit, at_y = y * points->loaded.length_unit;
     double sxx, syy, txy;
-    if (state_is_kink(&points->state, at_x, at_y))
+    if (loaded_contact_is_kink(&points->loaded, at_x, at_y))
         return tensor_unknown();
     const int32_t status =
-        rwedge_contact_stresses(points->state.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);
+        rwedge_contact_stresses(points->loaded.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);
     if (status != RWEDGE_OK)
         failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-    return tensor_of(sxx, syy, txy, points->state.nu);
+    return tensor_of(sxx, syy, txy, points->loaded.nu);
 }
 
 static void write_point(const grid *points, records *rows, double x, double y)

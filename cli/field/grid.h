@@ -3,13 +3,13 @@
 #ifndef CLI_GRID_H
 #define CLI_GRID_H
 
-#include "text/range.h"
+#include "number/range.h"
 #include "rows/records.h"
-#include "contact/state.h"
-#include "model/tensor.h"
+#include "contact/loaded_contact.h"
+#include "model/results/tensor.h"
 
 typedef struct {
-    contact_state state;
+    loaded_contact loaded;
     range x, y;
 } grid;
 

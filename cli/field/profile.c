@@ -4,16 +4,16 @@
 #include "text/message.h"
 #include "rows/output_options.h"
 #include "system/progress.h"
-#include "text/pi.h"
-#include "text/range.h"
-#include "contact/state.h"
+#include "number/pi.h"
+#include "number/range.h"
+#include "contact/loaded_contact.h"
 
 #include <math.h>
 
-enum { OPTION_X = OPTION_AFTER_STATE, OPTION_POINTS };
+enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_POINTS };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, state_option_table, 0, NULL, NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},
     {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
      "Or how many points from edge to edge, dense at the edges (default 201)", "N"},
@@ -34,11 +34,11 @@ static void describe(FILE *stream)
           "  sxx   stress along the surface, tension positive\n"
           "  slip  of body 1 relative to body 2, the wedge, since they came into contact\n",
           stream);
-    state_describe(stream);
+    loaded_contact_describe(stream);
 }
 
 typedef struct {
-    contact_state state;
+    loaded_contact loaded;
     range x;        /* the places, if points is 0 */
     int64_t points; /* so many places from edge to edge */
 } plan;
@@ -50,64 +50,64 @@ static double x_of(const plan *job, int64_t i)
     if (job->points == 0)
         return range_value(&job->x, i);
     if (i == 0 || i == job->points - 1)
-        return i == 0 ? job->state.left : job->state.right;
-    return (job->state.left + job->state.right) / 2 +
-           job->state.b *
+        return i == 0 ? job->loaded.left : job->loaded.right;
+    return (job->loaded.left + job->loaded.right) / 2 +
+           job->loaded.b *
                sin(PI / 2 * (double)(2 * i - (job->points - 1)) / (double)(job->points - 1));
 }
 
-static const char *zone_of(const contact_state *state, double x)
+static const char *zone_of(const loaded_contact *loaded, double x)
 {
-    const zone contact = state_contact_zone(state), stick = state_stick_zone(state);
+    const zone contact = loaded_contact_zone(loaded), stick = loaded_contact_stick_zone(loaded);
     if (!(x > contact.left && x < contact.right))
         return "free";
     return x > stick.left && x < stick.right ? "stick" : "slip";
 }
 
 /* Where a history off the centre has no closed form of it, the slip alone is not known. */
-static int32_t slip_at(const contact_state *state, double at, double *slip)
+static int32_t slip_at(const loaded_contact *loaded, double at, double *slip)
 {
-    const zone contact = state_contact_zone(state);
-    if (state->b == 0 || at < contact.left || at > contact.right)
+    const zone contact = loaded_contact_zone(loaded);
+    if (loaded->b == 0 || at < contact.left || at > contact.right)
         return RWEDGE_OK;
-    const int32_t status = rwedge_contact_slip(state->contact, 1, &at, slip);
+    const int32_t status = rwedge_contact_slip(loaded->contact, 1, &at, slip);
     return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
 /* NAN, an empty cell, for stresses at a sharp edge, which are infinite, and for slip
  * outside the contact. */
-static int32_t look(const contact_state *state, double at, double value[])
+static int32_t look(const loaded_contact *loaded, double at, double value[])
 {
     const double surface = 0;
     double syy, txy;
     int32_t status = RWEDGE_OK;
     value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
-    if (!state_is_kink(state, at, 0)) {
-        status = rwedge_contact_tractions(state->contact, 1, &at, &value[P], &value[Q]);
+    if (!loaded_contact_is_kink(loaded, at, 0)) {
+        status = rwedge_contact_tractions(loaded->contact, 1, &at, &value[P], &value[Q]);
         if (status == RWEDGE_OK)
             status =
-                rwedge_contact_stresses(state->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+                rwedge_contact_stresses(loaded->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
     }
-    return status == RWEDGE_OK ? slip_at(state, at, &value[SLIP]) : status;
+    return status == RWEDGE_OK ? slip_at(loaded, at, &value[SLIP]) : status;
 }
 
-static void compute(const contact_state *state, double x, cell row[])
+static void compute(const loaded_contact *loaded, double x, cell row[])
 {
-    const double at = x * state->length_unit;
+    const double at = x * loaded->length_unit;
     double value[COLUMN_COUNT];
-    const int32_t status = look(state, at, value);
+    const int32_t status = look(loaded, at, value);
     if (status != RWEDGE_OK)
         failure("x = %.17g: %s", x, rwedge_strerror(status));
     value[X] = x;
-    value[SLIP] /= state->slip_unit;
+    value[SLIP] /= loaded->slip_unit;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        row[i] = i == ZONE ? cell_text(zone_of(state, at)) : cell_number(value[i]);
+        row[i] = i == ZONE ? cell_text(zone_of(loaded, at)) : cell_number(value[i]);
 }
 
 static void write_row(const plan *job, records *rows, double x)
 {
     cell row[COLUMN_COUNT];
-    compute(&job->state, x, row);
+    compute(&job->loaded, x, row);
     for (int i = 0; i < COLUMN_COUNT; i++)
         rows->format->value(rows, columns[i], row[i]);
     rows->format->end_row(rows);
@@ -145,11 +145,11 @@ static void read_points(const arguments *line, plan *job)
         usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
 }
 
-static void say_unknown_slip(const contact_state *state)
+static void say_unknown_slip(const loaded_contact *loaded)
 {
-    const double edge = state_contact_zone(state).left;
+    const double edge = loaded_contact_zone(loaded).left;
     double slip;
-    if (rwedge_contact_slip(state->contact, 1, &edge, &slip) == RWEDGE_EPATH)
+    if (rwedge_contact_slip(loaded->contact, 1, &edge, &slip) == RWEDGE_EPATH)
         notice("the slip has no closed form after these loads: the column slip is empty");
 }
 
@@ -162,12 +162,12 @@ static int profile(const arguments *line)
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     read_points(line, &job);
-    state_read(line, how.decimal_sign, &job.state);
-    if (job.points > 0 && job.state.b == 0)
+    loaded_contact_read(line, how.decimal_sign, &job.loaded);
+    if (job.points > 0 && job.loaded.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");
     output_options_write(&how, write_profile, &job);
-    say_unknown_slip(&job.state);
-    state_free(&job.state);
+    say_unknown_slip(&job.loaded);
+    loaded_contact_free(&job.loaded);
     range_free(&job.x);
     return STATUS_DONE;
 }

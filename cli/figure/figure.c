@@ -4,7 +4,7 @@
 #include "figure_eccentric.h"
 #include "figure_field.h"
 #include "figure_loop.h"
-#include "figures_course.h"
+#include "figures_history.h"
 #include "figures_strength.h"
 #include "figures_traction.h"
 #include "contact/notices.h"
@@ -41,7 +41,7 @@ static const table_variable tension = {
 #define BODY(option, input) option, '\0', POPT_ARG_STRING, NULL, OPTION_INPUT + (input)
 
 /* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
-static struct poptOption course_figure_option_table[] = {
+static struct poptOption history_figure_option_table[] = {
     {BODY("E1", INPUT_E1), "Young's modulus of body 1", "STRESS"},
     {BODY("E2", INPUT_E2), "Young's modulus of body 2 (default: as body 1)", "STRESS"},
     {BODY("nu2", INPUT_NU2), "Poisson's ratio of body 2 (default: as body 1)", "NUMBER"},
@@ -55,7 +55,7 @@ static struct poptOption course_figure_option_table[] = {
     {BODY("profile", INPUT_PROFILE),
      "Any convex pad: a CSV file with the columns x, and slope or height", "FILE"},
     {HULL_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, NULL, NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_option_table, 0, NULL, NULL},
     {"at", '\0', POPT_ARG_STRING, NULL, OPTION_AT, "The point of figure history", "x,y"},
     POPT_TABLEEND,
 };
@@ -76,7 +76,7 @@ static const struct poptOption options[] = {
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
     {"sigma-over-max", '\0', POPT_ARG_STRING, NULL, OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX,
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_figure_option_table, 0,
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_figure_option_table, 0,
      "A contact and its loads, for history, fretting, and the loop of any history:", NULL},
     {"measure", '\0', POPT_ARG_STRING, NULL, OPTION_MEASURE,
      "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
@@ -136,20 +136,20 @@ static void describe_figures(FILE *stream)
           stream);
 }
 
-static const figure *choose_figure(const arguments *given)
+static const figure *choose_figure(const arguments *line)
 {
     char allowed[120] = "";
     for (int i = 0; i < FIGURE_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", figures[i]->name);
-    if (given->operand == NULL || given->operand[0] == NULL)
+    if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("which figure must follow; allowed: %s", allowed);
     int i = 0;
-    while (i < FIGURE_COUNT && strcmp(given->operand[0], figures[i]->name) != 0)
+    while (i < FIGURE_COUNT && strcmp(line->operand[0], figures[i]->name) != 0)
         i++;
     if (i == FIGURE_COUNT)
-        usage_error("%s: unknown figure; allowed: %s", given->operand[0], allowed);
-    if (given->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one figure, and options", given->operand[1]);
+        usage_error("%s: unknown figure; allowed: %s", line->operand[0], allowed);
+    if (line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one figure, and options", line->operand[1]);
     return figures[i];
 }
 
@@ -177,43 +177,43 @@ static void read_variable(const figure *which, int i, const char *text, range *v
                     variable_of(i)->option, text, most);
 }
 
-static void read_case(const arguments *given, const figure *which, figure_case *of)
+static void read_case(const arguments *line, const figure *which, figure_case *inputs)
 {
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
-        const char *text = given->value[OPTION_FIGURE_VARIABLE + i];
+        const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
         if (which->use[i].usual != NULL)
-            read_variable(which, i, text, &of->value[i]);
+            read_variable(which, i, text, &inputs->value[i]);
         else if (text != NULL)
             refuse_variable(which, i, text);
     }
-    if (of->value[C_OVER_B].count > 0 && of->value[Q_OVER_FP].count > 0)
+    if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
         usage_error(
             "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
-            given->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
+            line->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
 }
 
 /* ---- A contact and its loads ---- */
 
-static bool has_loads(const arguments *given)
+static bool has_loads(const arguments *line)
 {
-    return given->value[OPTION_HISTORY] != NULL || given->value[OPTION_LOAD] != NULL;
+    return line->value[OPTION_HISTORY] != NULL || line->value[OPTION_LOAD] != NULL;
 }
 
 /* Without a table of loads there is nothing for its options to say. */
-static void refuse_course(const arguments *given, const figure *which)
+static void refuse_history(const arguments *line, const figure *which)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
-        if (given->value[i] != NULL)
+        if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
                         "and loop with --history or --load",
                         which->name);
 }
 
-static void refuse_criteria(const arguments *given, const figure *which)
+static void refuse_criteria(const arguments *line, const figure *which)
 {
-    const bool is_given = given->value[OPTION_MEASURE] != NULL || given->value[OPTION_OVER] != NULL;
+    const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
-        if (given->value[i] != NULL || is_given)
+        if (line->value[i] != NULL || is_given)
             usage_error("figure %s: criteria and measures are for figure measure", which->name);
 }
 
@@ -234,18 +234,18 @@ static int read_over(const char *text)
 static int read_measure(const char *text, const criteria *asked)
 {
     char allowed[600] = "";
-    int found = text == NULL ? MEASURE_SWT : -1;
+    int column = text == NULL ? MEASURE_SWT : -1;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const measure_kind *kind = column_kind_of(i);
         if (!column_is_wanted(asked, i) || kind->is_angle)
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
         if (text != NULL && strcmp(text, kind->column) == 0)
-            found = i;
+            column = i;
     }
-    if (found < 0)
+    if (column < 0)
         usage_error("--measure %s: must be one of: %s", text, allowed);
-    return found;
+    return column;
 }
 
 typedef struct {
@@ -253,59 +253,61 @@ typedef struct {
     material constants;
 } measure_options;
 
-static double largest_half_width(const course *whole)
+static double largest_half_width(const contact_history *history)
 {
-    const contact_case *what = &whole->what;
+    const contact_case *setup = &history->setup;
     double most = 0;
-    for (size_t i = 0; i < whole->loads.count; i++)
-        most = fmax(most, pad_half_width(&what->shape, what->A, whole->loads.load[i].P));
+    for (size_t i = 0; i < history->loads.count; i++)
+        most = fmax(most, pad_half_width(&setup->shape, setup->A, history->loads.load[i].P));
     return most;
 }
 
 /* Friction and Poisson's ratio are variables of other figures. */
-static arguments with_bodies(const arguments *given)
+static arguments with_bodies(const arguments *line)
 {
-    arguments as = *given;
-    as.value[OPTION_INPUT + INPUT_F] = given->value[OPTION_FIGURE_VARIABLE + FRICTION];
-    as.value[OPTION_INPUT + INPUT_NU1] = given->value[OPTION_FIGURE_VARIABLE + NU];
+    arguments as = *line;
+    as.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    as.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
     as.operand = NULL;
     return as;
 }
 
-static void read_course(const arguments *given, const figure *which, char decimal_sign,
-                        course *whole, places *at, measure_options *options_of, figure_case *of)
+static void read_history(const arguments *line, const figure *which, char decimal_sign,
+                         contact_history *history, places *at, measure_options *options_of,
+                         figure_case *inputs)
 {
-    arguments as = with_bodies(given);
+    arguments as = with_bodies(line);
     const bool has_measure = which == &figure_measure;
     if (has_measure) {
         material_read(as.value[OPTION_MATERIAL], &as, &options_of->constants);
         criteria_read(&as, &options_of->constants, &options_of->asked);
     } else
-        refuse_criteria(given, which);
+        refuse_criteria(line, which);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (i != FRICTION && i != NU && given->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            refuse_variable(which, i, given->value[OPTION_FIGURE_VARIABLE + i]);
+        if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
+            refuse_variable(which, i, line->value[OPTION_FIGURE_VARIABLE + i]);
     if (which->needs_point && as.value[OPTION_AT] == NULL)
         usage_error("--at: missing; figure %s needs a point x,y", which->name);
     places_read(&as, decimal_sign, at);
     if (at->count > 1)
         usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    course_read(&as, decimal_sign,
-                (course_usage){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2},
-                whole);
-    *of = (figure_case){.whole = whole, .at = at, .half_width = largest_half_width(whole)};
+    contact_history_read(
+        &as, decimal_sign,
+        (usual_cycles){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2}, history);
+    *inputs =
+        (figure_case){.history = history, .at = at, .half_width = largest_half_width(history)};
     if (!has_measure)
         return;
-    criteria_read_strength(&as, &whole->what, &options_of->asked);
-    of->asked = &options_of->asked;
-    of->measure = read_measure(given->value[OPTION_MEASURE], of->asked);
-    of->over = read_over(given->value[OPTION_OVER]);
+    criteria_read_strength(&as, &history->setup, &options_of->asked);
+    inputs->asked = &options_of->asked;
+    inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
+    inputs->over = read_over(line->value[OPTION_OVER]);
     const bool is_of_friction =
-        (of->measure >= MEASURE_SLIP_RANGE && of->measure < MEASURE_COUNT) ||
-        of->measure == COLUMN_WEAR;
-    if (is_of_friction && of->over != OVER_SURFACE)
-        usage_error("--over %s: %s is of the surface alone", given->value[OPTION_OVER],
-                    column_kind_of(of->measure)->column);
+        (inputs->measure >= MEASURE_SLIP_RANGE && inputs->measure < MEASURE_COUNT) ||
+        inputs->measure == COLUMN_WEAR;
+    if (is_of_friction && inputs->over != OVER_SURFACE)
+        usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
+                    column_kind_of(inputs->measure)->column);
 }
 
 static const picture_format *format_named(const char *name)
@@ -316,15 +318,15 @@ static const picture_format *format_named(const char *name)
     return NULL;
 }
 
-static const picture_format *read_picture_format(const arguments *given, output_options *how)
+static const picture_format *read_picture_format(const arguments *line, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
-    if (given->value[OPTION_DIGITS] != NULL)
+    if (line->value[OPTION_DIGITS] != NULL)
         usage_error("--digits %s: not for a picture; allowed with: --data",
-                    given->value[OPTION_DIGITS]);
-    if (given->value[OPTION_DECIMAL_COMMA] != NULL)
+                    line->value[OPTION_DIGITS]);
+    if (line->value[OPTION_DECIMAL_COMMA] != NULL)
         usage_error("--decimal-comma: not for a picture; allowed with: --data");
-    output_options_read_of(given, formats, "; with --data: csv, tsv, json, xlsx", how);
+    output_options_read_of(line, formats, "; with --data: csv, tsv, json, xlsx", how);
     return format_named(how->format_name);
 }
 
@@ -332,10 +334,10 @@ static const picture_format *read_picture_format(const arguments *given, output_
 
 typedef struct {
     const figure *which;
-    figure_case of;
+    figure_case inputs;
     const picture_format *format; /* NULL for the numbers */
     bool no_title;
-    course whole;
+    contact_history history;
     places at;
     measure_options measure;
     dataset rows;
@@ -345,7 +347,7 @@ static void compute(work *to_do)
 {
     to_do->rows.column = to_do->which->column;
     to_do->rows.text_column = to_do->which->text_column;
-    const int32_t status = to_do->which->compute(&to_do->of, &to_do->rows);
+    const int32_t status = to_do->which->compute(&to_do->inputs, &to_do->rows);
     if (status != RWEDGE_OK)
         failure("figure %s: %s", to_do->which->name, rwedge_strerror(status));
 }
@@ -353,7 +355,7 @@ static void compute(work *to_do)
 static void draw(const work *to_do, output *out)
 {
     drawing *on = memory_zeroed(1, sizeof *on);
-    const char *nothing = to_do->which->draw(&to_do->of, &to_do->rows, on);
+    const char *nothing = to_do->which->draw(&to_do->inputs, &to_do->rows, on);
     if (nothing != NULL)
         failure("figure %s: nothing to draw: %s", to_do->which->name, nothing);
     if (to_do->no_title)
@@ -372,28 +374,28 @@ static bool write_figure(void *of_work, records *rows, bool show_progress)
     return true;
 }
 
-static int write_command(const arguments *given)
+static int write_command(const arguments *line)
 {
-    work to_do = {.which = choose_figure(given), .no_title = given->value[OPTION_NO_TITLE] != NULL};
+    work to_do = {.which = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (to_do.which == &figure_loop && has_loads(given))
+    if (to_do.which == &figure_loop && has_loads(line))
         to_do.which = &figure_any_loop;
-    if (given->value[OPTION_DATA] != NULL)
-        output_options_read(given, &how);
+    if (line->value[OPTION_DATA] != NULL)
+        output_options_read(line, &how);
     else
-        to_do.format = read_picture_format(given, &how);
-    if (to_do.which->of_course)
-        read_course(given, to_do.which, how.decimal_sign, &to_do.whole, &to_do.at, &to_do.measure,
-                    &to_do.of);
+        to_do.format = read_picture_format(line, &how);
+    if (to_do.which->has_history)
+        read_history(line, to_do.which, how.decimal_sign, &to_do.history, &to_do.at, &to_do.measure,
+                     &to_do.inputs);
     else {
-        refuse_course(given, to_do.which);
-        refuse_criteria(given, to_do.which);
-        read_case(given, to_do.which, &to_do.of);
+        refuse_history(line, to_do.which);
+        refuse_criteria(line, to_do.which);
+        read_case(line, to_do.which, &to_do.inputs);
     }
-    output_options_spare(&how, given->value[OPTION_HISTORY]);
-    output_options_spare(&how, given->value[OPTION_INPUT + INPUT_PROFILE]);
+    output_options_spare(&how, line->value[OPTION_HISTORY]);
+    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     output_options_write(&how, write_figure, &to_do);
-    doubts_say((doubts){.error = to_do.whole.error}, "");
+    doubts_say((doubts){.error = to_do.history.error}, "");
     return STATUS_DONE;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/loads.h"
 #include "figure_eccentric.h"
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,39 +19,41 @@ typedef struct {
     double sigma_over_max, left, right; /* edges of the stick zone, NAN where all slides */
     int number;
     dataset *rows;
-} case_of_tension;
+} tension_case;
 
 /* The traction at a point; infinite at the apex of the sharp wedge. */
-static int32_t add_point(const case_of_tension *of, double x)
+static int32_t add_point(const tension_case *tension, double x)
 {
     double p, q = -HUGE_VAL;
-    const int32_t status = rwedge_contact_tractions(of->contact, 1, &x, &p, &q);
-    dataset_add(of->rows,
-                (data_row){.curve = of->number,
-                           .number = {of->sigma_over_max, x, -PI * q, of->left, of->right}});
+    const int32_t status = rwedge_contact_tractions(tension->contact, 1, &x, &p, &q);
+    dataset_add(tension->rows, (data_row){.curve = tension->number,
+                                          .number = {tension->sigma_over_max, x, -PI * q,
+                                                     tension->left, tension->right}});
     return x == 0 && status == RWEDGE_EDOMAIN ? RWEDGE_OK : status;
 }
 
 /* Dense at both ends, where the traction is steep; the last point is left out. */
-static int32_t add_zone(const case_of_tension *of, double from, double to)
+static int32_t add_zone(const tension_case *tension, double from, double to)
 {
     enum { STEPS = 100 };
     int32_t status = RWEDGE_OK;
     for (int i = -STEPS; i < STEPS && status == RWEDGE_OK; i++)
-        status = add_point(of, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
+        status =
+            add_point(tension, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
     return status;
 }
 
 /* The slip zones, and the stick zone where there is one: the edges are kinks. */
-static int32_t add_points(const case_of_tension *of)
+static int32_t add_points(const tension_case *tension)
 {
-    const bool sticks = isfinite(of->left) && of->left > -1 && of->right > of->left;
-    int32_t status = add_zone(of, -1, sticks ? of->left : 0);
+    const bool sticks =
+        isfinite(tension->left) && tension->left > -1 && tension->right > tension->left;
+    int32_t status = add_zone(tension, -1, sticks ? tension->left : 0);
     if (status == RWEDGE_OK && sticks)
-        status = add_zone(of, of->left, of->right);
+        status = add_zone(tension, tension->left, tension->right);
     if (status == RWEDGE_OK)
-        status = add_zone(of, sticks ? of->right : 0, 1);
-    return status == RWEDGE_OK ? add_point(of, 1) : status;
+        status = add_zone(tension, sticks ? tension->right : 0, 1);
+    return status == RWEDGE_OK ? add_point(tension, 1) : status;
 }
 
 /* Under constant P, Q and sigma together. */
@@ -66,32 +68,32 @@ static int32_t apply(double alpha, double Q_over_fP, double sigma_over_max, rwed
     return loads_apply_monotonic(to, contact);
 }
 
-static int32_t add_curve(const figure_case *of, int number, dataset *rows)
+static int32_t add_curve(const figure_case *inputs, int number, dataset *rows)
 {
     rwedge_contact *contact = NULL;
-    const double alpha = case_value(of, A_OVER_B);
-    case_of_tension one = {.sigma_over_max = range_value(&of->value[SIGMA_OVER_MAX], number),
-                           .left = NAN,
-                           .right = NAN,
-                           .number = number,
-                           .rows = rows};
+    const double alpha = case_value(inputs, A_OVER_B);
+    tension_case tension = {.sigma_over_max = range_value(&inputs->value[SIGMA_OVER_MAX], number),
+                            .left = NAN,
+                            .right = NAN,
+                            .number = number,
+                            .rows = rows};
     int32_t status = rwedge_contact_create(1, alpha, 1, 1, &contact);
     if (status == RWEDGE_OK)
-        status = apply(alpha, case_value(of, Q_OVER_FP), one.sigma_over_max, contact);
+        status = apply(alpha, case_value(inputs, Q_OVER_FP), tension.sigma_over_max, contact);
     if (status == RWEDGE_OK) {
-        one.contact = contact;
-        rwedge_contact_stick_zone(contact, &one.left, &one.right);
-        status = add_points(&one);
+        tension.contact = contact;
+        rwedge_contact_stick_zone(contact, &tension.left, &tension.right);
+        status = add_points(&tension);
     }
     rwedge_contact_destroy(contact);
     return status;
 }
 
-static int32_t compute_eccentric(const figure_case *of, dataset *rows)
+static int32_t compute_eccentric(const figure_case *inputs, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
-    for (int n = 0; n < of->value[SIGMA_OVER_MAX].count && status == RWEDGE_OK; n++)
-        status = add_curve(of, n, rows);
+    for (int n = 0; n < inputs->value[SIGMA_OVER_MAX].count && status == RWEDGE_OK; n++)
+        status = add_curve(inputs, n, rows);
     return status;
 }
 
@@ -134,14 +136,14 @@ static double extreme(const dataset *rows, double sign)
     return most;
 }
 
-static const char *draw_eccentric(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_eccentric(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char alpha[NUMBER_SIZE], text[NUMBER_SIZE];
     const double top = extreme(rows, 1), bottom = extreme(rows, -1), step = 0.05 * (top + bottom);
     if (top == 0)
         return "without Q there is no shear traction";
-    case_text(of, A_OVER_B, 0, alpha);
-    case_text(of, Q_OVER_FP, 0, text);
+    case_text(inputs, A_OVER_B, 0, alpha);
+    case_text(inputs, Q_OVER_FP, 0, text);
     snprintf(on->title, sizeof on->title,
              "Shear traction with bulk tension, *a*/*b* = %s, *Q*/(*fP*) = %s", alpha, text);
     snprintf(on->caption, sizeof on->caption, "bars: stick zones; thin line: friction's limit");
@@ -149,13 +151,13 @@ static const char *draw_eccentric(const figure_case *of, const dataset *rows, dr
     on->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
     on->y.from = -bottom - step * (dataset_curves(rows) + 1);
     on->height = 0.9;
-    draw_limit(case_value(of, A_OVER_B), on);
+    draw_limit(case_value(inputs, A_OVER_B), on);
     for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *one = drawing_curve(on, rows, n, X, SHEAR);
-        style_of_family(one, n);
-        one->width = 1.4;
-        case_text(of, SIGMA_OVER_MAX, n, text);
-        snprintf(one->legend, sizeof one->legend, "π*b*σ/(4*Q*) = %s", text);
+        curve *line = drawing_curve(on, rows, n, X, SHEAR);
+        style_of_family(line, n);
+        line->width = 1.4;
+        case_text(inputs, SIGMA_OVER_MAX, n, text);
+        snprintf(line->legend, sizeof line->legend, "π*b*σ/(4*Q*) = %s", text);
     }
     draw_stick_zones(rows, -bottom - step, step, on);
     return NULL;

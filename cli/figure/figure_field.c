@@ -24,12 +24,12 @@ static double field_y(int j)
     return FIELD_DEPTH * pow((double)j / (FIELD_ROWS - 1), 1.5);
 }
 
-static double stick_width(const figure_case *of)
+static double stick_width(const figure_case *inputs)
 {
-    if (of->value[C_OVER_B].count > 0)
-        return case_value(of, C_OVER_B);
-    return of->value[Q_OVER_FP].count > 0
-               ? rwedge_stick_width(case_value(of, A_OVER_B), case_value(of, Q_OVER_FP))
+    if (inputs->value[C_OVER_B].count > 0)
+        return case_value(inputs, C_OVER_B);
+    return inputs->value[Q_OVER_FP].count > 0
+               ? rwedge_stick_width(case_value(inputs, A_OVER_B), case_value(inputs, Q_OVER_FP))
                : 0;
 }
 
@@ -38,11 +38,11 @@ static double sqrt_J2(double nu, double sxx, double syy, double txy)
     return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
-static int32_t compute_field(const figure_case *of, dataset *rows)
+static int32_t compute_field(const figure_case *inputs, dataset *rows)
 {
-    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
-                 nu = case_value(of, NU);
-    const double c = stick_width(of);
+    const double alpha = case_value(inputs, A_OVER_B), f = case_value(inputs, FRICTION),
+                 nu = case_value(inputs, NU);
+    const double c = stick_width(inputs);
     for (int j = 0; j < FIELD_ROWS; j++)
         for (int i = 0; i < FIELD_COLUMNS; i++) {
             const double x = field_x(i), y = field_y(j);
@@ -88,9 +88,9 @@ static void name_level(const data_row *from, const data_row *to, double step, dr
         if (fabs(x - on->label[i].x) < 0.32 &&
             fabs(y - on->label[i].y) < (strcmp(text, on->label[i].text) == 0 ? 0.6 : 0.12))
             return;
-    label *one = drawing_label(on, x, y, "%s", text);
-    one->align = ALIGN_CENTRE;
-    one->boxed = true;
+    label *number = drawing_label(on, x, y, "%s", text);
+    number->align = ALIGN_CENTRE;
+    number->boxed = true;
 }
 
 /* Downwards from the place nearest to x, and along a row both ways from there. */
@@ -119,10 +119,10 @@ static void draw_zones(double c, drawing *on)
 }
 
 /* Where it yields first, and sqrt(J2) there; false where the stress is infinite. */
-static bool find_yield(const figure_case *of, double *x, double *y, double *top)
+static bool find_yield(const figure_case *inputs, double *x, double *y, double *top)
 {
-    const double alpha = case_value(of, A_OVER_B), f = case_value(of, FRICTION),
-                 c = stick_width(of);
+    const double alpha = case_value(inputs, A_OVER_B), f = case_value(inputs, FRICTION),
+                 c = stick_width(inputs);
     const double P = rwedge_load(alpha), Q = c > 0 ? f * rwedge_shear_ratio(alpha, c) * P : f * P;
     rwedge_contact *contact = NULL;
     double factor = 0;
@@ -130,7 +130,7 @@ static bool find_yield(const figure_case *of, double *x, double *y, double *top)
     if (status == RWEDGE_OK)
         status = loads_apply_monotonic((load){.P = P, .Q = Q}, contact);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_yield_factor(contact, case_value(of, NU), 1, &factor, x, y);
+        status = rwedge_contact_yield_factor(contact, case_value(inputs, NU), 1, &factor, x, y);
     rwedge_contact_destroy(contact);
     if (status == RWEDGE_ENOMEM)
         failure("out of memory");
@@ -156,17 +156,17 @@ static void draw_surface(drawing *on)
 }
 
 /* How far it slips is said as it was asked for. */
-static void write_title(const figure_case *of, drawing *on)
+static void write_title(const figure_case *inputs, drawing *on)
 {
     char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], slip[NUMBER_SIZE] = "0";
-    const bool by_force = of->value[Q_OVER_FP].count > 0;
+    const bool by_force = inputs->value[Q_OVER_FP].count > 0;
     const int slips = by_force ? Q_OVER_FP : C_OVER_B;
-    case_text(of, A_OVER_B, 0, alpha);
-    case_text(of, FRICTION, 0, f);
-    case_text(of, NU, 0, nu);
-    if (of->value[slips].count > 0)
-        case_text(of, slips, 0, slip);
-    const bool normal = case_value(of, FRICTION) == 0;
+    case_text(inputs, A_OVER_B, 0, alpha);
+    case_text(inputs, FRICTION, 0, f);
+    case_text(inputs, NU, 0, nu);
+    if (inputs->value[slips].count > 0)
+        case_text(inputs, slips, 0, slip);
+    const bool normal = case_value(inputs, FRICTION) == 0;
     snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
              alpha, f,
              normal     ? ""
@@ -175,32 +175,33 @@ static void write_title(const figure_case *of, drawing *on)
              normal ? "" : slip, nu);
 }
 
-static void write_caption(const figure_case *of, double step, bool found, double top, drawing *on)
+static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
+                          drawing *on)
 {
     char value[NUMBER_SIZE], lines[NUMBER_SIZE];
-    const char *zones = stick_width(of) > 0            ? ", black: stick"
-                        : case_value(of, FRICTION) > 0 ? ", sliding"
-                                                       : "";
+    const char *zones = stick_width(inputs) > 0            ? ", black: stick"
+                        : case_value(inputs, FRICTION) > 0 ? ", sliding"
+                                                           : "";
     number_write(top, 3, '.', value);
     number_write(step, 3, '.', lines);
     snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %s%s%s", zones, lines,
-             found ? "; circle: first yield, " : "", found ? value : "");
+             has_yield ? "; circle: first yield, " : "", has_yield ? value : "");
 }
 
-static const char *draw_field(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     const double seen = highest(rows), step = step_of_levels(seen);
     double x = 0, y = 0, top = 0;
-    const bool found = find_yield(of, &x, &y, &top);
-    write_title(of, on);
-    write_caption(of, step, found, top, on);
+    const bool has_yield = find_yield(inputs, &x, &y, &top);
+    write_title(inputs, on);
+    write_caption(inputs, step, has_yield, top, on);
     on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
     on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
     on->field = (contours){rows, FIELD_COLUMNS, 0, 1, 5, step, seen};
-    name_levels(rows, found ? x : 0, step, on);
-    draw_zones(stick_width(of), on);
+    name_levels(rows, has_yield ? x : 0, step, on);
+    draw_zones(stick_width(inputs), on);
     draw_surface(on);
-    if (found)
+    if (has_yield)
         mark_yield(x, y, on);
     return NULL;
 }

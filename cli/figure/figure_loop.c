@@ -3,7 +3,7 @@
  * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
 #include "figure_loop.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,64 +15,64 @@ typedef struct {
     rwedge_contact *contact; /* theta, A, f and b are 1 */
     int number;
     dataset *rows;
-} cycle;
+} loop_case;
 
 enum { LOOP_STEPS = 100 };
 
 /* From one turning point, or the origin, to the next. */
-static int32_t add_part(const cycle *of, double from, double to, const char *part)
+static int32_t add_part(const loop_case *loop, double from, double to, const char *part)
 {
-    const double normal = rwedge_load(of->alpha);
+    const double normal = rwedge_load(loop->alpha);
     int32_t status = RWEDGE_OK;
     for (int i = 0; status == RWEDGE_OK && i <= LOOP_STEPS; i++) {
         const double Q = from + (to - from) * sin(0.5 * PI * i / LOOP_STEPS);
-        status = rwedge_contact_load(of->contact, normal, Q * normal);
-        dataset_add(of->rows,
-                    (data_row){.curve = of->number,
+        status = rwedge_contact_load(loop->contact, normal, Q * normal);
+        dataset_add(loop->rows,
+                    (data_row){.curve = loop->number,
                                .text = part,
-                               .number = {of->alpha, of->amplitude, Q,
-                                          rwedge_contact_displacement(of->contact, 1),
-                                          rwedge_contact_stick_half_width(of->contact),
-                                          rwedge_contact_dissipated_energy(of->contact)}});
+                               .number = {loop->alpha, loop->amplitude, Q,
+                                          rwedge_contact_displacement(loop->contact, 1),
+                                          rwedge_contact_stick_half_width(loop->contact),
+                                          rwedge_contact_dissipated_energy(loop->contact)}});
     }
     return status;
 }
 
 static int32_t add_cycle(double alpha, double amplitude, int number, dataset *rows)
 {
-    cycle of = {alpha, amplitude, NULL, number, rows};
-    int32_t status = rwedge_contact_create(1, alpha, 1, 1, &of.contact);
+    loop_case loop = {alpha, amplitude, NULL, number, rows};
+    int32_t status = rwedge_contact_create(1, alpha, 1, 1, &loop.contact);
     if (status == RWEDGE_OK)
-        status = add_part(&of, 0, amplitude, "first loading");
+        status = add_part(&loop, 0, amplitude, "first loading");
     if (status == RWEDGE_OK)
-        status = add_part(&of, amplitude, -amplitude, "unloading");
+        status = add_part(&loop, amplitude, -amplitude, "unloading");
     if (status == RWEDGE_OK)
-        status = add_part(&of, -amplitude, amplitude, "reloading");
-    rwedge_contact_destroy(of.contact);
+        status = add_part(&loop, -amplitude, amplitude, "reloading");
+    rwedge_contact_destroy(loop.contact);
     return status;
 }
 
-static int32_t compute_loop(const figure_case *of, dataset *rows)
+static int32_t compute_loop(const figure_case *inputs, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < of->value[Q_OVER_FP].count; n++)
-        status =
-            add_cycle(case_value(of, A_OVER_B), range_value(&of->value[Q_OVER_FP], n), n, rows);
+    for (int n = 0; status == RWEDGE_OK && n < inputs->value[Q_OVER_FP].count; n++)
+        status = add_cycle(case_value(inputs, A_OVER_B), range_value(&inputs->value[Q_OVER_FP], n),
+                           n, rows);
     return status;
 }
 
 /* Dissipated from the first turn to the end: a whole cycle. */
-static double energy_of_cycle(const curve *one)
+static double energy_of_cycle(const curve *line)
 {
-    const data_row *first = &one->from->row[one->first];
-    return first[one->count - 1].number[5] - first[LOOP_STEPS].number[5];
+    const data_row *first = &line->from->row[line->first];
+    return first[line->count - 1].number[5] - first[LOOP_STEPS].number[5];
 }
 
-static const char *draw_loop(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_loop(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
     double reach = 0;
-    case_text(of, A_OVER_B, 0, text);
+    case_text(inputs, A_OVER_B, 0, text);
     snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s", text);
     for (size_t i = 0; i < rows->count; i++)
         reach = fmax(reach, rows->row[i].number[3]);
@@ -83,12 +83,12 @@ static const char *draw_loop(const figure_case *of, const dataset *rows, drawing
     on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
     on->height = 0.85;
     snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
-    for (int n = 0; n < of->value[Q_OVER_FP].count; n++) {
-        curve *one = drawing_curve(on, rows, n, 3, 2);
-        style_of_family(one, n);
-        one->width = 1.3;
-        case_text(of, Q_OVER_FP, n, text);
-        snprintf(one->legend, sizeof one->legend, "%s: *W* = %#.3g", text, energy_of_cycle(one));
+    for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++) {
+        curve *line = drawing_curve(on, rows, n, 3, 2);
+        style_of_family(line, n);
+        line->width = 1.3;
+        case_text(inputs, Q_OVER_FP, n, text);
+        snprintf(line->legend, sizeof line->legend, "%s: *W* = %#.3g", text, energy_of_cycle(line));
     }
     return NULL;
 }

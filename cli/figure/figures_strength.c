@@ -70,9 +70,9 @@ static int32_t add_jump(double alpha, double nu, dataset *rows)
     return status;
 }
 
-static int32_t compute_normal(const figure_case *of, dataset *rows)
+static int32_t compute_normal(const figure_case *inputs, dataset *rows)
 {
-    const double nu = case_value(of, NU), jump = jump_of_yield_point(nu);
+    const double nu = case_value(inputs, NU), jump = jump_of_yield_point(nu);
     bool jumped = jump == 0;
     int32_t status = RWEDGE_OK;
     for (int i = 0; status == RWEDGE_OK && i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS;
@@ -115,17 +115,17 @@ static void draw_jump(const dataset *rows, drawing *on)
     char at[NUMBER_SIZE];
     const bool left = alpha < 0.5;
     number_write(alpha, 4, '.', at);
-    label *one =
+    label *note =
         drawing_label(on, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07, "jump at %s", at);
-    one->second_axis = true;
-    one->colour = VERMILLION;
-    one->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
+    note->second_axis = true;
+    note->colour = VERMILLION;
+    note->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
 }
 
-static const char *draw_normal(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_normal(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char nu[NUMBER_SIZE];
-    case_text(of, NU, 0, nu);
+    case_text(inputs, NU, 0, nu);
     snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s", nu);
     const double top = ceil(normal_at(rows, 1, 2));
     on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
@@ -208,20 +208,20 @@ static int32_t add_sliding_curve(double alpha, double nu, int n, dataset *rows)
     return status;
 }
 
-static int32_t compute_sliding(const figure_case *of, dataset *rows)
+static int32_t compute_sliding(const figure_case *inputs, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < of->value[A_OVER_B].count; n++)
-        status =
-            add_sliding_curve(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
+    for (int n = 0; status == RWEDGE_OK && n < inputs->value[A_OVER_B].count; n++)
+        status = add_sliding_curve(range_value(&inputs->value[A_OVER_B], n), case_value(inputs, NU),
+                                   n, rows);
     return status;
 }
 
-static const char *draw_sliding(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
     double top = 0;
-    case_text(of, NU, 0, text);
+    case_text(inputs, NU, 0, text);
     snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
              text);
     for (size_t i = 0; i < rows->count; i++)
@@ -231,7 +231,7 @@ static const char *draw_sliding(const figure_case *of, const dataset *rows, draw
     on->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
     on->y = drawing_axis(top, "*P*/(*bk*)");
     on->height = 0.96;
-    draw_family(of, A_OVER_B, rows, 1, 3, on);
+    draw_family(inputs, A_OVER_B, rows, 1, 3, on);
     return NULL;
 }
 
@@ -248,14 +248,14 @@ const figure figure_sliding = {
 
 /* ---- Fig. 5 ---- */
 
-static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *what,
+static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *point,
                                dataset *rows)
 {
     double limit, x, y;
     const int32_t status = rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y);
     if (status == RWEDGE_OK)
         dataset_add(rows,
-                    (data_row){.curve = number, .text = what, .number = {alpha, f, nu, x, y}});
+                    (data_row){.curve = number, .text = point, .number = {alpha, f, nu, x, y}});
     return status;
 }
 
@@ -271,21 +271,23 @@ static int32_t add_path(double alpha, double nu, int n, dataset *rows)
                : status;
 }
 
-static int32_t compute_yield_point(const figure_case *of, dataset *rows)
+static int32_t compute_yield_point(const figure_case *inputs, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < of->value[A_OVER_B].count; n++)
-        status = add_path(range_value(&of->value[A_OVER_B], n), case_value(of, NU), n, rows);
+    for (int n = 0; status == RWEDGE_OK && n < inputs->value[A_OVER_B].count; n++)
+        status =
+            add_path(range_value(&inputs->value[A_OVER_B], n), case_value(inputs, NU), n, rows);
     return status;
 }
 
 /* The line has the name. What the marks are is said once. */
-static void draw_path(const figure_case *of, const dataset *rows, int n, bool explain, drawing *on)
+static void draw_path(const figure_case *inputs, const dataset *rows, int n, bool explain,
+                      drawing *on)
 {
     curve *line = drawing_curve(on, rows, n, 3, 4);
     char text[NUMBER_SIZE];
     style_of_family(line, n);
-    case_text(of, A_OVER_B, n, text);
+    case_text(inputs, A_OVER_B, n, text);
     snprintf(line->legend, sizeof line->legend, "%s", text);
     curve *crosses = drawing_curve(on, rows, n, 3, 4);
     crosses->style = STYLE_CROSSES;
@@ -316,36 +318,36 @@ static void set_axes(const dataset *rows, drawing *on)
 }
 
 /* Values of a/b that have no path; all texts fit, or the last is cut. */
-static void name_missing(const figure_case *of, const dataset *rows, drawing *on)
+static void name_missing(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
     size_t first;
     int missing = 0;
-    for (int n = 0; n < of->value[A_OVER_B].count; n++)
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
         if (dataset_curve(rows, n, &first) == 0) {
-            case_text(of, A_OVER_B, n, text);
+            case_text(inputs, A_OVER_B, n, text);
             list_add(on->caption, sizeof on->caption, ", ", "%s%s",
                      missing++ == 0 ? "always at the surface: *a*/*b* = " : "", text);
         }
 }
 
-static const char *draw_yield_point(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_yield_point(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
     if (rows->count == 0)
         return "it yields at the surface, whatever f is";
-    case_text(of, NU, 0, text);
+    case_text(inputs, NU, 0, text);
     snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", text);
     set_axes(rows, on);
     bool explain = true;
-    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
         size_t first;
         if (dataset_curve(rows, n, &first) == 0)
             continue;
-        draw_path(of, rows, n, explain, on);
+        draw_path(inputs, rows, n, explain, on);
         explain = false;
     }
-    name_missing(of, rows, on);
+    name_missing(inputs, rows, on);
     return NULL;
 }
 

@@ -2,7 +2,7 @@
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
 #include "figures_traction.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,11 +28,11 @@ static double smallest(const range *values, double least)
     return least;
 }
 
-static int fine_places(const figure_case *of)
+static int fine_places(const figure_case *inputs)
 {
     static const double WITHIN = 8;
     enum { FARTHER = 2 * FINE_PER_DECADE };
-    const double scale = smallest(&of->value[A_OVER_B], smallest(&of->value[C_OVER_B], 1));
+    const double scale = smallest(&inputs->value[A_OVER_B], smallest(&inputs->value[C_OVER_B], 1));
     const double wanted = ceil(FINE_PER_DECADE * log10(WITHIN * coarse_x(1) / scale));
     return wanted > 0 ? (int)fmin(wanted + FARTHER, FINE_MAX) : 0;
 }
@@ -48,11 +48,11 @@ static double traction_x(int i, int fine)
 
 /* ---- Fig. 2 ---- */
 
-static int32_t compute_pressure(const figure_case *of, dataset *rows)
+static int32_t compute_pressure(const figure_case *inputs, dataset *rows)
 {
-    const int fine = fine_places(of), last = fine + TRACTION_STEPS;
-    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
-        const double alpha = range_value(&of->value[A_OVER_B], n);
+    const int fine = fine_places(inputs), last = fine + TRACTION_STEPS;
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double alpha = range_value(&inputs->value[A_OVER_B], n);
         for (int i = -last; i <= last; i++) {
             const double x = traction_x(i, fine);
             dataset_add(rows, (data_row){.curve = n,
@@ -66,23 +66,23 @@ static int32_t compute_pressure(const figure_case *of, dataset *rows)
 enum { SHARP = 10 };
 
 /* Of the finite peaks. */
-static double top_of_pressures(const figure_case *of)
+static double top_of_pressures(const figure_case *inputs)
 {
     double top = 0;
-    for (int n = 0; n < of->value[A_OVER_B].count; n++) {
-        const double alpha = range_value(&of->value[A_OVER_B], n);
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double alpha = range_value(&inputs->value[A_OVER_B], n);
         top = fmax(top, alpha == 0 ? SHARP : PI * rwedge_peak_pressure(alpha));
     }
     return top;
 }
 
-static const char *draw_pressure(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_pressure(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     snprintf(on->title, sizeof on->title, "Contact pressure, by *a*/*b*");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = drawing_axis(top_of_pressures(of), "−*pA*π/θ");
+    on->y = drawing_axis(top_of_pressures(inputs), "−*pA*π/θ");
     on->height = 0.85;
-    draw_family(of, A_OVER_B, rows, 1, 2, on);
+    draw_family(inputs, A_OVER_B, rows, 1, 2, on);
     return NULL;
 }
 
@@ -98,10 +98,10 @@ const figure figure_pressure = {.name = "2",
 
 /* ---- Fig. 6 ---- */
 
-static int32_t compute_tension(const figure_case *of, dataset *rows)
+static int32_t compute_tension(const figure_case *inputs, dataset *rows)
 {
     enum { STEPS = 200 };
-    (void)of;
+    (void)inputs;
     for (int i = 0; i <= STEPS; i++) {
         const double alpha = (double)i / STEPS;
         dataset_add(rows, (data_row){.number = {alpha, rwedge_max_tension(alpha)}});
@@ -109,9 +109,9 @@ static int32_t compute_tension(const figure_case *of, dataset *rows)
     return RWEDGE_OK;
 }
 
-static const char *draw_tension(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_tension(const figure_case *inputs, const dataset *rows, drawing *on)
 {
-    (void)of;
+    (void)inputs;
     snprintf(on->title, sizeof on->title, "Maximum tension in full sliding");
     on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
     on->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
@@ -133,10 +133,10 @@ const figure figure_tension = {.name = "6",
 /* ---- Fig. 7 ---- */
 
 /* The edges of the stick zone are points of their own: the traction has a kink there. */
-static void add_shear(const figure_case *of, double c, int n, dataset *rows)
+static void add_shear(const figure_case *inputs, double c, int n, dataset *rows)
 {
-    const double alpha = case_value(of, A_OVER_B);
-    const int fine = fine_places(of), last = fine + TRACTION_STEPS;
+    const double alpha = case_value(inputs, A_OVER_B);
+    const int fine = fine_places(inputs), last = fine + TRACTION_STEPS;
     double edge = -c;
     for (int i = -last; i <= last; i++) {
         const double x = traction_x(i, fine);
@@ -150,18 +150,18 @@ static void add_shear(const figure_case *of, double c, int n, dataset *rows)
     }
 }
 
-static int32_t compute_shear(const figure_case *of, dataset *rows)
+static int32_t compute_shear(const figure_case *inputs, dataset *rows)
 {
-    for (int n = 0; n < of->value[C_OVER_B].count; n++)
-        add_shear(of, range_value(&of->value[C_OVER_B], n), n, rows);
+    for (int n = 0; n < inputs->value[C_OVER_B].count; n++)
+        add_shear(inputs, range_value(&inputs->value[C_OVER_B], n), n, rows);
     return RWEDGE_OK;
 }
 
 /* Of the finite peaks. The kinks at the stick zones are to be seen. */
-static double top_of_shear(const figure_case *of, const dataset *rows)
+static double top_of_shear(const figure_case *inputs, const dataset *rows)
 {
     static const double LITTLE_ABOVE = 1.02;
-    const bool sharp = case_value(of, A_OVER_B) == 0;
+    const bool sharp = case_value(inputs, A_OVER_B) == 0;
     double top = 0;
     for (size_t i = 0; i < rows->count; i++) {
         const double c = rows->row[i].number[0], q = rows->row[i].number[2];
@@ -170,24 +170,24 @@ static double top_of_shear(const figure_case *of, const dataset *rows)
     return top;
 }
 
-static const char *draw_shear(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_shear(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
-    case_text(of, A_OVER_B, 0, text);
+    case_text(inputs, A_OVER_B, 0, text);
     snprintf(on->title, sizeof on->title, "Shear traction in partial slip, *a*/*b* = %s", text);
-    const double top = top_of_shear(of, rows);
+    const double top = top_of_shear(inputs, rows);
     if (top == 0)
         return "without slip there is no shear traction";
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
     on->y = drawing_axis(top, "−*qA*π/(*f*θ)");
     on->height = 0.8;
     for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *one = drawing_curve(on, rows, n, 1, 2);
-        style_of_family(one, n);
-        one->width = 1.4;
-        case_text(of, C_OVER_B, n, text);
-        snprintf(one->legend, sizeof one->legend, "*c*/*b* = %s", text);
-        if (range_value(&of->value[C_OVER_B], n) == 0)
+        curve *line = drawing_curve(on, rows, n, 1, 2);
+        style_of_family(line, n);
+        line->width = 1.4;
+        case_text(inputs, C_OVER_B, n, text);
+        snprintf(line->legend, sizeof line->legend, "*c*/*b* = %s", text);
+        if (range_value(&inputs->value[C_OVER_B], n) == 0)
             snprintf(on->caption, sizeof on->caption,
                      "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
     }

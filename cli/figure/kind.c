@@ -5,48 +5,48 @@
 #include <stdio.h>
 #include <string.h>
 
-double case_value(const figure_case *of, int variable)
+double case_value(const figure_case *inputs, int variable)
 {
-    return range_value(&of->value[variable], 0);
+    return range_value(&inputs->value[variable], 0);
 }
 
 static bool need_all_digits(const range *values)
 {
-    char one[NUMBER_SIZE], other[NUMBER_SIZE];
+    char first[NUMBER_SIZE], second[NUMBER_SIZE];
     for (int64_t i = 0; i < values->count; i++)
         for (int64_t k = 0; k < i; k++) {
-            drawing_number(range_value(values, i), DRAWING_DIGITS, one);
-            drawing_number(range_value(values, k), DRAWING_DIGITS, other);
-            if (strcmp(one, other) == 0)
+            drawing_number(range_value(values, i), DRAWING_DIGITS, first);
+            drawing_number(range_value(values, k), DRAWING_DIGITS, second);
+            if (strcmp(first, second) == 0)
                 return true;
         }
     return false;
 }
 
-void case_text(const figure_case *of, int variable, int64_t i, char text[NUMBER_SIZE])
+void case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE])
 {
-    const range *values = &of->value[variable];
+    const range *values = &inputs->value[variable];
     drawing_number(range_value(values, i), need_all_digits(values) ? NUMBER_DIGITS : DRAWING_DIGITS,
                    text);
 }
 
-void style_of_family(curve *one, int i)
+void style_of_family(curve *line, int i)
 {
     static const int cycle[] = {BLACK, BLUE, VERMILLION, GREEN, PURPLE};
     enum { CYCLE = sizeof cycle / sizeof cycle[0] };
-    one->colour = cycle[i % CYCLE];
-    one->dash = i % 4; /* 4 and 5 have no common divisor: a pair comes again after 20 curves */
+    line->colour = cycle[i % CYCLE];
+    line->dash = i % 4; /* 4 and 5 have no common divisor: a pair comes again after 20 curves */
 }
 
-void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
+void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
                  drawing *on)
 {
     for (int n = 0; n < dataset_curves(rows); n++) {
         char text[NUMBER_SIZE];
-        curve *one = drawing_curve(on, rows, n, x, y);
-        style_of_family(one, n);
-        case_text(of, variable, n, text);
-        snprintf(one->legend, sizeof one->legend, "%s", text);
+        curve *line = drawing_curve(on, rows, n, x, y);
+        style_of_family(line, n);
+        case_text(inputs, variable, n, text);
+        snprintf(line->legend, sizeof line->legend, "%s", text);
     }
 }
 

@@ -26,29 +26,29 @@ enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
     range value[FIGURE_VARIABLES];
-    const course *whole; /* of a figure of a course; NULL otherwise */
+    const contact_history *history; /* of a figure that has one; NULL otherwise */
     const places *at;
     double half_width; /* the largest of the contact, in its cycles */
     const criteria *asked;
     int measure, over; /* of figure measure: a column of "rwedge fretting", and where */
 } figure_case;
 
-double case_value(const figure_case *of, int variable);
+double case_value(const figure_case *inputs, int variable);
 
 /* A value as the name of its curve: with all digits where fewer do not tell the values apart. */
-void case_text(const figure_case *of, int variable, int64_t i, char text[NUMBER_SIZE]);
+void case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE]);
 
 typedef struct {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
-    bool of_course;   /* it needs a contact and a table of loads in place of variables */
+    bool has_history; /* it needs a contact and a table of loads in place of variables */
     bool needs_point; /* and one point */
     int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;
-    int32_t (*compute)(const figure_case *of, dataset *rows);
+    int32_t (*compute)(const figure_case *inputs, dataset *rows);
     /* returns NULL, or why there is nothing to draw */
-    const char *(*draw)(const figure_case *of, const dataset *rows, drawing *on);
+    const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *on);
 } figure;
 
 /* A round step that gives 8 to 20 levels up to the top. */
@@ -56,10 +56,10 @@ double step_of_levels(double top);
 
 /* Style of the curve i of a family: colour and dashes both change, so that either tells
  * neighbours apart. */
-void style_of_family(curve *one, int i);
+void style_of_family(curve *line, int i);
 
 /* The curves of a family over the columns x and y, each named by the value of its variable. */
-void draw_family(const figure_case *of, int variable, const dataset *rows, int x, int y,
+void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
                  drawing *on);
 
 #endif

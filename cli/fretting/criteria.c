@@ -3,7 +3,7 @@
 
 #include "text/list.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "material.h"
 
 #include "history/places.h"
-#include "model/measures.h"
+#include "model/results/measures.h"
 
 enum {
     OPTION_FS_K = OPTION_AFTER_PLACES,

@@ -32,7 +32,7 @@ static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, criteria_option_table, 0, "Criteria:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, "Its loads:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_option_table, 0, "Its loads:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
      "Places, by default along the surface from side to side:", NULL},
     {"worst", '\0', POPT_ARG_STRING, NULL, OPTION_WORST,
@@ -91,7 +91,7 @@ static void describe(FILE *stream)
 }
 
 typedef struct {
-    course whole;
+    contact_history history;
     last_cycle last;
     measured all;
     material constants;
@@ -215,9 +215,9 @@ static void read_plan(arguments *given, plan *job, output_options *how)
     material_read(given->value[OPTION_MATERIAL], given, &job->constants);
     criteria_read(given, &job->constants, &asked);
     job->worst = (worst_table){.last = &job->last, .below = read_distance(given, &job->constants)};
-    course_read(given, how->decimal_sign, (course_usage){.cycles = 3}, &job->whole);
-    criteria_read_strength(given, &job->whole.what, &asked);
-    last_cycle_begin(&job->whole, &asked, &job->last);
+    contact_history_read(given, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
+    criteria_read_strength(given, &job->history.setup, &asked);
+    last_cycle_begin(&job->history, &asked, &job->last);
     surface_places(given, how->decimal_sign, &job->last, &job->all);
 }
 
@@ -240,7 +240,7 @@ static void say_what_is_doubtful(const plan *job)
     if (!job->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    load_table_say_unused(&job->whole.loads);
+    load_history_say_unused(&job->history.loads);
 }
 
 static bool is_deep(const measured *all)

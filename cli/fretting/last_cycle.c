@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 #include "text/message.h"
 
 #include <math.h>
@@ -45,22 +45,23 @@ static void keep(const rwedge_contact *contact, last_cycle *cycle)
 }
 
 /* Loads before the first cycle that the contact may yield under. */
-static void look_before(const course *whole, last_cycle *cycle)
+static void look_before(const contact_history *history, last_cycle *cycle)
 {
     char complaint[COMPLAINT_SIZE];
     rwedge_contact *contact;
-    if (case_contact(&whole->what, &contact) != RWEDGE_OK)
+    if (case_contact(&history->setup, &contact) != RWEDGE_OK)
         return;
-    for (size_t i = 0; i < whole->before.count; i++)
-        if (load_table_apply(&whole->before, i, whole->what.f, contact, complaint))
+    for (size_t i = 0; i < history->before.count; i++)
+        if (load_history_apply(&history->before, i, history->setup.f, contact, complaint))
             doubts_add(&cycle->doubts, doubts_of_state(cycle->setup, contact));
     rwedge_contact_destroy(contact);
 }
 
-void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cycle)
+void last_cycle_begin(const contact_history *history, const criteria *asked, last_cycle *cycle)
 {
-    const size_t loads = whole->steps < whole->loads.count ? whole->steps : whole->loads.count;
-    *cycle = (last_cycle){.setup = &whole->what,
+    const size_t loads =
+        history->steps < history->loads.count ? history->steps : history->loads.count;
+    *cycle = (last_cycle){.setup = &history->setup,
                           .asked = *asked,
                           .loads = loads,
                           .P = room_for(4 * loads),
@@ -70,12 +71,12 @@ void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cy
     cycle->M = cycle->P + loads;
     cycle->Q = cycle->M + loads;
     cycle->sigma = cycle->Q + loads;
-    look_before(whole, cycle);
-    rwedge_contact *contact = course_begin(whole);
-    for (size_t step = 0, first = whole->steps - loads; step < whole->steps; step++) {
+    look_before(history, cycle);
+    rwedge_contact *contact = contact_history_begin(history);
+    for (size_t step = 0, first = history->steps - loads; step < history->steps; step++) {
         if (step == first)
             keep(contact, cycle);
-        course_go_on(whole, step, contact);
+        contact_history_go_on(history, step, contact);
         if (step >= first)
             note_load(contact, step - first, cycle);
     }

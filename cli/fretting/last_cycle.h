@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The last cycle of a course of loads, and what it does to a place. */
+/* The last cycle of a history of loads, and what it does to a place. */
 #ifndef CLI_LAST_CYCLE_H
 #define CLI_LAST_CYCLE_H
 
 #include "criteria.h"
-#include "history/course.h"
+#include "history/contact_history.h"
 #include "model/doubts.h"
 
 /* Of one place; NAN where there is none. */
@@ -25,8 +25,8 @@ typedef struct {
     doubts doubts;      /* of all states after loads, those before the cycle included */
 } last_cycle;
 
-/* Goes through the course. */
-void last_cycle_begin(const course *whole, const criteria *asked, last_cycle *cycle);
+/* Goes through the history. */
+void last_cycle_begin(const contact_history *history, const criteria *asked, last_cycle *cycle);
 
 /* At n places. Returns the library's status, or RWEDGE_ENOMEM. Threads may call it at a time. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],

@@ -2,7 +2,7 @@
 #include "length.h"
 
 #include "text/memory.h"
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <stdlib.h>
 

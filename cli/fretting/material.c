@@ -5,8 +5,8 @@
 
 #include "input/csv_input.h"
 #include "text/message.h"
-#include "text/number.h"
-#include "text/pi.h"
+#include "number/number.h"
+#include "number/pi.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "surface.h"
 
 #include "text/message.h"
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdlib.h>

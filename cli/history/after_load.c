@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "after_load.h"
 
-#include "model/peak.h"
+#include "model/results/peak.h"
 #include "text/message.h"
 
 #include <math.h>
@@ -41,21 +41,21 @@ static double slip_size_at(const void *contact, double x)
     return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
-static int32_t edges(const contact_case *what, const touching *of, cell row[])
+static int32_t edges(const contact_case *setup, const touching *zone, cell row[])
 {
-    const double edge[2] = {of->left, of->right}, surface[2] = {0, 0};
+    const double edge[2] = {zone->left, zone->right}, surface[2] = {0, 0};
     double sxx[2], syy[2], txy[2], left, right;
-    row[AFTER_LEFT] = cell_number(of->left);
-    row[AFTER_RIGHT] = cell_number(of->right);
-    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(of->contact));
-    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(what, of->contact));
+    row[AFTER_LEFT] = cell_number(zone->left);
+    row[AFTER_RIGHT] = cell_number(zone->right);
+    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(zone->contact));
+    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(setup, zone->contact));
     row[AFTER_LARGEST_SLIP] =
-        cell_number(peak_over(of->left, of->right, slip_size_at, of->contact));
-    if (rwedge_contact_stick_zone(of->contact, &left, &right) == RWEDGE_OK) {
+        cell_number(peak_over(zone->left, zone->right, slip_size_at, zone->contact));
+    if (rwedge_contact_stick_zone(zone->contact, &left, &right) == RWEDGE_OK) {
         row[AFTER_STICK_LEFT] = cell_number(left);
         row[AFTER_STICK_RIGHT] = cell_number(right);
     }
-    const int32_t status = rwedge_contact_stresses(of->contact, 2, edge, surface, sxx, syy, txy);
+    const int32_t status = rwedge_contact_stresses(zone->contact, 2, edge, surface, sxx, syy, txy);
     if (status == RWEDGE_OK) {
         row[AFTER_TENSION_LEFT] = cell_number(sxx[0]);
         row[AFTER_TENSION_RIGHT] = cell_number(sxx[1]);
@@ -63,13 +63,14 @@ static int32_t edges(const contact_case *what, const touching *of, cell row[])
     return status;
 }
 
-static int32_t strength(const contact_case *what, const rwedge_contact *contact, double *factor,
+static int32_t strength(const contact_case *setup, const rwedge_contact *contact, double *factor,
                         cell row[])
 {
     double x, y;
-    if (isnan(what->k))
+    if (isnan(setup->k))
         return RWEDGE_OK;
-    const int32_t status = rwedge_contact_yield_factor(contact, what->nu1, what->k, factor, &x, &y);
+    const int32_t status =
+        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, factor, &x, &y);
     if (status == RWEDGE_OK) {
         row[AFTER_YIELD_FACTOR] = cell_number(*factor);
         row[AFTER_YIELD_X] = cell_number(x);
@@ -94,13 +95,13 @@ void after_load_compute(const contact_case *setup, const rwedge_contact *contact
                         after_load *row)
 {
     double factor = NAN;
-    touching of = {.contact = contact};
+    touching zone = {.contact = contact};
     int32_t status = RWEDGE_OK;
     for (int i = 0; i < AFTER_COUNT; i++)
         row->value[i] = cell_empty();
     loads(contact, number, row->value);
-    if (rwedge_contact_edges(contact, &of.left, &of.right) == RWEDGE_OK) {
-        status = edges(setup, &of, row->value);
+    if (rwedge_contact_edges(contact, &zone.left, &zone.right) == RWEDGE_OK) {
+        status = edges(setup, &zone, row->value);
         if (status == RWEDGE_OK)
             status = strength(setup, contact, &factor, row->value);
     }

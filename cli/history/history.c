@@ -21,7 +21,7 @@ static struct poptOption history_output_option_table[] = {
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, course_option_table, 0, "Its loads:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_option_table, 0, "Its loads:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
      "Stresses at points in place of a row for each load:", NULL},
     {NO_FORMULAS_OPTION},
@@ -50,7 +50,7 @@ static void describe(FILE *stream)
 
 /* What is to be written. */
 typedef struct {
-    course whole;
+    contact_history history;
     places at;
     doubts doubts;    /* of any load */
     double energy[2]; /* at the end, and a cycle before */
@@ -59,15 +59,15 @@ typedef struct {
 static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
 {
     after_load row;
-    after_load_compute(&job->whole.what, contact, step + 1, &row);
-    load_table_write_unused(&job->whole.loads, course_row(&job->whole, step), row.warnings,
-                            sizeof row.warnings);
+    after_load_compute(&job->history.setup, contact, step + 1, &row);
+    load_history_write_unused(&job->history.loads, contact_history_row(&job->history, step),
+                              row.warnings, sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
-    passed_cells(&job->whole.loads, course_row(&job->whole, step), rows);
+    passed_cells(&job->history.loads, contact_history_row(&job->history, step), rows);
     for (int i = 0; i < AFTER_COUNT; i++)
         rows->format->value(rows, after_load_kinds[i].column, row.value[i]);
     rows->format->end_row(rows);
-    if ((step + 1) % job->whole.loads.count == 0) {
+    if ((step + 1) % job->history.loads.count == 0) {
         job->energy[0] = job->energy[1];
         job->energy[1] = row.value[AFTER_ENERGY].number;
     }
@@ -76,13 +76,13 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
 
 static void write_loads(plan *job, records *rows)
 {
-    rwedge_contact *contact = course_begin(&job->whole);
-    passed_names(&job->whole.loads, rows);
+    rwedge_contact *contact = contact_history_begin(&job->history);
+    passed_names(&job->history.loads, rows);
     for (int i = 0; i < AFTER_COUNT; i++)
         rows->format->name(rows, after_load_kinds[i].column);
     rows->format->end_header(rows);
-    for (size_t step = 0; step < job->whole.steps && records_go_on(rows); step++) {
-        course_go_on(&job->whole, step, contact);
+    for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
+        contact_history_go_on(&job->history, step, contact);
         write_load(job, step, contact, rows);
     }
     rwedge_contact_destroy(contact);
@@ -91,10 +91,10 @@ static void write_loads(plan *job, records *rows)
 static bool write_rows(void *of_plan, records *rows, bool show_progress)
 {
     plan *job = of_plan;
-    const point_rows points = {&job->whole, &job->at};
-    const size_t count = job->whole.steps * (job->at.count > 0 ? job->at.count : 1);
+    const point_rows points = {&job->history, &job->at};
+    const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
     progress_start(show_progress, (int64_t)count, "rows");
-    rows->mark = job->whole.loads.has_mark;
+    rows->mark = job->history.loads.has_mark;
     rows->format->begin(rows);
     if (job->at.count > 0)
         point_rows_write(&points, rows);
@@ -125,48 +125,48 @@ static void check_names(const plan *job)
     for (int i = 0; i < AFTER_COUNT; i++)
         names[i] = after_load_kinds[i].column;
     if (job->at.count > 0)
-        passed_check(&job->whole.loads, point_columns, POINT_COLUMNS);
+        passed_check(&job->history.loads, point_columns, POINT_COLUMNS);
     else
-        passed_check(&job->whole.loads, names, AFTER_COUNT);
+        passed_check(&job->history.loads, names, AFTER_COUNT);
 }
 
-static void read_plan(const arguments *given, plan *job, output_options *how)
+static void read_plan(const arguments *line, plan *job, output_options *how)
 {
-    output_options_read_of(given, formats, "", how);
-    places_spare_files(given, how);
-    if (given->value[OPTION_X] == NULL && given->value[OPTION_DEPTH] != NULL)
-        usage_error("--depth %s: needs --x", given->value[OPTION_DEPTH]);
-    places_read(given, how->decimal_sign, &job->at);
+    output_options_read_of(line, formats, "", how);
+    places_spare_files(line, how);
+    if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
+        usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
+    places_read(line, how->decimal_sign, &job->at);
     check_series(job, how);
-    course_read(given, how->decimal_sign, (course_usage){.cycles = 1}, &job->whole);
+    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 1}, &job->history);
     check_names(job);
 }
 
-static void say_what_is_doubtful(const plan *job)
+static void say_doubts(const plan *job)
 {
     char where[LOAD_PLACE_SIZE];
     snprintf(where, sizeof where, "%.250s, in some rows: ",
-             job->whole.loads.name != NULL ? job->whole.loads.name : "--load");
+             job->history.loads.name != NULL ? job->history.loads.name : "--load");
     doubts all = job->doubts;
-    doubts_add(&all, (doubts){.error = job->whole.error}); /* with points no row says it */
+    doubts_add(&all, (doubts){.error = job->history.error}); /* with points no row says it */
     doubts_say(all, where);
-    load_table_say_unused(&job->whole.loads);
+    load_history_say_unused(&job->history.loads);
     const double energy = job->energy[1] - job->energy[0]; /* NAN where it is not known */
-    if (job->whole.cycles > 1 && job->at.count == 0 && !isnan(energy))
+    if (job->history.cycles > 1 && job->at.count == 0 && !isnan(energy))
         notice("dissipated in the last cycle: %.6g", energy);
 }
 
-static int history(const arguments *given)
+static int history(const arguments *line)
 {
     plan job = {.at = {0}};
     output_options how;
-    read_plan(given, &job, &how);
-    const point_rows points = {&job.whole, &job.at};
+    read_plan(line, &job, &how);
+    const point_rows points = {&job.history, &job.at};
     if (how.format == NULL)
-        series_write(&points, given, &how);
+        series_write(&points, line, &how);
     else
         output_options_write(&how, write_rows, &job);
-    say_what_is_doubtful(&job);
+    say_doubts(&job);
     return STATUS_DONE;
 }
 

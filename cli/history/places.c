@@ -4,7 +4,7 @@
 #include "contact/pairs.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,9 +108,9 @@ static void read_file(const char *path, const char *encoding, char decimal_sign,
 
 /* ---- --x and --depth ---- */
 
-void places_read_depth(const arguments *given, range *depth)
+void places_read_depth(const arguments *line, range *depth)
 {
-    const char *text = given->value[OPTION_DEPTH];
+    const char *text = line->value[OPTION_DEPTH];
     double outside;
     const char *complaint = range_read(text != NULL ? text : "0", depth);
     if (complaint == NULL && !range_within(depth, 0, 1e60, &outside))
@@ -132,14 +132,14 @@ static void fill_grid(const char *text, const range *x, const range *y, places *
     to->rows = (size_t)y->count;
 }
 
-static void read_grid(const arguments *given, places *to)
+static void read_grid(const arguments *line, places *to)
 {
-    const char *text = given->value[OPTION_X];
+    const char *text = line->value[OPTION_X];
     range x, y;
     const char *complaint = range_read(text, &x);
     if (complaint != NULL)
         usage_error("--x %s: %s", text, complaint);
-    places_read_depth(given, &y);
+    places_read_depth(line, &y);
     range_say_two_values("x", text);
     fill_grid(text, &x, &y, to);
     range_free(&x);
@@ -148,10 +148,10 @@ static void read_grid(const arguments *given, places *to)
 
 /* ---- All ---- */
 
-void places_read(const arguments *given, char decimal_sign, places *to)
+void places_read(const arguments *line, char decimal_sign, places *to)
 {
-    const char *at = given->value[OPTION_AT], *points = given->value[OPTION_POINTS];
-    const char *x = given->value[OPTION_X], *depth = given->value[OPTION_DEPTH];
+    const char *at = line->value[OPTION_AT], *points = line->value[OPTION_POINTS];
+    const char *x = line->value[OPTION_X], *depth = line->value[OPTION_DEPTH];
     *to = (places){0};
     if ((at != NULL) + (points != NULL) + (x != NULL || depth != NULL) > 1)
         usage_error("--%s %s: given together with --%s; allowed: one of the two",
@@ -162,14 +162,14 @@ void places_read(const arguments *given, char decimal_sign, places *to)
     if (at != NULL)
         read_at(at, to);
     else if (points != NULL)
-        read_file(points, given->value[OPTION_ENCODING], decimal_sign, to);
+        read_file(points, line->value[OPTION_ENCODING], decimal_sign, to);
     else if (x != NULL)
-        read_grid(given, to);
+        read_grid(line, to);
 }
 
-void places_spare_files(const arguments *given, const output_options *how)
+void places_spare_files(const arguments *line, const output_options *how)
 {
-    output_options_spare(how, course_file(given));
-    output_options_spare(how, given->value[OPTION_INPUT + INPUT_PROFILE]);
-    output_options_spare(how, given->value[OPTION_POINTS]);
+    output_options_spare(how, history_file(line));
+    output_options_spare(how, line->value[OPTION_INPUT + INPUT_PROFILE]);
+    output_options_spare(how, line->value[OPTION_POINTS]);
 }

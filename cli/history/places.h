@@ -3,12 +3,12 @@
 #ifndef CLI_PLACES_H
 #define CLI_PLACES_H
 
-#include "course.h"
+#include "contact_history.h"
 #include "rows/output_options.h"
-#include "text/range.h"
+#include "number/range.h"
 
 enum {
-    OPTION_AT = OPTION_AFTER_COURSE,
+    OPTION_AT = OPTION_AFTER_HISTORY,
     OPTION_POINTS,
     OPTION_X,
     OPTION_DEPTH,
@@ -26,13 +26,13 @@ typedef struct {
 } places;
 
 /* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */
-void places_read(const arguments *given, char decimal_sign, places *to);
+void places_read(const arguments *line, char decimal_sign, places *to);
 void places_free(places *at);
 
 /* Refuses an output that is the file of loads or of points. */
-void places_spare_files(const arguments *given, const output_options *how);
+void places_spare_files(const arguments *line, const output_options *how);
 
 /* Reads --depth alone: 0 by default. Free the range. */
-void places_read_depth(const arguments *given, range *depth);
+void places_read_depth(const arguments *line, range *depth);
 
 #endif

@@ -11,7 +11,7 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 /* ---- Columns that pass through ---- */
 
-void passed_check(const load_table *loads, const char *const results[], size_t count)
+void passed_check(const load_history *loads, const char *const results[], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         bool is_load = false;
@@ -25,7 +25,7 @@ void passed_check(const load_table *loads, const char *const results[], size_t c
     }
 }
 
-void passed_names(const load_table *loads, records *rows)
+void passed_names(const load_history *loads, records *rows)
 {
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
@@ -39,7 +39,7 @@ static cell passed_cell(const char *text, char decimal_sign)
                                                         : cell_text(text);
 }
 
-void passed_cells(const load_table *loads, size_t row, records *rows)
+void passed_cells(const load_history *loads, size_t row, records *rows)
 {
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
@@ -53,13 +53,13 @@ tensor point_stress(const point_rows *points, const rwedge_contact *contact, siz
 {
     const double x = points->at->x[i], y = points->at->y[i];
     double sxx, syy, txy;
-    if (y == 0 && pad_is_kink(&points->whole->what.shape, x) &&
+    if (y == 0 && pad_is_kink(&points->history->setup.shape, x) &&
         rwedge_contact_half_width(contact) > 0)
         return tensor_unknown();
     const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
     if (status != RWEDGE_OK)
         failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-    return tensor_of(sxx, syy, txy, points->whole->what.nu1);
+    return tensor_of(sxx, syy, txy, points->history->setup.nu1);
 }
 
 static void write_row(const point_rows *points, const rwedge_contact *contact, size_t step,
@@ -71,7 +71,7 @@ static void write_row(const point_rows *points, const rwedge_contact *contact, s
                                          v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],
                                          v[TENSOR_TXY],       v[TENSOR_S1],     v[TENSOR_S2],
                                          v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
-    passed_cells(&points->whole->loads, course_row(points->whole, step), rows);
+    passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
     for (int c = 0; c < POINT_COLUMNS; c++)
         rows->format->value(rows, point_columns[c], cell_number(value[c]));
     rows->format->end_row(rows);
@@ -80,13 +80,13 @@ static void write_row(const point_rows *points, const rwedge_contact *contact, s
 
 void point_rows_write(const point_rows *points, records *rows)
 {
-    rwedge_contact *contact = course_begin(points->whole);
-    passed_names(&points->whole->loads, rows);
+    rwedge_contact *contact = contact_history_begin(points->history);
+    passed_names(&points->history->loads, rows);
     for (int c = 0; c < POINT_COLUMNS; c++)
         rows->format->name(rows, point_columns[c]);
     rows->format->end_header(rows);
-    for (size_t step = 0; step < points->whole->steps && records_go_on(rows); step++) {
-        course_go_on(points->whole, step, contact);
+    for (size_t step = 0; step < points->history->steps && records_go_on(rows); step++) {
+        contact_history_go_on(points->history, step, contact);
         for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)
             write_row(points, contact, step, i, rows);
     }

@@ -3,10 +3,10 @@
 #ifndef CLI_POINT_ROWS_H
 #define CLI_POINT_ROWS_H
 
-#include "course.h"
+#include "contact_history.h"
 #include "places.h"
 
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 #include "rows/records.h"
 
 /* The columns of the result, but for those of the file that pass through in front. */
@@ -14,7 +14,7 @@ enum { POINT_COLUMNS = 11 };
 extern const char *const point_columns[POINT_COLUMNS];
 
 typedef struct {
-    const course *whole;
+    const contact_history *history;
     const places *at;
 } point_rows;
 
@@ -25,10 +25,10 @@ void point_rows_write(const point_rows *points, records *rows);
 tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
 
 /* Columns of a file of loads that are no loads: they go in front of the results. */
-void passed_names(const load_table *loads, records *rows);
-void passed_cells(const load_table *loads, size_t row, records *rows);
+void passed_names(const load_history *loads, records *rows);
+void passed_cells(const load_history *loads, size_t row, records *rows);
 
 /* Refuses a column that has the name of a result. */
-void passed_check(const load_table *loads, const char *const results[], size_t count);
+void passed_check(const load_history *loads, const char *const results[], size_t count);
 
 #endif

@@ -35,10 +35,11 @@ static tensor stress_at(const void *of_moment, int64_t column, int64_t row)
     return point_stress(now->points, now->contact, (size_t)row * points->columns + (size_t)column);
 }
 
-static void write_moment(const moment *of, size_t step, const char *path, const output_options *how)
+static void write_moment(const moment *now, size_t step, const char *path,
+                         const output_options *how)
 {
     char title[80];
-    const places *at = of->points->at;
+    const places *at = now->points->at;
     snprintf(title, sizeof title, "rwedge history: load %zu; y is the depth below the surface",
              step + 1);
     vtk_points points = {.title = title,
@@ -48,10 +49,10 @@ static void write_moment(const moment *of, size_t step, const char *path, const 
                          .x = point_x,
                          .y = point_y,
                          .stress = stress_at,
-                         .source = of};
-    output_options one = *how;
-    one.path = path;
-    output_options_write(&one, vtk_write, &points);
+                         .source = now};
+    output_options frame = *how;
+    frame.path = path;
+    output_options_write(&frame, vtk_write, &points);
 }
 
 /* ---- Names ---- */
@@ -149,27 +150,27 @@ static bool write_list(void *of_list, records *rows, bool show_progress)
 
 /* ---- All ---- */
 
-static void spare_files(const arguments *given, const output_options *how, const list *series)
+static void spare_files(const arguments *line, const output_options *how, const list *series)
 {
     for (size_t step = 0; step < series->all.count; step++) {
         output_options frame = *how;
         frame.path = frame_name(series->path, series->all.mark, step);
-        places_spare_files(given, &frame);
+        places_spare_files(line, &frame);
         free((char *)frame.path);
     }
 }
 
-void series_write(const point_rows *points, const arguments *given, const output_options *how)
+void series_write(const point_rows *points, const arguments *line, const output_options *how)
 {
     const frames old = frames_of(how->path);
-    list series = {how->path, {old.mark[0] == 'b' ? "" : "b", points->whole->steps}};
+    list series = {how->path, {old.mark[0] == 'b' ? "" : "b", points->history->steps}};
     free(quoted(how->path));
-    spare_files(given, how, &series);
-    rwedge_contact *contact = course_begin(points->whole);
+    spare_files(line, how, &series);
+    rwedge_contact *contact = contact_history_begin(points->history);
     const moment now = {points, contact};
     for (size_t step = 0; step < series.all.count; step++) {
         char *name = frame_name(how->path, series.all.mark, step);
-        course_go_on(points->whole, step, contact);
+        contact_history_go_on(points->history, step, contact);
         write_moment(&now, step, name, how);
         free(name);
     }

@@ -11,6 +11,6 @@
 /* Writes NAME_0001.vtk and so on, or NAME_b0001.vtk where the series that is replaced has those
  * names, beside NAME.vtk.series, which is the output and comes last. The files of the series that
  * is replaced are then removed. */
-void series_write(const point_rows *points, const arguments *given, const output_options *how);
+void series_write(const point_rows *points, const arguments *line, const output_options *how);
 
 #endif

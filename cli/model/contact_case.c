@@ -2,7 +2,7 @@
 #include "contact_case.h"
 
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +13,7 @@ static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.732050
 
 /* Two ways to give the same; the second is -1 where there is one way only. */
 typedef struct {
-    int one, other;
+    int input, alternative;
 } alternatives;
 
 static const alternatives ways[] = {
@@ -28,11 +28,13 @@ static const alternatives shapes[] = {
 };
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
-static bool excluded(const input_texts *texts, int one, int other, char complaint[COMPLAINT_SIZE])
+static bool excluded(const input_texts *texts, int input, int alternative,
+                     char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
     snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: given together with %s; allowed: one of the two",
-             input_name(texts, other, second), texts->text[other], input_name(texts, one, first));
+             input_name(texts, alternative, second), texts->text[alternative],
+             input_name(texts, input, first));
     return false;
 }
 
@@ -53,7 +55,7 @@ static bool is_needed(const input_texts *texts, int input, case_needs needs)
         return needs_of_shape(texts, input);
     if (input == INPUT_P)
         return needs == CASE_WITH_LOADS || needs == CASE_OF_SOLVE;
-    if (input == INPUT_F && needs == CASE_OF_COURSE)
+    if (input == INPUT_F && needs == CASE_OF_HISTORY)
         return true;
     if (input == INPUT_F)
         return needs == CASE_OF_SOLVE &&
@@ -67,12 +69,12 @@ static void add_missing(const input_texts *texts, const alternatives *way,
                         char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
-    const bool is_flat = way->one == INPUT_A && input_is_given(texts, INPUT_FLAT);
-    const bool two = way->other >= 0 && !is_flat;
+    const bool is_flat = way->input == INPUT_A && input_is_given(texts, INPUT_FLAT);
+    const bool two = way->alternative >= 0 && !is_flat;
     list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
              complaint[0] == '\0' ? "missing: " : "",
-             input_name(texts, is_flat ? way->other : way->one, first), two ? " or " : "",
-             two ? input_name(texts, way->other, second) : "");
+             input_name(texts, is_flat ? way->alternative : way->input, first), two ? " or " : "",
+             two ? input_name(texts, way->alternative, second) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
@@ -99,30 +101,31 @@ bool case_is_complete(const input_texts *texts, case_needs needs, char complaint
     bool cells = false, friction = false;
     complaint[0] = '\0';
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
-        if (input_is_given(texts, shapes[i].one) && input_is_given(texts, shapes[i].other))
-            return excluded(texts, shapes[i].one, shapes[i].other, complaint);
+        if (input_is_given(texts, shapes[i].input) && input_is_given(texts, shapes[i].alternative))
+            return excluded(texts, shapes[i].input, shapes[i].alternative, complaint);
     for (int i = 0; i < WAY_COUNT; i++) {
-        const bool one = input_is_given(texts, ways[i].one);
-        const bool other = ways[i].other >= 0 && input_is_given(texts, ways[i].other);
-        if (one && other)
-            return excluded(texts, ways[i].one, ways[i].other, complaint);
-        if (one || other || !is_needed(texts, ways[i].one, needs))
+        const bool is_given = input_is_given(texts, ways[i].input);
+        const bool is_given_otherwise =
+            ways[i].alternative >= 0 && input_is_given(texts, ways[i].alternative);
+        if (is_given && is_given_otherwise)
+            return excluded(texts, ways[i].input, ways[i].alternative, complaint);
+        if (is_given || is_given_otherwise || !is_needed(texts, ways[i].input, needs))
             continue;
         add_missing(texts, &ways[i], complaint);
-        cells = cells || texts->is_cell[ways[i].one];
-        friction = friction || ways[i].one == INPUT_F;
+        cells = cells || texts->is_cell[ways[i].input];
+        friction = friction || ways[i].input == INPUT_F;
     }
     if (friction)
         list_add(complaint, COMPLAINT_SIZE, "; ", "friction has no default %s",
-                 needs == CASE_OF_COURSE ? "here" : "where Q, sigma or a yield stress is given");
+                 needs == CASE_OF_HISTORY ? "here" : "where Q, sigma or a yield stress is given");
     if (cells && texts->where_else != NULL)
         list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: %s", texts->where_else);
     return complaint[0] == '\0' && second_body_is_whole(texts, complaint);
 }
 
-static double either(double one, double other)
+static double either(double value, double otherwise)
 {
-    return isnan(one) ? other : one;
+    return isnan(value) ? otherwise : value;
 }
 
 /* But for a profile. */

@@ -22,7 +22,7 @@ typedef struct {
 /* What must be given beside the bodies and their shape. */
 typedef enum {
     CASE_LOADS_APART, /* nothing: a history has the loads, and f may be 0 */
-    CASE_OF_COURSE,   /* f: a history has the loads */
+    CASE_OF_HISTORY,  /* f: a history has the loads */
     CASE_WITH_LOADS,  /* P */
     CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
 } case_needs;

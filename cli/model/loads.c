@@ -2,7 +2,7 @@
 #include "loads.h"
 
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "system/ahead.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 int threads_read(const arguments *line)
 {

@@ -2,7 +2,7 @@
 #include "variable.h"
 
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #ifndef CLI_VARIABLE_H
 #define CLI_VARIABLE_H
 
-#include "text/range.h"
+#include "number/range.h"
 
 enum { A_OVER_B, FRICTION, NU, Q_OVER_FP, VARIABLE_COUNT };
 

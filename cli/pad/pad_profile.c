@@ -2,7 +2,7 @@
 #include "pad_profile.h"
 
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <float.h>
 #include <math.h>

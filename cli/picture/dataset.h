@@ -26,8 +26,8 @@ typedef struct {
 void dataset_add(dataset *to, data_row row);
 
 /* The rows of a curve: where they start, and how many. */
-size_t dataset_curve(const dataset *of, int curve, size_t *first);
-int dataset_curves(const dataset *of);
+size_t dataset_curve(const dataset *data, int curve, size_t *first);
+int dataset_curves(const dataset *data);
 
 /* A rows_writer of output_options.h for a dataset. */
 bool dataset_write(void *of_dataset, records *rows, bool show_progress);

@@ -45,13 +45,13 @@ static const char *last_line(char *text)
     return line + strspn(line, " \t\r");
 }
 
-NO_RETURN static void refuse(FILE *complaints, const char *what, int number)
+NO_RETURN static void refuse(FILE *complaints, const char *event, int number)
 {
     size_t length;
     const char *said = last_line(read_whole(complaints, &length));
     failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo "
             "(package gnuplot-nox)",
-            what, number, said[0] != '\0' ? ": " : "", said);
+            event, number, said[0] != '\0' ? ": " : "", said);
 }
 
 /* ---- The picture ---- */
@@ -106,9 +106,9 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
 
 /* ---- gnuplot ---- */
 
-static void put_script(const drawing *what, const picture_format *format, FILE *script)
+static void put_script(const drawing *plot, const picture_format *format, FILE *script)
 {
-    gnuplot_script(what, format, script);
+    gnuplot_script(plot, format, script);
     if (fflush(script) != 0 || ferror(script))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
     rewind(script);
@@ -129,7 +129,7 @@ static void run(FILE *const stream[])
 }
 
 /* Files, not pipes: neither side waits for the other. */
-void gnuplot_draw(const drawing *what, const picture_format *format, output *out)
+void gnuplot_draw(const drawing *plot, const picture_format *format, output *out)
 {
     FILE *stream[STREAMS];
     for (int i = 0; i < STREAMS; i++) {
@@ -137,7 +137,7 @@ void gnuplot_draw(const drawing *what, const picture_format *format, output *out
         if (stream[i] == NULL)
             failure("gnuplot: a temporary file cannot be made: %s", strerror(errno));
     }
-    put_script(what, format, stream[SCRIPT]);
+    put_script(plot, format, stream[SCRIPT]);
     run(stream);
     take_picture(stream, format, out);
     for (int i = 0; i < STREAMS; i++)

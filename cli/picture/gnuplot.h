@@ -9,6 +9,6 @@
 #include "system/output.h"
 
 /* Has gnuplot draw the picture into the output. */
-void gnuplot_draw(const drawing *what, const picture_format *format, output *out);
+void gnuplot_draw(const drawing *plot, const picture_format *format, output *out);
 
 #endif

@@ -89,14 +89,14 @@ static void put_margins(FILE *script, const page *on)
             on->top / on->height);
 }
 
-static void put_frame(FILE *script, const drawing *what, const page *on)
+static void put_frame(FILE *script, const drawing *plot, const page *on)
 {
-    put_axis(script, "x", &what->x);
-    put_axis(script, "y", &what->y);
-    put_caption(script, what->x.text, on->caption);
+    put_axis(script, "x", &plot->x);
+    put_axis(script, "y", &plot->y);
+    put_caption(script, plot->x.text, on->caption);
     fputs("set xtics nomirror\nset ytics nomirror\n", script);
-    if (what->second.text[0] != '\0') {
-        put_axis(script, "y2", &what->second);
+    if (plot->second.text[0] != '\0') {
+        put_axis(script, "y2", &plot->second);
         fputs("set border 11\n", script);
     } else
         fputs("set border 3\n", script);
@@ -109,58 +109,58 @@ static void put_frame(FILE *script, const drawing *what, const page *on)
     fputs("\n", script);
 }
 
-static void put_label(FILE *script, const label *one)
+static void put_label(FILE *script, const label *note)
 {
     static const char *const sides[] = {
         [ALIGN_LEFT] = "left", [ALIGN_CENTRE] = "center", [ALIGN_RIGHT] = "right"};
     fputs("set label ", script);
-    put_text(script, one->text);
+    put_text(script, note->text);
     fprintf(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n",
-            one->second_axis ? "second" : "first", one->x, one->y, sides[one->align],
-            colours[one->colour], one->boxed ? " boxed" : "");
+            note->second_axis ? "second" : "first", note->x, note->y, sides[note->align],
+            colours[note->colour], note->boxed ? " boxed" : "");
 }
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries
  * does not show. */
-static void put_data(FILE *script, const curve *one, int number)
+static void put_data(FILE *script, const curve *line, int number)
 {
     fprintf(script, "$c%d << EOD\n", number);
-    for (size_t i = 0; i < one->count; i++) {
-        const double *row = one->from->row[one->first + i].number;
-        if (isfinite(row[one->x]) && isfinite(row[one->y]))
-            fprintf(script, "%.7g %.7g\n", row[one->x] + 0, row[one->y] + 0);
+    for (size_t i = 0; i < line->count; i++) {
+        const double *row = line->from->row[line->first + i].number;
+        if (isfinite(row[line->x]) && isfinite(row[line->y]))
+            fprintf(script, "%.7g %.7g\n", row[line->x] + 0, row[line->y] + 0);
         else
             fputs("\n", script);
     }
     fputs("EOD\n", script);
 }
 
-static void put_line(FILE *script, const curve *one)
+static void put_line(FILE *script, const curve *line)
 {
-    fprintf(script, "linewidth %.3g dashtype %s linecolor rgb '%s'", one->width, dashes[one->dash],
-            colours[one->colour]);
+    fprintf(script, "linewidth %.3g dashtype %s linecolor rgb '%s'", line->width,
+            dashes[line->dash], colours[line->colour]);
 }
 
-static void put_point(FILE *script, const curve *one)
+static void put_point(FILE *script, const curve *line)
 {
     fprintf(script, "%s linecolor rgb '%s'",
-            one->style == STYLE_CROSSES ? "pointtype 2 pointsize 0.35 linewidth 0.7"
-                                        : "pointtype 6 pointsize 0.7 linewidth 1.2",
-            colours[one->colour]);
+            line->style == STYLE_CROSSES ? "pointtype 2 pointsize 0.35 linewidth 0.7"
+                                         : "pointtype 6 pointsize 0.7 linewidth 1.2",
+            colours[line->colour]);
 }
 
-static void put_style(FILE *script, const curve *one)
+static void put_style(FILE *script, const curve *line)
 {
-    const int level = (int)floor(255 * one->grey + 0.5);
-    switch (one->style) {
+    const int level = (int)floor(255 * line->grey + 0.5);
+    switch (line->style) {
     case STYLE_LINE:
         fputs("lines ", script);
-        put_line(script, one);
+        put_line(script, line);
         break;
     case STYLE_CROSSES:
     case STYLE_CIRCLES:
         fputs("points ", script);
-        put_point(script, one);
+        put_point(script, line);
         break;
     case STYLE_AREA:
         fprintf(script,
@@ -170,10 +170,10 @@ static void put_style(FILE *script, const curve *one)
     }
 }
 
-static void put_curve(FILE *script, const curve *one, int number, const char *before)
+static void put_curve(FILE *script, const curve *line, int number, const char *before)
 {
-    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", before, number, one->second_axis ? 2 : 1);
-    put_style(script, one);
+    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", before, number, line->second_axis ? 2 : 1);
+    put_style(script, line);
     fputs(" notitle", script);
 }
 
@@ -195,31 +195,31 @@ static void put_contours(FILE *script, const contours *field)
 }
 
 /* A sample, and the name to its right. */
-static void put_entry(FILE *script, const curve *one, const page *on, double x, double y)
+static void put_entry(FILE *script, const curve *line, const page *on, double x, double y)
 {
     const double start = (x - PAGE_GAP - PAGE_SAMPLE) / on->width, end = (x - PAGE_GAP) / on->width,
                  height = y / on->height;
-    if (one->style == STYLE_LINE) {
+    if (line->style == STYLE_LINE) {
         fprintf(script, "set arrow from screen %.6f,%.6f to screen %.6f,%.6f nohead ", start,
                 height, end, height);
-        put_line(script, one);
+        put_line(script, line);
     } else {
         fprintf(script, "set label \"\" at screen %.6f,%.6f point ", 0.5 * (start + end), height);
-        put_point(script, one);
+        put_point(script, line);
     }
     fputs("\nset label ", script);
-    put_text(script, one->legend);
+    put_text(script, line->legend);
     fprintf(script, " at screen %.6f,%.6f left\n", x / on->width, height);
 }
 
-static void put_legend(FILE *script, const drawing *what, const page *on)
+static void put_legend(FILE *script, const drawing *plot, const page *on)
 {
     int entries = 0, next = 0;
-    for (int i = 0; i < what->curve_count; i++)
-        entries += what->curve[i].legend[0] != '\0';
-    for (int i = 0; i < what->curve_count; i++)
-        if (what->curve[i].legend[0] != '\0') {
-            put_entry(script, &what->curve[i], on, page_legend_x(on, next),
+    for (int i = 0; i < plot->curve_count; i++)
+        entries += plot->curve[i].legend[0] != '\0';
+    for (int i = 0; i < plot->curve_count; i++)
+        if (plot->curve[i].legend[0] != '\0') {
+            put_entry(script, &plot->curve[i], on, page_legend_x(on, next),
                       page_legend_y(on, next, entries));
             next++;
         }
@@ -235,30 +235,30 @@ static void put_levels(FILE *script, const contours *field)
             levels, field->step, field->step, levels);
 }
 
-static void put_plot(FILE *script, const drawing *what)
+static void put_plot(FILE *script, const drawing *plot)
 {
-    const bool has_field = what->field.from != NULL;
+    const bool has_field = plot->field.from != NULL;
     if (has_field)
-        put_levels(script, &what->field);
-    for (int i = 0; i < what->curve_count; i++)
-        put_curve(script, &what->curve[i], i, i == 0 && !has_field ? "plot " : ", \\\n    ");
+        put_levels(script, &plot->field);
+    for (int i = 0; i < plot->curve_count; i++)
+        put_curve(script, &plot->curve[i], i, i == 0 && !has_field ? "plot " : ", \\\n    ");
     fputs("\nunset output\n", script);
 }
 
-void gnuplot_script(const drawing *what, const picture_format *format, FILE *script)
+void gnuplot_script(const drawing *plot, const picture_format *format, FILE *script)
 {
-    const page on = page_of(what);
+    const page on = page_of(plot);
     fputs("set terminal ", script);
     fprintf(script, format->terminal, format->width, format->height * on.height / on.width);
     fputs("\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n",
           script);
-    put_frame(script, what, &on);
-    put_legend(script, what, &on);
-    for (int i = 0; i < what->label_count; i++)
-        put_label(script, &what->label[i]);
-    for (int i = 0; i < what->curve_count; i++)
-        put_data(script, &what->curve[i], i);
-    if (what->field.from != NULL)
-        put_contours(script, &what->field);
-    put_plot(script, what);
+    put_frame(script, plot, &on);
+    put_legend(script, plot, &on);
+    for (int i = 0; i < plot->label_count; i++)
+        put_label(script, &plot->label[i]);
+    for (int i = 0; i < plot->curve_count; i++)
+        put_data(script, &plot->curve[i], i);
+    if (plot->field.from != NULL)
+        put_contours(script, &plot->field);
+    put_plot(script, plot);
 }

@@ -23,6 +23,6 @@ enum { PICTURE_FORMATS = 3 };
 extern const picture_format picture_formats[PICTURE_FORMATS];
 
 /* Writes the drawing in gnuplot's language. */
-void gnuplot_script(const drawing *what, const picture_format *format, FILE *script);
+void gnuplot_script(const drawing *plot, const picture_format *format, FILE *script);
 
 #endif

@@ -39,13 +39,13 @@ static double room_at_middle(const page *on)
     return 2 * fmin(middle, on->width - middle) - 2 * EDGE;
 }
 
-static int set_legend(const drawing *what, page *on)
+static int set_legend(const drawing *plot, page *on)
 {
     double widest = 0;
     int entries = 0;
-    for (int i = 0; i < what->curve_count; i++)
-        if (what->curve[i].legend[0] != '\0') {
-            widest = fmax(widest, words_width(what->curve[i].legend));
+    for (int i = 0; i < plot->curve_count; i++)
+        if (plot->curve[i].legend[0] != '\0') {
+            widest = fmax(widest, words_width(plot->curve[i].legend));
             entries++;
         }
     if (entries == 0)
@@ -58,22 +58,22 @@ static int set_legend(const drawing *what, page *on)
     return lines;
 }
 
-page page_of(const drawing *what)
+page page_of(const drawing *plot)
 {
     page on = {.width = WIDTH};
-    on.left = side_width(&what->y);
-    on.right = on.width - (what->second.text[0] != '\0' ? side_width(&what->second) : 2 * EDGE);
-    memcpy(on.title, what->title, sizeof on.title);
-    memcpy(on.caption, what->caption, sizeof on.caption);
+    on.left = side_width(&plot->y);
+    on.right = on.width - (plot->second.text[0] != '\0' ? side_width(&plot->second) : 2 * EDGE);
+    memcpy(on.title, plot->title, sizeof on.title);
+    memcpy(on.caption, plot->caption, sizeof on.caption);
     const double room = room_at_middle(&on);
     const int title = on.title[0] != '\0' ? words_wrap(on.title, room) : 0;
     const int caption = on.caption[0] != '\0' ? words_wrap(on.caption, room) : 0;
     const double across = on.right - on.left;
     const double up =
-        what->height > 0 ? what->height * across
-                         : across * fabs((what->y.to - what->y.from) / (what->x.to - what->x.from));
+        plot->height > 0 ? plot->height * across
+                         : across * fabs((plot->y.to - plot->y.from) / (plot->x.to - plot->x.from));
     /* below: the numbers, the text of the axis, caption, legend */
-    on.bottom = EDGE + TIC + PAGE_LINE * (2 + caption + set_legend(what, &on));
+    on.bottom = EDGE + TIC + PAGE_LINE * (2 + caption + set_legend(plot, &on));
     on.top = on.bottom + up;
     on.height = on.top + EDGE + (title > 0 ? 0.5 + PAGE_LINE * title : 0);
     return on;

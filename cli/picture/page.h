@@ -18,7 +18,7 @@ static const double PAGE_LINE = 1.25;  /* from line to line */
 static const double PAGE_SAMPLE = 2.2; /* of a curve, in the legend */
 static const double PAGE_GAP = 0.4;    /* from there to its name */
 
-page page_of(const drawing *what);
+page page_of(const drawing *plot);
 
 /* Where the text of the legend's entry i starts; its sample is to the left. */
 double page_legend_x(const page *on, int i);

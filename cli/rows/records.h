@@ -4,8 +4,8 @@
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 
-#include "text/cell.h"
-#include "text/number.h"
+#include "number/cell.h"
+#include "number/number.h"
 #include "system/output.h"
 
 typedef struct records records;

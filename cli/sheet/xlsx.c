@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "xlsx.h"
 
-#include "text/number.h"
+#include "number/number.h"
 #include "text/utf8.h"
 #include "inside.h"
 #include "styles.h"

@@ -7,9 +7,9 @@
 #include "system/ahead.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 #include "system/progress.h"
-#include "model/case_table.h"
+#include "model/reading/case_table.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef CLI_BATCH_H
 #define CLI_BATCH_H
 
-#include "model/results.h"
+#include "model/results/results.h"
 #include "rows/output_options.h"
 
 typedef struct {

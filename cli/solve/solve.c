@@ -6,12 +6,12 @@
 #include "input/text_input.h"
 #include "options/threads.h"
 #include "text/message.h"
-#include "text/number.h"
-#include "model/inverse.h"
-#include "model/verdict.h"
+#include "number/number.h"
+#include "model/results/inverse.h"
+#include "model/results/verdict.h"
 
 #include "contact/notices.h"
-#include "contact/load_table.h"
+#include "contact/load_history.h"
 
 #include <string.h>
 
@@ -159,19 +159,19 @@ static void solve_one(const input_texts *texts, job *task, const output_options 
 
 /* ---- After a history ---- */
 
-static void solve_history(const input_texts *texts, const load_source *from, job *task,
+static void solve_history(const input_texts *texts, const history_source *from, job *task,
                           const output_options *how)
 {
     contact_case setup;
     rwedge_contact *contact;
     char complaint[COMPLAINT_SIZE];
-    load_source_check(from, texts);
-    if (!case_read(texts, CASE_OF_COURSE, &setup, complaint))
+    history_source_check(from, texts);
+    if (!case_read(texts, CASE_OF_HISTORY, &setup, complaint))
         usage_error("%s", complaint);
     const int32_t status = case_contact(&setup, &contact);
     if (status != RWEDGE_OK)
         failure("the contact: %s", rwedge_strerror(status));
-    load_source_apply(from, how->decimal_sign, setup.f, contact);
+    history_source_apply(from, how->decimal_sign, setup.f, contact);
     rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))
         failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
@@ -226,20 +226,20 @@ static void read_inverse(const arguments *line, const input_texts *texts, job *t
 }
 
 static void check_one_contact(const arguments *line, const job *task, const batch *many,
-                              const load_source *from)
+                              const history_source *from)
 {
     if (task->says_verdict && many->path != NULL)
         usage_error("--verdict: is of one contact, not with --input");
-    if (task->looked_for != INPUT_COUNT && (many->path != NULL || load_source_is_given(from)))
+    if (task->looked_for != INPUT_COUNT && (many->path != NULL || history_source_is_given(from)))
         usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
                     "--history",
                     line->value[OPTION_FOR]);
 }
 
 /* A file of contacts, or one of loads. */
-static void check_files(const batch *many, const load_source *from)
+static void check_files(const batch *many, const history_source *from)
 {
-    if (many->path != NULL && load_source_is_given(from))
+    if (many->path != NULL && history_source_is_given(from))
         usage_error("--%s: given together with --input; allowed: one of the two",
                     from->file != NULL ? "history" : "load");
     if (many->encoding == NULL)
@@ -260,7 +260,7 @@ static int solve(const arguments *line)
     output_options how;
     job task;
     batch many = {.path = line->value[OPTION_INPUT_FILE], .encoding = line->value[OPTION_ENCODING]};
-    const load_source from = load_source_of(line);
+    const history_source from = history_source_of(line);
     input_texts_from_options(line, &many.constants);
     arguments_no_operand(line);
     output_options_read(line, &how);
@@ -271,7 +271,8 @@ static int solve(const arguments *line)
     check_threads(line, &many);
     task.as_row = read_layout(line);
     task.wanted.yield_factor = read_yield_factor(line, &many.constants);
-    task.wanted.edges = load_source_is_given(&from) || input_is_given(&many.constants, INPUT_M) ||
+    task.wanted.edges = history_source_is_given(&from) ||
+                        input_is_given(&many.constants, INPUT_M) ||
                         input_is_given(&many.constants, INPUT_SIGMA) ||
                         input_is_given(&many.constants, INPUT_PROFILE);
     many.wanted = task.wanted;
@@ -282,7 +283,7 @@ static int solve(const arguments *line)
     if (many.path != NULL)
         return batch_run(&many, &how);
     input_options_check_hull(line);
-    if (load_source_is_given(&from))
+    if (history_source_is_given(&from))
         solve_history(&many.constants, &from, &task, &how);
     else
         solve_one(&many.constants, &task, &how);

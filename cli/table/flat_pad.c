@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "flat_pad.h"
 
-#include "model/peak.h"
-#include "text/pi.h"
+#include "model/results/peak.h"
+#include "number/pi.h"
 
 #include <math.h>
 

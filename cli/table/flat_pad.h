@@ -4,7 +4,7 @@
 #define CLI_FLAT_PAD_H
 
 #include "options/variable.h"
-#include "text/cell.h"
+#include "number/cell.h"
 
 #include <stdint.h>
 

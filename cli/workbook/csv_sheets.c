@@ -2,7 +2,7 @@
 #include "csv_sheets.h"
 
 #include "input/csv_input.h"
-#include "model/header.h"
+#include "model/reading/header.h"
 #include "rows/spreadsheet.h"
 #include "table/tables.h"
 #include "text/memory.h"

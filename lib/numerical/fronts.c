@@ -173,7 +173,7 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     double B[RW_MOST_FRONTS], front[RW_MOST_FRONTS];
     if (!solve_polynomial(f, &s, layers, front, B))
         return false;
-    double K[RW_MOST_FRONTS];
+    double K[RW_MOST_FRONTS] = {0};
     for (int j = 0; j < n; j++) {
         double value = 0, apart = 1;
         for (int i = n - 1; i >= 0; i--)
@@ -267,7 +267,7 @@ double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, rw_la
         after += x < s.end[2 * k];
     double sum[2] = {0, 0}; /* the points come in pairs; divisions are done two at a time */
     for (size_t i = 0; i + 1 < f->count; i += 2)
-        for (int k = 0; k < 2; k++) {
+        for (size_t k = 0; k < 2; k++) {
             const double d = f->x[i + k] - x;
             sum[k] += f->change[i + k] / (d == 0 ? HUGE_VAL : d);
         }

@@ -110,11 +110,6 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 
 /* ---- Conditions ---- */
 
-static double peak(const rw_problem *p)
-{
-    return p->scale;
-}
-
 static void add_wrong(rw_outcome *o, int label, double left, double right)
 {
     if (o->wrong.count < RW_MOST_ZONES && right > left)
@@ -130,7 +125,7 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
         const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS),
                      x = from + (to - from) * half * half;
         const double t = rw_traction_at(&o->state.traction, x);
-        const double excess = (fabs(t) - rw_friction_after(p, x)) / peak(p);
+        const double excess = (fabs(t) - rw_friction_after(p, x)) / p->scale;
         o->violation = fmax(o->violation, excess);
         if (excess > p->allowed && isnan(begun)) {
             begun = before;
@@ -229,7 +224,7 @@ static void check_slip_part(slipping *s, double from, double to)
             continue;
         }
         s->outcome->energy -= s->label * slip * (before + now) / 2 * step;
-        const double excess = s->label * slip / (peak(p) * p->half);
+        const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
             begun = isnan(begun) ? x : begun;

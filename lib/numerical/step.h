@@ -37,7 +37,8 @@ typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
     rw_grid grid[RW_TRIALS];
-    int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid */
+    int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid. From half of
+                      it on steps are divided no more, so that exact fronts may end them. */
     bool is_short; /* memory was */
 } rw_work;
 

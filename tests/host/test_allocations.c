@@ -328,7 +328,7 @@ static outcome the_rest(void)
 
 /* That GSL's allocations are seen, which are where another library's are: the claims below hold
  * for them too. */
-static void allocations_of_other_libraries_are_seen(void **state)
+CLAIM(allocations_of_other_libraries_are_seen)
 {
 #ifdef PROGRAM_HEAP
     gsl_root_fsolver *solver = NULL;
@@ -376,7 +376,7 @@ static size_t every_allocation_of(const char *name, outcome (*call)(void))
     return allocations;
 }
 
-static void every_failed_allocation_is_survived(void **state)
+CLAIM(every_failed_allocation_is_survived)
 {
     assert_true(every_allocation_of("contact", history) >= 10);
     assert_true(every_allocation_of("off_centre", off_centre) >= 20);
@@ -386,7 +386,7 @@ static void every_failed_allocation_is_survived(void **state)
     assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
 }
 
-static void nothing_else_allocates(void **state)
+CLAIM(nothing_else_allocates)
 {
     arm(1, true);
     const outcome without = the_rest();
@@ -396,14 +396,4 @@ static void nothing_else_allocates(void **state)
     assert_int_equal(calls, 0);
     assert_ok(without.status);
     assert_memory_equal(&without, &with, sizeof with);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(allocations_of_other_libraries_are_seen),
-        cmocka_unit_test(every_failed_allocation_is_survived),
-        cmocka_unit_test(nothing_else_allocates),
-    };
-    return RUN_CLAIMS("allocations", tests);
 }

@@ -150,12 +150,12 @@ static const char *answers(const public_call *call, const double v[])
     return complaint_of(call, v, out, &status);
 }
 
-static void every_answer_follows_the_rules_for_errors(void **state)
+CLAIM(every_answer_follows_the_rules_for_errors)
 {
     ask_of_every_call(answers);
 }
 
-static void a_pointer_that_is_needed_may_not_be_null(void **state)
+CLAIM(a_pointer_that_is_needed_may_not_be_null)
 {
     const size_t most = most_calls;
     most_calls = most < 100 ? most : 100;
@@ -181,7 +181,7 @@ static const char *flags(const public_call *call, const double v[])
                                           : NULL;
 }
 
-static void no_call_raises_an_exception_but_inexact_and_underflow(void **state)
+CLAIM(no_call_raises_an_exception_but_inexact_and_underflow)
 {
     ask_of_every_call(flags);
 }
@@ -214,7 +214,7 @@ static const char *keeps_flags(const public_call *call, const double v[])
                                 : NULL;
 }
 
-static void no_call_clears_an_exception_of_the_host(void **state)
+CLAIM(no_call_clears_an_exception_of_the_host)
 {
     raise_everything();
     assert_int_equal(fetestexcept(EVERYTHING), EVERYTHING);
@@ -248,7 +248,7 @@ static const char *traps(const public_call *call, const double v[])
     return answer;
 }
 
-static void no_call_is_trapped_in_a_host_that_traps(void **state)
+CLAIM(no_call_is_trapped_in_a_host_that_traps)
 {
     if (feenableexcept(FE_DIVBYZERO) == -1) {
         print_message("SKIPPED: this machine cannot trap floating-point exceptions\n");
@@ -289,7 +289,7 @@ static const char *rounds(const public_call *call, const double v[])
     return is_far_from_the_ends(call, v) ? complaint : NULL;
 }
 
-static void every_rounding_mode_gives_answers_by_the_rules(void **state)
+CLAIM(every_rounding_mode_gives_answers_by_the_rules)
 {
     const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     for (int i = 0; i < 4; i++) {
@@ -328,7 +328,7 @@ static digest digest_of_everything(void)
 }
 
 /* tests/host/locale.sh runs this where it has made a locale with a comma. */
-static void a_decimal_comma_changes_no_bit(void **state)
+CLAIM(a_decimal_comma_changes_no_bit)
 {
     const char *name = getenv("COMMA_LOCALE");
     if (name == NULL) {
@@ -389,7 +389,7 @@ static size_t used_stack(void *(*run)(void *), void *argument)
     return STACK - unused;
 }
 
-static void a_stack_of_64_KiB_is_enough(void **state)
+CLAIM(a_stack_of_64_KiB_is_enough)
 {
     size_t most = 0, count;
     const public_call *calls = public_calls(&count);
@@ -408,17 +408,5 @@ int main(int argc, char **argv)
         most_calls = (size_t)strtoul(argv[1], NULL, 10);
     if (argc > 2)
         cmocka_set_test_filter(argv[2]);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_answer_follows_the_rules_for_errors),
-        cmocka_unit_test(a_pointer_that_is_needed_may_not_be_null),
-        cmocka_unit_test(no_call_raises_an_exception_but_inexact_and_underflow),
-        cmocka_unit_test(no_call_clears_an_exception_of_the_host),
-#ifdef __GLIBC__
-        cmocka_unit_test(no_call_is_trapped_in_a_host_that_traps),
-#endif
-        cmocka_unit_test(every_rounding_mode_gives_answers_by_the_rules),
-        cmocka_unit_test(a_decimal_comma_changes_no_bit),
-        cmocka_unit_test(a_stack_of_64_KiB_is_enough),
-    };
-    return RUN_CLAIMS("calls", tests);
+    return run_claims();
 }

@@ -88,7 +88,7 @@ static void assert_same_results(const results *expected, const results *actual)
                         (size_t)(numbers * most) * sizeof(double));
 }
 
-static void threads_give_the_bits_of_one(void **state)
+CLAIM(threads_give_the_bits_of_one)
 {
     results alone, r[THREADS_MAX];
     count_most();
@@ -109,8 +109,7 @@ int main(int argc, char **argv)
         numbers = atoi(argv[1]);
     if (numbers < 1 || !shared_create(&shared))
         return 2;
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_give_the_bits_of_one)};
-    const int status = RUN_CLAIMS("threads", tests);
+    const int status = run_claims();
     shared_destroy(&shared);
     return status;
 }

@@ -9,7 +9,7 @@ import numpy as np
 
 library = ctypes.CDLL(sys.argv[1])
 number = ctypes.c_double
-ALPHA, F = 0.25, 0.3
+ALPHA, FLAT, F = 0.25, 0.5, 0.3
 worst = 0
 
 
@@ -37,12 +37,20 @@ def cells(n, length):
     return (np.arange(n) + 0.5) / n * length - length / 2
 
 
-def under_moment(P, M, x):
-    """Edges and pressures of the library for a wedge with theta = 0.01, in units of a = ALPHA and theta/A = 1."""
-    contact, edges = ctypes.c_void_p(), (number(), number())
-    library.rwedge_contact_create(number(0.01), number(ALPHA), number(0.01), number(F), ctypes.byref(contact))
+# (the library's function that makes it, its arguments, its height over the surface, its load): a contact of b = 1, theta/A = 1
+PADS = {
+    "wedge": ("contact_create", (0.01, ALPHA, 0.01, F), profile, call("load", ALPHA)),
+    "flat pad": ("contact_create_flat", (FLAT, 1, 1, F), lambda x: np.maximum(np.abs(x) - FLAT, 0) ** 2 / 2,
+                 np.arccos(FLAT) - FLAT * np.sqrt(1 - FLAT**2)),
+}
+
+
+def under_moment(pad, P, M, x):
+    """Edges and pressures of the library."""
+    contact, edges, array = ctypes.c_void_p(), (number(), number()), number * len(x)
+    make, arguments, *_ = PADS[pad]
+    assert getattr(library, "rwedge_" + make)(*map(number, arguments), ctypes.byref(contact)) == 0
     assert library.rwedge_contact_apply(contact, number(P), number(M), number(0), number(0)) == 0
-    array = number * len(x)
     p, q = array(), array()
     assert library.rwedge_contact_tractions(contact, ctypes.c_size_t(len(x)), array(*x), p, q) == 0
     library.rwedge_contact_edges(contact, *map(ctypes.byref, edges))
@@ -57,18 +65,20 @@ def contact_mechanics():
     from SurfaceTopography import Topography
 
     n, length, along = 4096, 3.0, 20.0
-    x, P = cells(n, length), call("load", ALPHA)
-    for tilt in 0.0, 0.2:
+    x = cells(n, length)
+    for pad, tilt in ("wedge", 0.0), ("wedge", 0.2), ("flat pad", 0.0), ("flat pad", 0.1):
+        height, P = PADS[pad][2:]
         substrate = SemiPeriodicFFTElasticHalfSpace((n, 1), 2.0, (length, along), n_images=100)
-        heights = Topography((tilt * x - profile(x))[:, None], (length, along))
+        heights = Topography((tilt * x - height(x))[:, None], (length, along))
         solved = NonSmoothContactSystem(substrate, heights).minimize_proxy(external_force=P * along, pentol=1e-10, maxiter=2000)
         assert solved.success
         p = substrate.force[:n, 0] / (length / n * along)
-        edges, ours = under_moment(P, np.sum(p * x) * length / n, x)
+        edges, ours = under_moment(pad, P, np.sum(p * x) * length / n, x)
         inside = (x > edges[0] + 0.05) & (x < edges[1] - 0.05)
-        say(f"ContactMechanics: pressure, tilt {tilt} theta, over the peak", np.max(np.abs(p - ours)[inside]) / np.max(ours), 1e-4)
+        case = f"ContactMechanics: {pad}, tilt {tilt}"
+        say(f"{case}: pressure, over the peak", np.max(np.abs(p - ours)[inside]) / np.max(ours), 1e-4)
         touching = x[p > 1e-3 * np.max(p)]
-        say(f"ContactMechanics: edges, tilt {tilt} theta, in cells of {length / n:.1e} b",
+        say(f"{case}: edges, in cells of {length / n:.1e} b",
             np.max(np.abs([touching[0] - edges[0], touching[-1] - edges[1]])) / (length / n), 1.5)
 
 
@@ -97,9 +107,30 @@ def tamaas():
     solver = tm.PolonskyKeerTan(model, -profile(x), 1e-9, F)
     solver.max_iter = 3000
     solver.solve(np.array([F * P * call("shear_ratio", ALPHA, stick), P]) / length)
-    q, ours = np.array(model.traction)[:, 0], np.array([call("shear", ALPHA, stick, place) if abs(place) < 1 else 0 for place in x])
+    traction = np.array(model.traction)
+    q, ours = traction[:, 0], np.array([call("shear", ALPHA, stick, place) if abs(place) < 1 else 0 for place in x])
     inside = np.abs(x) < 0.95
     say("Tamaas: shear in partial slip, over f times the peak", np.max(np.abs(q + F * ours)[inside]) / (F * np.max(pressures(x))), 7e-3)
+    stresses_below(tm, traction, x, stick, nu)
+
+
+def stresses_below(tm, traction, x, stick, nu):
+    """From a quarter of b to 2 b below the surface, under the tractions that Tamaas has found."""
+    n, layers, along, step = len(x), 9, 2, x[1] - x[0]
+    model = tm.Model(tm.model_type.volume_2d, [2.0, n * step, along * step], [layers, n, along])
+    model.E, model.nu = 2 * (1 - nu**2), nu
+    tm.ModelFactory.registerVolumeOperators(model)
+    model.traction[..., 0], model.traction[..., 2] = traction[:, :1], traction[:, 1:]
+    gradient, stress = np.zeros((layers, n, along, 6)), np.zeros((layers, n, along, 6))
+    model.operators["boussinesq_gradient"](model.traction, gradient)
+    model.operators["hooke"](gradient, stress)
+    theirs = stress[..., 0, [0, 2, 4]] * (1, 1, 0.5**0.5)  # xx, zz, xz, which stands there times the root of 2
+    largest, outputs = 0, [number() for _ in range(3)]
+    for layer, depth in enumerate(np.linspace(0, 2, layers)[1:], 1):
+        for i in np.flatnonzero(np.abs(x) < 2):
+            assert library.rwedge_stress(*map(number, (ALPHA, F, stick, x[i], depth)), *map(ctypes.byref, outputs)) == 0
+            largest = max(largest, np.max(np.abs(theirs[layer, i] - [output.value for output in outputs])))
+    say("Tamaas: stresses below it, over the peak pressure", largest / np.max(pressures(x)), 1.8e-3)
 
 
 def counted(ranges, counts):

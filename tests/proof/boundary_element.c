@@ -256,3 +256,17 @@ int boundary_element_step(boundary_element *s, boundary_loads to)
     }
     return 1;
 }
+
+int boundary_element_go(boundary_element *solver, int steps, boundary_loads to)
+{
+    const boundary_loads from = solver->loads;
+    int failed = 0;
+    for (int i = 1; i <= steps && !failed; i++) {
+        const double t = (double)i / steps;
+        const boundary_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
+                                   from.Q + t * (to.Q - from.Q),
+                                   from.sigma + t * (to.sigma - from.sigma)};
+        failed = boundary_element_step(solver, at);
+    }
+    return failed;
+}

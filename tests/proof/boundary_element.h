@@ -45,4 +45,7 @@ void boundary_element_start_even(boundary_element *solver, double theta, double 
  * 1 where the iteration for the edges or the zones of slip did not end. */
 int boundary_element_step(boundary_element *solver, boundary_loads to);
 
+/* The same in so many equal steps. */
+int boundary_element_go(boundary_element *solver, int steps, boundary_loads to);
+
 #endif

@@ -64,13 +64,12 @@ static difference along_a_history(uint64_t number, double a, double f, int level
         }
         compare(contact, &solver, f, &mean);
     }
-    rwedge_contact_destroy(contact);
     return mean;
 }
 
 /* The mean over the histories; halving mesh and step must take a third off at least, and does
  * about halve it. */
-static void the_memory_diagram_is_the_limit_of_boundary_elements(void **state)
+CLAIM(the_memory_diagram_is_the_limit_of_boundary_elements)
 {
     static const double ROUNDINGS[] = {0, 0.1, 0.4, 0.8, 2};
     enum { HISTORIES = sizeof ROUNDINGS / sizeof *ROUNDINGS };
@@ -94,12 +93,4 @@ static void the_memory_diagram_is_the_limit_of_boundary_elements(void **state)
     assert_true(mean[LEVELS - 1].shear < 0.02);
     assert_true(mean[LEVELS - 1].slip < 0.003);
     assert_true(mean[LEVELS - 1].energy < 0.006);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_memory_diagram_is_the_limit_of_boundary_elements),
-    };
-    return RUN_CLAIMS("boundary_element", tests);
 }

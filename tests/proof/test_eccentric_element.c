@@ -105,7 +105,7 @@ static void assert_falls(const char *what, const double difference[LEVELS], doub
 static boundary_element solver;
 
 /* Centred, tilted, and so far tilted that an edge has passed the rounding's end. */
-static void a_moment_moves_the_patch(void **state)
+CLAIM(a_moment_moves_the_patch)
 {
     static const double loads[][2] = {{4, 0}, {4, 1.2}, {4, -3}, {1, 0.2}};
     enum { CASES = sizeof loads / sizeof *loads };
@@ -126,7 +126,7 @@ static void a_moment_moves_the_patch(void **state)
 
 /* From no Q and no tension in one step, at most to |sigma| = 4 |Q|/(pi s). The stick zone is the
  * patch of the load P - Q/f and of the tilt + sigma/(4 f). Then back, over half of that. */
-static void monotonic_and_reversed_slip(void **state)
+CLAIM(monotonic_and_reversed_slip)
 {
     static const double moments[] = {0, 1.2}, tensions[] = {0, 0.5, -0.9};
     enum { CASES = 6 };
@@ -158,7 +158,7 @@ static void monotonic_and_reversed_slip(void **state)
 /* Nowell and Hills' numbers of a cylinder: half-width a, stick half-width c, eccentricity e. The
  * wedge's rounding is wider than the contact. E = 72.1 GPa, nu = 0.33, 543 N and 155 N on 4 mm, R =
  * 10 mm, f = 0.3, sigma = 100 MPa. */
-static void nowell_and_hills_cylinder(void **state)
+CLAIM(nowell_and_hills_cylinder)
 {
     const double A = 4 * (1 - 0.33 * 0.33) / 72.1e3, theta = 0.1, P = 543 / 4.0, Q = 155 / 4.0;
     for (int level = 0; level < LEVELS; level++) {
@@ -178,7 +178,7 @@ static void nowell_and_hills_cylinder(void **state)
 
 /* What never slips in the fourth cycle between two loads is the patch of half of N1 + N2 - (T2 -
  * T1), P and M constant or not. */
-static void the_permanent_stick_zone(void **state)
+CLAIM(the_permanent_stick_zone)
 {
     static const boundary_loads cycles[][2] = {
         {{4, 0, -0.6, 0.1}, {4, 0, 0.9, 0.5}},
@@ -218,15 +218,4 @@ static void the_permanent_stick_zone(void **state)
         assert_within(left, stick.middle - stick.half, 1.5 * solver.width);
         assert_within(right, stick.middle + stick.half, 1.5 * solver.width);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_moment_moves_the_patch),
-        cmocka_unit_test(monotonic_and_reversed_slip),
-        cmocka_unit_test(nowell_and_hills_cylinder),
-        cmocka_unit_test(the_permanent_stick_zone),
-    };
-    return RUN_CLAIMS("eccentric_element", tests);
 }

@@ -84,19 +84,6 @@ static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f,
     return to;
 }
 
-/* In a straight line. */
-static void go(boundary_element *solver, int steps, boundary_loads to)
-{
-    const boundary_loads from = solver->loads;
-    for (int i = 1; i <= steps; i++) {
-        const double t = (double)i / steps;
-        const boundary_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
-                                   from.Q + t * (to.Q - from.Q),
-                                   from.sigma + t * (to.sigma - from.sigma)};
-        assert_int_equal(boundary_element_step(solver, at), 0);
-    }
-}
-
 /* Where slip jumps: what is beyond has come into contact since. */
 static bool is_at_a_jump(const rwedge_contact *contact, const boundary_element *solver, double x)
 {
@@ -150,7 +137,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
     boundary_element_start(&solver, THETA, a, A, f, (size_t)COARSEST << level, 1.4 * reach);
     rwedge_contact *contact = create(a, f);
     if (kind >= ANYTHING)
-        assert_int_equal(rwedge_contact_allow_error(contact, 1e-3), RWEDGE_OK);
+        assert_ok(rwedge_contact_allow_error(contact, 1e-3));
     double half = 2 * a;
     for (int leg = 0; leg < (kind == ALL ? 5 : LEGS); leg++) {
         const boundary_loads to = draw_leg(kind, leg, now, f, a / A, half, &seed);
@@ -159,11 +146,10 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
             continue;
         assert_ok(status);
         half = rwedge_contact_half_width(contact);
-        go(&solver, leg == 0 ? 1 : 5 << level, to);
+        assert_int_equal(boundary_element_go(&solver, leg == 0 ? 1 : 5 << level, to), 0);
         now = to;
         compare(contact, &solver, f, &sum);
     }
-    rwedge_contact_destroy(contact);
     return sum;
 }
 
@@ -188,7 +174,7 @@ static difference mean_of(path kind, int histories, int level)
 }
 
 /* RWEDGE_HISTORIES=200 takes so many of loads that all change at once. */
-static void contacts_are_the_limit_of_boundary_elements(void **state)
+CLAIM(contacts_are_the_limit_of_boundary_elements)
 {
     const char *more = getenv("RWEDGE_HISTORIES");
     for (path kind = 0; kind < KINDS; kind++) {
@@ -207,7 +193,7 @@ static void contacts_are_the_limit_of_boundary_elements(void **state)
  * it meets that from the edge, a part between them sticks, and there is no closed form, although
  * the front that the closed form names is within the old one at both edges. A little later all
  * slips. */
-static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
+CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
 {
     static const boundary_loads loads[] = {{.4779, 0, 0, 0},
                                            {.4779, 0, -.1494, -.0994},
@@ -219,7 +205,7 @@ static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
     boundary_element_start(&solver, THETA, a, A, f, BOUNDARY_ELEMENTS_MAX, 1.4);
     rwedge_contact *contact = create(a, f);
     for (int i = 0; i < 5; i++) {
-        go(&solver, i == 0 ? 1 : 20, loads[i]);
+        assert_int_equal(boundary_element_go(&solver, i == 0 ? 1 : 20, loads[i]), 0);
         const int32_t status =
             rwedge_contact_apply(contact, loads[i].P, loads[i].M, loads[i].Q, loads[i].sigma);
         assert_int_equal(status, i == 3 ? RWEDGE_EPATH : RWEDGE_OK);
@@ -229,14 +215,4 @@ static void what_sticks_between_two_fronts_has_no_closed_form(void **state)
             assert_true(d.shear < 3e-3);
         }
     }
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_are_the_limit_of_boundary_elements),
-        cmocka_unit_test(what_sticks_between_two_fronts_has_no_closed_form),
-    };
-    return RUN_CLAIMS("eccentric_histories", tests);
 }

@@ -18,7 +18,7 @@ static void yield_at(double alpha, double f, double *limit, double *x, double *y
 
 /* Sec. 5.1: "P/(bk) is about 3 ... about 60 % of the Hertzian case" at a/b = 0.1; depth 0.7 b
  * for Hertz. */
-static void a_tenth_of_rounding_keeps_sixty_percent_of_the_strength(void **state)
+CLAIM(a_tenth_of_rounding_keeps_sixty_percent_of_the_strength)
 {
     double tenth, hertz, x, y;
     yield_at(0.1, 0, &tenth, &x, &y);
@@ -32,7 +32,7 @@ static void a_tenth_of_rounding_keeps_sixty_percent_of_the_strength(void **state
 }
 
 /* Sec. 5.1: the strength is always lower than Hertz', and falls with the tip. */
-static void strength_falls_with_the_tip(void **state)
+CLAIM(strength_falls_with_the_tip)
 {
     for (double alpha = 0.1; alpha < 0.95; alpha += 0.1)
         assert_true(rwedge_elastic_limit(alpha, 0, 0.3) <
@@ -41,7 +41,7 @@ static void strength_falls_with_the_tip(void **state)
 
 /* Sec. 5.2: subsurface for "small coefficients of friction, less than about 0.3"; the cusp is at
  * smaller f for smaller tips. */
-static void cusps_of_figure_4(void **state)
+CLAIM(cusps_of_figure_4)
 {
     const double cusp[][2] = {{1, 0.262826}, {0.5, 0.2367}, {0.1, 0.1548}};
     for (int i = 0; i < 3; i++) {
@@ -55,7 +55,7 @@ static void cusps_of_figure_4(void **state)
 }
 
 /* Sec. 5.2: with friction the difference between Hertz and the rounded wedge decreases. */
-static void friction_evens_out_the_tips(void **state)
+CLAIM(friction_evens_out_the_tips)
 {
     for (double alpha = 0.1; alpha < 0.95; alpha += 0.2) {
         const double without =
@@ -67,7 +67,7 @@ static void friction_evens_out_the_tips(void **state)
 }
 
 /* Eq. (38): 1 and 4/pi; "the variation is only 21 %". */
-static void tension_between_sharp_and_hertz(void **state)
+CLAIM(tension_between_sharp_and_hertz)
 {
     assert_close(rwedge_max_tension(0), 1, 0);
     assert_close(rwedge_max_tension(1), 4 / PI, DBL_EPSILON);
@@ -77,7 +77,7 @@ static void tension_between_sharp_and_hertz(void **state)
 }
 
 /* Fig. 7: a/b = 0.25, c/b = 0, 1/6, 1/2. */
-static void partial_slip_of_figure_7(void **state)
+CLAIM(partial_slip_of_figure_7)
 {
     const double c[] = {0, 1.0 / 6, 0.5};
     for (int i = 0; i < 3; i++) {
@@ -91,7 +91,7 @@ static void partial_slip_of_figure_7(void **state)
 
 /* Sec. 5.3: full sliding is "likely" the worst: J2 at its yield point and around is lower in
  * partial slip. */
-static void sliding_is_weaker_than_partial_slip(void **state)
+CLAIM(sliding_is_weaker_than_partial_slip)
 {
     for (double alpha = 0.2; alpha < 1.1; alpha += 0.4)
         for (double f = 0.1; f < 0.8; f += 0.3) {
@@ -107,7 +107,7 @@ static void sliding_is_weaker_than_partial_slip(void **state)
         }
 }
 
-static void E1_the_signs_of_the_sharp_series_alternate(void **state)
+CLAIM(E1_the_signs_of_the_sharp_series_alternate)
 {
     rwedge_series *series;
     assert_ok(rwedge_series_create(0, 4001, &series));
@@ -122,7 +122,7 @@ static void E1_the_signs_of_the_sharp_series_alternate(void **state)
     rwedge_series_destroy(series);
 }
 
-static void E2_powers_of_i_on_the_axis(void **state)
+CLAIM(E2_powers_of_i_on_the_axis)
 {
     const double y = 0.7;
     const double complex R = I * (y - sqrt(y * y + 1));
@@ -143,7 +143,7 @@ static void E2_powers_of_i_on_the_axis(void **state)
     rwedge_series_destroy(series);
 }
 
-static void E3_R_has_an_imaginary_part_on_the_contact(void **state)
+CLAIM(E3_R_has_an_imaginary_part_on_the_contact)
 {
     const double x = 0.4, above = 1e-9;
     const double complex z = x + I * above, R = z - csqrt(z - 1) * csqrt(z + 1);
@@ -160,7 +160,7 @@ static double corrective(double t, const void *unused)
     return -sqrt(1 - t * t) / (t + 3); /* q*(t)/(t - z) at z = -3, with b_0 = 1 */
 }
 
-static void E4_the_corrective_potential_is_real_on_the_axis_outside(void **state)
+CLAIM(E4_the_corrective_potential_is_real_on_the_axis_outside)
 {
     const double points[] = {-1, 1}, z = -3;
     /* -(1/2) b_0 R(z), R = z - sgn(z) sqrt(z^2-1) */
@@ -170,7 +170,7 @@ static void E4_the_corrective_potential_is_real_on_the_axis_outside(void **state
     assert_true(cabs(-value / (2 * PI * I) - series) > 0.1);
 }
 
-static void E5_E6_a_is_the_contact_half_width(void **state)
+CLAIM(E5_E6_a_is_the_contact_half_width)
 {
     /* E5: at the trailing edge of a contact with a/b = 0.2, sigma is 2 f theta/A: times b/(fP),
      * not a/(fP) */
@@ -199,7 +199,7 @@ static double shear_at(double t, const void *context)
 
 /* E7: q opposes the slip in the slip zones; in the stick zone there is none. Eq. (17): the
  * relative displacement's gradient is (1/pi) int q/(x-t) dt. */
-static void E7_slip_is_where_the_tractions_are_limited(void **state)
+CLAIM(E7_slip_is_where_the_tractions_are_limited)
 {
     for (double x = 0.05; x < 1; x += 0.1) {
         const slip_case s = {1, 0.5, x};
@@ -213,7 +213,7 @@ static void E7_slip_is_where_the_tractions_are_limited(void **state)
 }
 
 /* E8: (A5) with the moduli as corrected gives (A7) = Eq. (8); as printed it does not. */
-static void E8_moduli_of_the_appendix(void **state)
+CLAIM(E8_moduli_of_the_appendix)
 {
     const double alpha = 0.3, x = 0.7, phi = asin(x), phi0 = asin(alpha);
     const double rest = -2 * phi0 * cos(phi) / sin(phi0) -
@@ -228,7 +228,7 @@ static void E8_moduli_of_the_appendix(void **state)
 
 /* E9: with q = f p the tension is at x = -b, and the yield point moves to x > 0, towards the
  * leading edge. */
-static void E9_the_yield_point_moves_to_the_leading_edge(void **state)
+CLAIM(E9_the_yield_point_moves_to_the_leading_edge)
 {
     for (double alpha = 0.1; alpha < 1.05; alpha += 0.1) {
         double limit, x, y, before = 0;
@@ -248,26 +248,4 @@ static void E9_the_yield_point_moves_to_the_leading_edge(void **state)
                                    0.04 / 3 * pow(mirrored[0] + mirrored[1], 2);
         assert_true(J2_here > 1.01 * J2_mirrored);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tenth_of_rounding_keeps_sixty_percent_of_the_strength),
-        cmocka_unit_test(strength_falls_with_the_tip),
-        cmocka_unit_test(cusps_of_figure_4),
-        cmocka_unit_test(friction_evens_out_the_tips),
-        cmocka_unit_test(tension_between_sharp_and_hertz),
-        cmocka_unit_test(partial_slip_of_figure_7),
-        cmocka_unit_test(sliding_is_weaker_than_partial_slip),
-        cmocka_unit_test(E1_the_signs_of_the_sharp_series_alternate),
-        cmocka_unit_test(E2_powers_of_i_on_the_axis),
-        cmocka_unit_test(E3_R_has_an_imaginary_part_on_the_contact),
-        cmocka_unit_test(E4_the_corrective_potential_is_real_on_the_axis_outside),
-        cmocka_unit_test(E5_E6_a_is_the_contact_half_width),
-        cmocka_unit_test(E7_slip_is_where_the_tractions_are_limited),
-        cmocka_unit_test(E8_moduli_of_the_appendix),
-        cmocka_unit_test(E9_the_yield_point_moves_to_the_leading_edge),
-    };
-    return RUN_CLAIMS("paper", tests);
 }

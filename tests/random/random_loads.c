@@ -5,7 +5,6 @@
  *     random_loads HISTORIES [SEED] */
 #include "targets/any_history.h"
 
-#include "claims.h"
 #include "input.h"
 
 enum { BYTES = 256 };
@@ -27,7 +26,7 @@ int main(int argc, char **argv)
     }
     for (long i = 0; i < histories; i++) {
         for (int k = 0; k < BYTES; k++)
-            bytes[k] = (uint8_t)(256 * random_fraction(&state));
+            bytes[k] = (uint8_t)next_random(&state);
         LLVMFuzzerTestOneInput(bytes, BYTES);
     }
     printf("%ld loads, %ld of them computed, %ld did not converge; the slowest took %.2f s, the "

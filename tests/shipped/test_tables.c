@@ -50,7 +50,7 @@ enum { A_OVER_B, F, NU, LIMIT, X, Y, BRANCH, BELOW, SURFACE };
 
 static const char *const nus[] = {"0.25", "0.30", "0.35"};
 
-static void elastic_limits_are_the_library_s(void **state)
+CLAIM(elastic_limits_are_the_library_s)
 {
     for (int n = 0; n < 3; n++)
         for (int fine = 0; fine < 2; fine++) {
@@ -112,7 +112,7 @@ static errors interpolate_limits(int across, double from)
     return worst;
 }
 
-static void interpolating_the_branches_apart_is_accurate(void **state)
+CLAIM(interpolating_the_branches_apart_is_accurate)
 {
     /* table, from which a/b, and the error of the limit that tables/README.md states */
     static const struct {
@@ -137,7 +137,7 @@ static void interpolating_the_branches_apart_is_accurate(void **state)
         }
 }
 
-static void max_tension_interpolates(void **state)
+CLAIM(max_tension_interpolates)
 {
     load("max-tension");
     assert_int_equal(loaded.rows, 101 * 8);
@@ -152,7 +152,7 @@ static void max_tension_interpolates(void **state)
     assert_true(worst <= 1.8e-4);
 }
 
-static void contact_law_interpolates(void **state)
+CLAIM(contact_law_interpolates)
 {
     load("contact-law");
     assert_int_equal(loaded.rows, 200);
@@ -173,7 +173,7 @@ static void contact_law_interpolates(void **state)
     assert_true(load_worst <= 1.6e-4 && peak_worst <= 0.0105 && inverse_worst <= 1.1e-4);
 }
 
-static void critical_friction_interpolates(void **state)
+CLAIM(critical_friction_interpolates)
 {
     enum { ACROSS = 100 }; /* Poisson's ratio down, a/b across */
     load("critical-friction");
@@ -196,16 +196,4 @@ static void critical_friction_interpolates(void **state)
                   "a/b >= 0.1, nu >= 0.3\n",
                   worst, worst_of_common);
     assert_true(worst <= 0.02 && worst_of_common <= 0.004);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(elastic_limits_are_the_library_s),
-        cmocka_unit_test(interpolating_the_branches_apart_is_accurate),
-        cmocka_unit_test(max_tension_interpolates),
-        cmocka_unit_test(contact_law_interpolates),
-        cmocka_unit_test(critical_friction_interpolates),
-    };
-    return RUN_CLAIMS("tables", tests);
 }

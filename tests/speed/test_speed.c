@@ -46,7 +46,7 @@ static bool has_long_vectors(void)
 
 /* Seen: 8.4 and 4.8, from gcc 16 6.0 and 3.6; with vectors of two 4.3 and 2.3; without vectors
  * 2.7. */
-static void arrays_beat_the_series(void **state)
+CLAIM(arrays_beat_the_series)
 {
     const bool four = has_long_vectors();
     assert_ratio("series / array, full sliding", plain_points, POINTS, array_sliding, POINTS,
@@ -57,7 +57,7 @@ static void arrays_beat_the_series(void **state)
 
 /* Seen: 5.2 and 4.5, from gcc 16, whose single points are quicker, 3.1; with vectors of two 2.4
  * and 2.1; without vectors 1.5. */
-static void arrays_beat_single_points(void **state)
+CLAIM(arrays_beat_single_points)
 {
     const bool four = has_long_vectors();
     assert_ratio("points one by one / array, full sliding", points_sliding, POINTS, array_sliding,
@@ -67,14 +67,14 @@ static void arrays_beat_single_points(void **state)
 }
 
 /* Seen: 1.8. */
-static void single_points_beat_the_series(void **state)
+CLAIM(single_points_beat_the_series)
 {
     assert_ratio("series / one point, full sliding", plain_points, POINTS, points_sliding, POINTS,
                  1);
 }
 
 /* The time of a point is the same in an array a hundred times as long. */
-static void time_grows_linearly(void **state)
+CLAIM(time_grows_linearly)
 {
     assert_ratio("a point of 10^4 / a point of 10^6", array_sliding, MANY / 100, array_sliding,
                  MANY, 0.6);
@@ -83,7 +83,7 @@ static void time_grows_linearly(void **state)
 }
 
 /* Seen: 280. */
-static void limits_beat_the_search(void **state)
+CLAIM(limits_beat_the_search)
 {
     assert_ratio("search / elastic limit", plain_limits, 3, limits_one_by_one, LIMITS, 200);
 }
@@ -132,7 +132,7 @@ static double points_off_centre(long n)
 }
 
 /* Seen: 1.6, 0.9 and 0.5, once 0.5, 0.014 and 0.024. */
-static void yield_factors_take_few_points(void **state)
+CLAIM(yield_factors_take_few_points)
 {
     assert_ratio("10000 points / a yield factor, one load", points_of_one_load, 3,
                  yield_factors_of_one_load, 20, 1);
@@ -214,14 +214,14 @@ static double growing_loads(long loads)
 }
 
 /* Seen: 0.5; once 0.06, because each load went through all of the memory. */
-static void a_load_takes_the_same_time_however_many_were_before(void **state)
+CLAIM(a_load_takes_the_same_time_however_many_were_before)
 {
     assert_ratio("a load of 2000 / a load of 40000", growing_loads, LOADS, growing_loads,
                  20 * LOADS, 0.2);
 }
 
 /* Seen: 15 and 2; once 0.04, because each load was noted with all of its memory. */
-static void a_stress_history_is_not_slower_than_its_calls(void **state)
+CLAIM(a_stress_history_is_not_slower_than_its_calls)
 {
     assert_ratio("calls / history, growing memory", calls_of_growing_memory, LOADS,
                  history_of_growing_memory, LOADS, 1 / 1.2);
@@ -268,7 +268,7 @@ static double all_planes(long n)
 }
 
 /* Seen: 0.5 to 0.55. It was 0.06, as all arcs were searched for what may be above them. */
-static void all_planes_take_a_few_times_those_with_z(void **state)
+CLAIM(all_planes_take_a_few_times_those_with_z)
 {
     stress_a_field();
     assert_ratio("SWT, planes with z / all planes", planes_with_z, 1, all_planes, 1, 0.3);
@@ -282,18 +282,7 @@ int main(void)
     }
     if (!reserve_points(MANY))
         return 1;
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays_beat_the_series),
-        cmocka_unit_test(arrays_beat_single_points),
-        cmocka_unit_test(single_points_beat_the_series),
-        cmocka_unit_test(time_grows_linearly),
-        cmocka_unit_test(limits_beat_the_search),
-        cmocka_unit_test(yield_factors_take_few_points),
-        cmocka_unit_test(a_stress_history_is_not_slower_than_its_calls),
-        cmocka_unit_test(a_load_takes_the_same_time_however_many_were_before),
-        cmocka_unit_test(all_planes_take_a_few_times_those_with_z),
-    };
-    const int status = RUN_CLAIMS("speed", tests);
+    const int status = run_claims();
     release_points();
     return status;
 }

@@ -68,11 +68,62 @@ static void count(const char *reason, const char *file, int line, int number)
     fprintf(stderr, "GSL's handler was reached: %s:%d: %s (%d)\n", file, line, reason, number);
 }
 
-int run_claims(const char *room, const struct CMUnitTest *tests, size_t count_of_tests)
+/* ---- Running ---- */
+
+typedef struct owned {
+    void *object;
+    void (*destroy)(void *object);
+    struct owned *before;
+} owned;
+static owned *last_owned;
+
+void free_after_claim(void *object, void (*destroy)(void *object))
+{
+    owned *entry = malloc(sizeof *entry);
+    assert_non_null(entry);
+    *entry = (owned){object, destroy, last_owned};
+    last_owned = entry;
+}
+
+static int free_owned(void **unused)
+{
+    (void)unused;
+    for (owned *entry; (entry = last_owned) != NULL; free(entry)) {
+        last_owned = entry->before;
+        entry->destroy(entry->object);
+    }
+    return 0;
+}
+
+enum { CLAIMS_MAX = 64 };
+static void (*claims[CLAIMS_MAX])(void);
+static struct CMUnitTest tests[CLAIMS_MAX];
+static size_t claim_count;
+
+static void run(void **claim)
+{
+    (*(void (**)(void)) * claim)();
+}
+
+void claim_add(const char *name, void (*claim)(void))
+{
+    if (claim_count == CLAIMS_MAX) {
+        fprintf(stderr, "%s: no room for more claims\n", name);
+        exit(1);
+    }
+    claims[claim_count] = claim;
+    tests[claim_count] = (struct CMUnitTest){.name = name,
+                                             .test_func = run,
+                                             .teardown_func = free_owned,
+                                             .initial_state = &claims[claim_count]};
+    claim_count++;
+}
+
+int run_claims(void)
 {
     gsl_set_error_handler(count);
-    const int failed = _cmocka_run_group_tests(room, tests, count_of_tests, NULL, NULL);
+    const int failed = _cmocka_run_group_tests("claims", tests, claim_count, NULL, NULL);
     if (gsl_errors)
-        fprintf(stderr, "%s: GSL's handler was reached %d times\n", room, gsl_errors);
-    return failed || gsl_errors;
+        fprintf(stderr, "GSL's handler was reached %d times\n", gsl_errors);
+    return claim_count == 0 || failed || gsl_errors;
 }

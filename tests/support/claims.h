@@ -13,8 +13,22 @@
 
 #include <cmocka.h>
 
-/* cmocka hands a state to every test; few use it. */
-#pragma GCC diagnostic ignored "-Wunused-parameter"
+/* A test: CLAIM(what_holds) { ... }. Those of a program run in the order of their file. */
+#define CLAIM(name)                                                                                \
+    static void name(void);                                                                        \
+    __attribute__((constructor)) static void add_##name(void)                                      \
+    {                                                                                              \
+        claim_add(#name, name);                                                                    \
+    }                                                                                              \
+    static void name(void)
+void claim_add(const char *name, void (*claim)(void));
+
+/* The object lives to the end of the present claim, whether that holds or fails. */
+void free_after_claim(void *object, void (*destroy)(void *object));
+
+/* Runs the claims under the counting handler; the process' exit status. main.c does this alone, for
+ * programs that have no main() of their own. */
+int run_claims(void);
 
 /* The call of the library gives the status RWEDGE_OK. */
 #define assert_ok(call) assert_int_equal((call), RWEDGE_OK)
@@ -50,9 +64,5 @@ bool reference_next(reference *table);      /* closes the file at its end */
 
 /* Uniform in [0, 1), the same sequence on every machine; *state is any seed. */
 double random_fraction(uint64_t *state);
-
-/* Runs the tests under the counting handler; the process' exit status. */
-int run_claims(const char *room, const struct CMUnitTest *tests, size_t count);
-#define RUN_CLAIMS(room, tests) run_claims((room), (tests), sizeof(tests) / sizeof(tests)[0])
 
 #endif

@@ -1,11 +1,59 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "histories.h"
 
-rwedge_contact *create(double a, double f)
+#include <stdlib.h>
+
+static void destroy(void *contact)
+{
+    rwedge_contact_destroy(contact);
+}
+
+rwedge_contact *owned(rwedge_contact *contact)
+{
+    free_after_claim(contact, destroy);
+    return contact;
+}
+
+rwedge_contact *create_wedge(double theta, double a, double compliance, double f)
 {
     rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(THETA, a, A, f, &contact));
-    return contact;
+    assert_ok(rwedge_contact_create(theta, a, compliance, f, &contact));
+    return owned(contact);
+}
+
+rwedge_contact *create(double a, double f)
+{
+    return create_wedge(THETA, a, A, f);
+}
+
+rwedge_contact *copy_of(const rwedge_contact *contact)
+{
+    rwedge_contact *copy = NULL;
+    assert_ok(rwedge_contact_copy(contact, &copy));
+    return owned(copy);
+}
+
+contact_state state_of(const rwedge_contact *contact)
+{
+    const size_t size = rwedge_contact_state_size(contact);
+    const contact_state state = {size, calloc(size + 1, sizeof(double))};
+    free_after_claim(state.number, free);
+    assert_ok(rwedge_contact_state(contact, size, state.number));
+    return state;
+}
+
+rwedge_contact *restored(contact_state state)
+{
+    rwedge_contact *contact = NULL;
+    assert_ok(rwedge_contact_restore(state.size, state.number, &contact));
+    return owned(contact);
+}
+
+void assert_state(const rwedge_contact *contact, contact_state expected)
+{
+    const contact_state state = state_of(contact);
+    assert_int_equal(state.size, expected.size);
+    assert_memory_equal(state.number, expected.number, state.size * sizeof(double));
 }
 
 void load(rwedge_contact *contact, double P, double Q)
@@ -51,6 +99,19 @@ double slip(const rwedge_contact *contact, double x)
     double s;
     assert_ok(rwedge_contact_slip(contact, 1, &x, &s));
     return s;
+}
+
+stresses stress_at(const rwedge_contact *contact, double x, double y)
+{
+    stresses s;
+    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s.xx, &s.yy, &s.xy));
+    return s;
+}
+
+double apart(stresses a, stresses b)
+{
+    const double xx = fabs(a.xx - b.xx), yy = fabs(a.yy - b.yy), xy = fabs(a.xy - b.xy);
+    return isnan(xx + yy + xy) ? NAN : fmax(xx, fmax(yy, xy));
 }
 
 rwedge_contact *begin(random_history *h, int number)

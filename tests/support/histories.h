@@ -10,7 +10,22 @@
 static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
+/* Contacts, which live to the end of the claim. */
+rwedge_contact *owned(rwedge_contact *contact);
 rwedge_contact *create(double a, double f);
+rwedge_contact *create_wedge(double theta, double a, double A, double f);
+rwedge_contact *copy_of(const rwedge_contact *contact);
+
+/* A contact as numbers, to the end of the claim too; behind them there is room for one more. */
+typedef struct {
+    size_t size;
+    double *number;
+} contact_state;
+
+contact_state state_of(const rwedge_contact *contact);
+rwedge_contact *restored(contact_state state);
+void assert_state(const rwedge_contact *contact, contact_state expected); /* bit by bit */
+
 void load(rwedge_contact *contact, double P, double Q);
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
 
@@ -21,6 +36,13 @@ rw_patch stick_zone_of(const rwedge_contact *contact);
 double pressure(const rwedge_contact *contact, double x);
 double shear(const rwedge_contact *contact, double x);
 double slip(const rwedge_contact *contact, double x);
+
+typedef struct {
+    double xx, yy, xy;
+} stresses;
+
+stresses stress_at(const rwedge_contact *contact, double x, double y);
+double apart(stresses a, stresses b); /* of the components, the largest */
 
 /* A random history, the same in every test: geometry and loads of which every kind occurs. */
 typedef struct {

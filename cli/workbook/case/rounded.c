@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rounded.h"
 
-#include "text/number.h"
+#include "number/number.h"
 
 #include <math.h>
 

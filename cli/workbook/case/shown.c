@@ -3,10 +3,10 @@
 
 #include "rounded.h"
 
-#include "model/verdict.h"
+#include "model/results/verdict.h"
 #include "text/message.h"
-#include "text/number.h"
-#include "text/pi.h"
+#include "number/number.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>

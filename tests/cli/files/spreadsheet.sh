@@ -147,7 +147,6 @@ sheets "law LAW_2" "rwedge workbook: capitals/LAW.csv: its sheet is called LAW_2
 sheets "ärger ÄRGER_2" "rwedge workbook: capitals/ÄRGER.csv: its sheet is called ÄRGER_2" ärger.csv capitals/ÄRGER.csv
 sheets "about_2 history_2" "rwedge workbook: about.csv: its sheet is called about_2
 rwedge workbook: history.csv: its sheet is called history_2" about.csv history.csv
-sheets "a__b" "rwedge workbook: a??b.csv: its sheet is called a__b" "$(printf 'a\001\374b.csv')"
 sheets "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" "rwedge workbook: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv: its sheet is called \
 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv
 refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx

@@ -3,8 +3,8 @@
  * CSV and JSON, and hundreds of thousands of numbers and ranges. */
 #include "sheet/xlsx.h"
 #include "text/nearest.h"
-#include "text/number.h"
-#include "text/range.h"
+#include "number/number.h"
+#include "number/range.h"
 #include "text/utf8.h"
 #include "rows/delimited.h"
 #include "rows/json.h"

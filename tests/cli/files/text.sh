@@ -191,6 +191,12 @@ for command in "workbook" "table contact-law --format xlsx"; do
     same "command" "with the command:  rwedge $command -o 'Pr�fung��.xlsx'" "$(command_in "$bad")"
     rm "$bad"
 done
+named=$(printf 'a\001\374b.csv')
+printf 'x\n1\n' >"$named"
+run workbook "$named" -o named.xlsx
+status_is 0
+message_is "rwedge workbook: a??b.csv: its sheet is called a__b"
+rm "$named" named.xlsx
 for length in 460 461 462 463; do
     list=$(awk -v n=$length 'BEGIN { for (i = 0; i < n; i++) printf "0,"; print 0 }')
     run table contact-law --a-over-b "$list" --format xlsx -o "ééééééééééééééééééééééééééééééééééééééé.xlsx"

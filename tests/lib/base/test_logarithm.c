@@ -36,7 +36,7 @@ static void need_more_digits_than_a_double(void)
     }
 }
 
-static void logarithms_are_as_accurate_as_stated(void **state)
+CLAIM(logarithms_are_as_accurate_as_stated)
 {
     need_more_digits_than_a_double();
     static const double ranges[] = {1e-15, 1e-8, 1e-3, 0.6, 3, 50, 499};
@@ -50,7 +50,7 @@ static void logarithms_are_as_accurate_as_stated(void **state)
     assert_within(rw_log_of_quotient(0.3, 0.3), 0, 0);
 }
 
-static void angles_are_as_accurate_as_stated(void **state)
+CLAIM(angles_are_as_accurate_as_stated)
 {
     need_more_digits_than_a_double();
     static const double ranges[] = {0.01, 1, 3, 60, 900};
@@ -63,7 +63,7 @@ static void angles_are_as_accurate_as_stated(void **state)
         }
 }
 
-static void angles_on_the_axes(void **state)
+CLAIM(angles_on_the_axes)
 {
     const double PI = 3.14159265358979323846;
     assert_within(rw_angle(1, 0), 0, 0);
@@ -76,7 +76,7 @@ static void angles_on_the_axes(void **state)
 }
 
 /* ln(1 + a)/a and atan(a)/a for a down to 0, where they are 1. */
-static void quotients_by_a_small_parameter_are_relative(void **state)
+CLAIM(quotients_by_a_small_parameter_are_relative)
 {
     need_more_digits_than_a_double();
     uint64_t seed = 3;
@@ -90,15 +90,4 @@ static void quotients_by_a_small_parameter_are_relative(void **state)
     }
     assert_within(rw_angle_over(1, 1, 0, 0), 1, 0);
     assert_within(rw_log_of_quotient_over(1, 1, 1, 0, 0), 1, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(logarithms_are_as_accurate_as_stated),
-        cmocka_unit_test(angles_are_as_accurate_as_stated),
-        cmocka_unit_test(angles_on_the_axes),
-        cmocka_unit_test(quotients_by_a_small_parameter_are_relative),
-    };
-    return RUN_CLAIMS("logarithm", tests);
 }

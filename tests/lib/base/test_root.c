@@ -17,7 +17,7 @@ static double power_less_two(double x, const void *exponent)
     return pow(x, *(const double *)exponent) - 2;
 }
 
-static void roots_are_found_to_the_last_bits(void **state)
+CLAIM(roots_are_found_to_the_last_bits)
 {
     for (double exponent = 1; exponent < 60; exponent += 3.7)
         assert_close(rw_root(power_less_two, &exponent, 0, 3, 0), pow(2, 1 / exponent),
@@ -31,7 +31,7 @@ static double line(double x, const void *root)
     return x - *(const double *)root;
 }
 
-static void a_root_may_be_at_an_end(void **state)
+CLAIM(a_root_may_be_at_an_end)
 {
     const double lo = -1, hi = 0.3;
     assert_true(rw_root(line, &lo, lo, hi, 0) == lo);
@@ -43,7 +43,7 @@ static double inverse_of_line(double x, const void *pole)
     return 1 / line(x, pole);
 }
 
-static void what_brackets_no_root_is_refused(void **state)
+CLAIM(what_brackets_no_root_is_refused)
 {
     const double below = -2, above = 2, lo = -1, hi = 1, not_a_number = NAN;
     assert_nan(rw_root(line, &below, lo, hi, 0));
@@ -59,7 +59,7 @@ static double line_with_a_hole(double x, const void *root)
 }
 
 /* GSL's handler would end the host. */
-static void a_function_that_is_not_finite_inside_is_refused(void **state)
+CLAIM(a_function_that_is_not_finite_inside_is_refused)
 {
     const double root = 0.3;
     assert_nan(rw_root(line_with_a_hole, &root, -1, 2, 0));
@@ -73,7 +73,7 @@ static double jump(double x, const void *context)
 
 /* The root is 0, and no error is small beside it. Without an absolute tolerance the search has no
  * end, and gives up. */
-static void a_search_ends(void **state)
+CLAIM(a_search_ends)
 {
     assert_nan(rw_root(jump, NULL, -1, 2, 0));
     assert_within(rw_root(jump, NULL, -1, 2, 1e-12), 0, 1e-12);
@@ -100,7 +100,7 @@ static double squared_legendre(double x, const void *degree)
 
 /* The nodes are the zeros of P_16: the rule sees nothing of its square, whose degree is the
  * first that is not exact. */
-static void the_rule_is_exact_to_degree_31(void **state)
+CLAIM(the_rule_is_exact_to_degree_31)
 {
     for (int degree = 0; degree <= 31; degree++) {
         assert_close(rw_integral(power, &degree, 0, 1), 1.0 / (degree + 1), 4 * DBL_EPSILON);
@@ -117,7 +117,7 @@ static void the_rule_is_exact_to_degree_31(void **state)
 enum { ROWS = 12 };
 
 /* The points are those of a parabola, moved by +-1 in a pattern that is orthogonal to it. */
-static void a_parabola_is_fitted(void **state)
+CLAIM(a_parabola_is_fitted)
 {
     double A[3 * ROWS], v[ROWS];
     for (int i = 0; i < ROWS; i++) {
@@ -134,26 +134,11 @@ static void a_parabola_is_fitted(void **state)
 }
 
 /* Two columns under an angle have the condition number cot(angle/2). */
-static void columns_that_are_nearly_one_are_refused(void **state)
+CLAIM(columns_that_are_nearly_one_are_refused)
 {
     for (double angle = 0.1; angle > 1e-15; angle /= 10) {
         double A[4] = {1, 0, cos(angle), sin(angle)}, v[2] = {1, PI};
         const int32_t status = rw_least_squares(2, 2, A, v);
         assert_int_equal(status, 2 / angle < 1 / sqrt(DBL_EPSILON) ? RWEDGE_OK : RWEDGE_ERANK);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots_are_found_to_the_last_bits),
-        cmocka_unit_test(a_root_may_be_at_an_end),
-        cmocka_unit_test(what_brackets_no_root_is_refused),
-        cmocka_unit_test(a_function_that_is_not_finite_inside_is_refused),
-        cmocka_unit_test(a_search_ends),
-        cmocka_unit_test(the_rule_is_exact_to_degree_31),
-        cmocka_unit_test(a_parabola_is_fitted),
-        cmocka_unit_test(columns_that_are_nearly_one_are_refused),
-    };
-    return RUN_CLAIMS("solve", tests);
 }

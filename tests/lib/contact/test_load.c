@@ -6,8 +6,7 @@ static const double F = 0.5;
 
 static rwedge_contact *example(void)
 {
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create(0.01, 1, 1e-5, 0.3, &contact));
+    rwedge_contact *contact = create_wedge(0.01, 1, 1e-5, 0.3);
     return contact;
 }
 
@@ -28,7 +27,7 @@ static void assert_same_tractions(const rwedge_contact *one, const rwedge_contac
 
 /* ---- Nothing slips without a change of shear ---- */
 
-static void a_contact_without_shear_may_rock(void **state)
+CLAIM(a_contact_without_shear_may_rock)
 {
     rwedge_contact *rocked = example(), *fresh = example();
     const double moments[] = {300, -500, 0, 250};
@@ -42,17 +41,15 @@ static void a_contact_without_shear_may_rock(void **state)
     assert_same_tractions(rocked, fresh, 1e-14);
     const double x = 0.99 * rw_memory_end(&fresh->memory)->patch.right;
     assert_close(slip(rocked, x), slip(fresh, x), 1e-13);
-    rwedge_contact_destroy(rocked);
-    rwedge_contact_destroy(fresh);
 }
 
 /* The shear stays what it was, point by point, as long as the contact keeps the patch of 2000. */
-static void a_contact_may_move_around_its_last_sheared_patch(void **state)
+CLAIM(a_contact_may_move_around_its_last_sheared_patch)
 {
-    rwedge_contact *contact = example(), *before;
+    rwedge_contact *contact = example();
     apply(contact, 2000, 0, 0, 0);
     apply(contact, 2000, 0, 200, 0);
-    assert_ok(rwedge_contact_copy(contact, &before));
+    const rwedge_contact *before = copy_of(contact);
     apply(contact, 6000, 0, 200, 0);
     const double loads[][2] = {{6000, 1500}, {5000, -3000}, {5600, 2500}, {3500, 500}};
     for (int i = 0; i < 4; i++) {
@@ -62,14 +59,12 @@ static void a_contact_may_move_around_its_last_sheared_patch(void **state)
     assert_true(rwedge_contact_dissipated_energy(contact) ==
                 rwedge_contact_dissipated_energy(before));
     assert_int_equal(rwedge_contact_apply(contact, 2500, 1800, 200, 0), RWEDGE_EPATH);
-    rwedge_contact_destroy(contact);
-    rwedge_contact_destroy(before);
 }
 
 /* Both ends of the step have an edge outside of the patch, what is between has not. */
-static void an_edge_may_not_come_inside_on_the_way(void **state)
+CLAIM(an_edge_may_not_come_inside_on_the_way)
 {
-    rwedge_contact *contact = example(), *one, *two;
+    rwedge_contact *contact = example();
     apply(contact, 2000, 0, 0, 0);
     apply(contact, 2000, 0, 200, 0);
     apply(contact, 12000, 0, 200, 0);
@@ -82,20 +77,16 @@ static void an_edge_may_not_come_inside_on_the_way(void **state)
         const rw_patch patch = rw_patch_under_moment(&contact->geometry, P, M);
         *(patch.left < sheared.left ? &kept : &lost) = M;
     }
-    assert_ok(rwedge_contact_copy(contact, &one));
-    assert_ok(rwedge_contact_copy(contact, &two));
+    rwedge_contact *one = copy_of(contact), *two = copy_of(contact);
     assert_int_equal(rwedge_contact_apply(one, P, 0.999999 * kept, 200, 0), RWEDGE_EPATH);
     apply(two, P, 0, 200, 0);
     apply(two, P, 0.999999 * kept, 200, 0);
-    rwedge_contact_destroy(one);
-    rwedge_contact_destroy(two);
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- Rounding ---- */
 
 /* Each load is within rounding of the one before, not of the first. */
-static void small_steps_of_p_do_not_get_lost(void **state)
+CLAIM(small_steps_of_p_do_not_get_lost)
 {
     rwedge_contact *many = example(), *one = example();
     const double last = 1000 + 100 * 7 * 1.1369e-13;
@@ -109,24 +100,21 @@ static void small_steps_of_p_do_not_get_lost(void **state)
     assert_within(of_many.right, of_one.right, 1e-15);
     assert_within(of_many.left, of_one.left, 1e-15);
     assert_true(of_one.right - 0.8978845608028654 > 1e-14);
-    rwedge_contact_destroy(many);
-    rwedge_contact_destroy(one);
 }
 
-static void rounding_of_q_under_a_moment_is_taken(void **state)
+CLAIM(rounding_of_q_under_a_moment_is_taken)
 {
     static const double Q[] = {0, 200, 200.00000000001762, 199.99999999999085, 199.99999999999022};
     for (double M = 50; M < 500; M += 50) {
         rwedge_contact *contact = example();
         for (int i = 0; i < 5; i++)
             apply(contact, 2000, M, Q[i], 0);
-        rwedge_contact_destroy(contact);
     }
 }
 
 /* The same history at any size of the contact beside the rounding. Hertz' contact has no other
  * length. */
-static void tiny_contacts_are_refused_what_small_ones_are(void **state)
+CLAIM(tiny_contacts_are_refused_what_small_ones_are)
 {
     static const double Q[] = {0, -2.340588563211545, -3.5136028594429534, -3.9963298589392195},
                         sigma[] = {0, 22.465807666218144, 23.38291026065916, 34.496387747296794};
@@ -138,7 +126,6 @@ static void tiny_contacts_are_refused_what_small_ones_are(void **state)
         for (int j = 1; j < 4; j++)
             last[i] = rwedge_contact_apply(contact, 15.707963267948966 * k * k, 0, Q[j] * k * k,
                                            sigma[j] * k);
-        rwedge_contact_destroy(contact);
     }
     assert_int_equal(last[0], RWEDGE_EPATH);
     assert_int_equal(last[1], RWEDGE_EPATH);
@@ -146,23 +133,16 @@ static void tiny_contacts_are_refused_what_small_ones_are(void **state)
 
 static void assert_out_of_range(rwedge_contact *contact, rw_loads to)
 {
-    double before[100], after[100];
-    const size_t n = rwedge_contact_state_size(contact);
-    assert_true(n < 100);
-    assert_ok(rwedge_contact_state(contact, n, before));
+    const contact_state before = state_of(contact);
     assert_int_equal(try(contact, to), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_contact_state_size(contact), n);
-    assert_ok(rwedge_contact_state(contact, n, after));
-    assert_memory_equal(before, after, n * sizeof *before);
-    rwedge_contact_destroy(contact);
+    assert_state(contact, before);
 }
 
 /* Beside the distance from the centre rounding leaves no width: of the contact, and of what
  * sticks. */
-static void patches_without_a_width_are_out_of_range(void **state)
+CLAIM(patches_without_a_width_are_out_of_range)
 {
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create(.015781919866758993, 1, 7.660340870436608e-06, .3, &contact));
+    rwedge_contact *contact = create_wedge(.015781919866758993, 1, 7.660340870436608e-06, .3);
     assert_out_of_range(contact, (rw_loads){4.268686012845966e-30, 3.761515666081952e-30, 0, 0});
     const double P = 1.5707963267948967e-17, M = 7.853981633974484e-18;
     contact = example();
@@ -205,18 +185,16 @@ static rw_loads random_loads(const rwedge_contact *contact, uint64_t *seed)
  * is refused. */
 static rwedge_contact *in_parts(const rwedge_contact *contact, int n, rw_loads to)
 {
-    rwedge_contact *copy;
-    assert_ok(rwedge_contact_copy(contact, &copy));
+    rwedge_contact *copy = copy_of(contact);
     for (int i = 1; i <= n; i++)
         if (try(copy, i == n ? to : part_of((double)i / n, contact->loads, to)) != RWEDGE_OK) {
-            rwedge_contact_destroy(copy);
             return NULL;
         }
     return copy;
 }
 
 /* Along random histories, a step that goes in parts goes in one, to the same tractions. */
-static void a_step_that_goes_in_parts_goes_in_one(void **state)
+CLAIM(a_step_that_goes_in_parts_goes_in_one)
 {
     uint64_t seed = 11;
     int compared = 0;
@@ -232,21 +210,18 @@ static void a_step_that_goes_in_parts_goes_in_one(void **state)
                 assert_ok(status);
                 assert_same_tractions(contact, parts, 1e-9);
                 compared++;
-                rwedge_contact_destroy(parts);
             }
         }
-        rwedge_contact_destroy(contact);
     }
     assert_true(compared > 200);
 }
 
 /* The third step reaches back over the first two at both edges. Halfway its front has passed the
  * older one at the right edge alone: those of Nowell and Hills (1987), whose halves reverse. */
-static void a_line_may_pass_loads_without_a_closed_form(void **state)
+CLAIM(a_line_may_pass_loads_without_a_closed_form)
 {
     const double R = 178, f = 0.65, P = 488, compliance = rwedge_compliance(74100, .33, 74100, .33);
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create(0.1, 17.8, compliance, f, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 17.8, compliance, f);
     apply(contact, P, 0, 0, 0);
     apply(contact, P, 0, 200, 100);
     apply(contact, P, 0, 0, 0);
@@ -258,21 +233,4 @@ static void a_line_may_pass_loads_without_a_closed_form(void **state)
     assert_true(middle - front < older_middle - older); /* outside at the left */
     assert_int_equal(rwedge_contact_apply(contact, P, 0, 125, 30), RWEDGE_EPATH);
     apply(contact, P, 0, 250, 60);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_contact_without_shear_may_rock),
-        cmocka_unit_test(a_contact_may_move_around_its_last_sheared_patch),
-        cmocka_unit_test(an_edge_may_not_come_inside_on_the_way),
-        cmocka_unit_test(small_steps_of_p_do_not_get_lost),
-        cmocka_unit_test(rounding_of_q_under_a_moment_is_taken),
-        cmocka_unit_test(tiny_contacts_are_refused_what_small_ones_are),
-        cmocka_unit_test(patches_without_a_width_are_out_of_range),
-        cmocka_unit_test(a_step_that_goes_in_parts_goes_in_one),
-        cmocka_unit_test(a_line_may_pass_loads_without_a_closed_form),
-    };
-    return RUN_CLAIMS("load", tests);
 }

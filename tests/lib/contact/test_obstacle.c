@@ -51,10 +51,8 @@ static int advice_for(const rwedge_contact *contact, rw_loads to)
     for (size_t i = 0; i < sizeof ADVICE / sizeof *ADVICE; i++) {
         if (!strstr(text, ADVICE[i].words))
             continue;
-        rwedge_contact *trial;
-        assert_ok(rwedge_contact_copy(contact, &trial));
+        rwedge_contact *trial = copy_of(contact);
         assert_ok(follow(trial, ADVICE[i].way, to));
-        rwedge_contact_destroy(trial);
         return ADVICE[i].way;
     }
     fail_msg("no advice in \"%s\"", text);
@@ -80,7 +78,7 @@ static rw_loads next_loads(const rwedge_contact *contact, double f, uint64_t *se
 }
 
 /* Every advice comes up, and what it says leads there, on the very history. */
-static void advice_leads_there(void **state)
+CLAIM(advice_leads_there)
 {
     const double f = 0.5;
     uint64_t seed = 7;
@@ -94,27 +92,16 @@ static void advice_leads_there(void **state)
             if (applied(contact, to) == RWEDGE_EPATH)
                 times[advice_for(contact, to)]++;
         }
-        rwedge_contact_destroy(contact);
     }
     for (int i = 0; i < 5; i++)
         assert_true(times[i] > 0);
 }
 
 /* A load that one says to be in the way of slip, although it is one of Q and sigma alone. */
-static void a_load_of_q_and_sigma_is_not_told_to_be_one(void **state)
+CLAIM(a_load_of_q_and_sigma_is_not_told_to_be_one)
 {
     rwedge_contact *contact = create(0.4, 0.5);
     assert_ok(applied(contact, (rw_loads){0.5, 0.1, 0, 0}));
     const rw_loads to = {0.5, 0.1, 0.1, 1};
     assert_int_equal(advice_for(contact, to), TENSION);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(advice_leads_there),
-        cmocka_unit_test(a_load_of_q_and_sigma_is_not_told_to_be_one),
-    };
-    return RUN_CLAIMS("obstacle", tests);
 }

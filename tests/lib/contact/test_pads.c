@@ -8,25 +8,14 @@ static rwedge_contact *flat(double a)
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_flat(a, R, A, F, &contact));
-    return contact;
+    return owned(contact);
 }
 
 static rwedge_contact *profile(size_t n, const double x[], const double slope[])
 {
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create_profile(n, x, slope, A, F, &contact));
-    return contact;
-}
-
-typedef struct {
-    double xx, yy, xy;
-} stresses;
-
-static stresses stress(const rwedge_contact *contact, double x, double y)
-{
-    stresses s;
-    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s.xx, &s.yy, &s.xy));
-    return s;
+    return owned(contact);
 }
 
 /* The load of a flat that is in contact up to b: Ciavarella, Hills and Monno (1998). */
@@ -36,7 +25,7 @@ static double flat_load(double a, double b)
     return b * b / (A * R) * (acos(alpha) - alpha * sqrt(1 - alpha * alpha));
 }
 
-static void a_cylinder_is_hertz(void **state)
+CLAIM(a_cylinder_is_hertz)
 {
     rwedge_contact *contact = flat(0);
     apply(contact, 2, 0, 0, 0);
@@ -47,10 +36,9 @@ static void a_cylinder_is_hertz(void **state)
     apply(contact, 2, 1, 0, 0); /* the patch moves by M/P, the tilt is that over R */
     assert_close(edges_of(contact).right, 0.5 + b, 1e-15);
     assert_close(rwedge_contact_tilt(contact), 0.5 / R, 1e-14);
-    rwedge_contact_destroy(contact);
 }
 
-static void a_flat_pad_has_its_edge_tension(void **state)
+CLAIM(a_flat_pad_has_its_edge_tension)
 {
     const double known[][2] = {{0.5, 1.6282}, {0.9, 3.4057}, {0.99, 10.6226}};
     for (int i = 0; i < 3; i++) {
@@ -58,15 +46,14 @@ static void a_flat_pad_has_its_edge_tension(void **state)
         rwedge_contact *contact = flat(a);
         apply(contact, P, 0, F * P, 0);
         assert_close(edges_of(contact).right, 1, 1e-14);
-        assert_close(stress(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
+        assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
         const double exact = 2 * (1 - a) / (acos(a) - a * sqrt(1 - a * a));
-        assert_close(stress(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);
-        rwedge_contact_destroy(contact);
+        assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);
     }
 }
 
 /* The other route loses the digits that the two have in common. */
-static void a_flat_pad_is_hertz_less_a_rounded_wedge(void **state)
+CLAIM(a_flat_pad_is_hertz_less_a_rounded_wedge)
 {
     const double alphas[] = {0.01, 0.3, 0.9, 0.99};
     for (int i = 0; i < 4; i++) {
@@ -78,19 +65,18 @@ static void a_flat_pad_is_hertz_less_a_rounded_wedge(void **state)
             double h[3], w[3];
             assert_ok(rwedge_stress(1, F, 0, x, y, &h[0], &h[1], &h[2]));
             assert_ok(rwedge_stress(a, F, 0, x, y, &w[0], &w[1], &w[2]));
-            const stresses s = stress(contact, x, y);
+            const stresses s = stress_at(contact, x, y);
             const double norm = fabs(h[0]) + fabs(h[1]) + fabs(h[2]);
             assert_within(s.xx * A * R, h[0] - a * w[0], 2e-14 * norm);
             assert_within(s.yy * A * R, h[1] - a * w[1], 2e-14 * norm);
             assert_within(s.xy * A * R, h[2] - a * w[2], 2e-14 * norm);
         }
-        rwedge_contact_destroy(contact);
     }
 }
 
 /* The load that belongs to a distance beyond the corners, as its series: s^2 (psi - sin psi cos
  * psi) = s^2 (2/3) psi^3 (1 - psi^2/5 + ...), cos psi = a/s. */
-static void the_edges_of_a_flat_are_known_from_its_corners(void **state)
+CLAIM(the_edges_of_a_flat_are_known_from_its_corners)
 {
     for (double d = 1e-12; d < 2e-5; d *= 10) {
         rwedge_contact *contact = flat(2);
@@ -104,7 +90,6 @@ static void the_edges_of_a_flat_are_known_from_its_corners(void **state)
         assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
         assert_close(right, d, 1e-14);
         assert_true(left == right);
-        rwedge_contact_destroy(contact);
     }
 }
 
@@ -130,15 +115,13 @@ static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
         assert_close(k[1][i], k[0][i], 1e-13);
     for (double x = -2; x < 2; x += 0.17) {
         const double y = fabs(x) < 0.5 ? 0 : 0.1;
-        const stresses s = stress(one, x, y), t = stress(other, x, y);
+        const stresses s = stress_at(one, x, y), t = stress_at(other, x, y);
         const double norm = fmax(fabs(s.xx) + fabs(s.yy) + fabs(s.xy), THETA / A / (1 + fabs(x)));
-        assert_within(t.xx, s.xx, 3e-14 * norm);
-        assert_within(t.yy, s.yy, 3e-14 * norm);
-        assert_within(t.xy, s.xy, 3e-14 * norm);
+        assert_within(apart(s, t), 0, 3e-14 * norm);
     }
 }
 
-static void the_rounded_wedge_is_a_profile(void **state)
+CLAIM(the_rounded_wedge_is_a_profile)
 {
     const double a = 0.7, x[] = {-a, 0, a}, slope[] = {-THETA, 0, THETA};
     const double ends[] = {-a, a}, outer[] = {-THETA, THETA};
@@ -160,13 +143,10 @@ static void the_rounded_wedge_is_a_profile(void **state)
                 assert_within(slip(pads[k], at), slip(wedge, at), 1e-12 * THETA);
         }
     }
-    for (int k = 0; k < 2; k++)
-        rwedge_contact_destroy(pads[k]);
-    rwedge_contact_destroy(wedge);
 }
 
 /* P and Q alone: slip is then known along all of a history. */
-static void a_profile_slips_as_its_wedge(void **state)
+CLAIM(a_profile_slips_as_its_wedge)
 {
     const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
     const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
@@ -181,13 +161,10 @@ static void a_profile_slips_as_its_wedge(void **state)
         assert_close(rwedge_contact_displacement(pad, b), rwedge_contact_displacement(wedge, b),
                      1e-4);
     }
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
-static void a_centred_pad_dissipates_as_its_wedge(void **state)
+CLAIM(a_centred_pad_dissipates_as_its_wedge)
 {
-    (void)state;
     const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
     const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
     const double Q[] = {0, 0.04, -0.03, 0.05, 0.02, -0.05};
@@ -198,11 +175,9 @@ static void a_centred_pad_dissipates_as_its_wedge(void **state)
         assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
                      1e-11);
     }
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
-static void the_sharp_wedge_is_a_kink(void **state)
+CLAIM(the_sharp_wedge_is_a_kink)
 {
     const double x[] = {0, 0}, slope[] = {-THETA, THETA}, y = 0;
     rwedge_contact *wedge = create(0, F), *pad = profile(2, x, slope);
@@ -213,8 +188,6 @@ static void the_sharp_wedge_is_a_kink(void **state)
     }
     double s[3];
     assert_int_equal(rwedge_contact_stresses(pad, 1, x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-    rwedge_contact_destroy(wedge);
-    rwedge_contact_destroy(pad);
 }
 
 /* The slope of a circle of radius 1 at |x| < b, b = 0.4: P A = b^2 int cos(phi)^2 g'(b sin phi), g'
@@ -233,17 +206,16 @@ static double sampled_error(int n)
     rwedge_contact *contact = profile((size_t)n + 1, x, slope);
     apply(contact, expected / A, 0, 0, 0);
     assert_ok(rwedge_contact_edges(contact, &left, &right));
-    rwedge_contact_destroy(contact);
     return right / 0.4 - 1;
 }
 
-static void a_sampled_circle_converges_with_the_square_of_the_places(void **state)
+CLAIM(a_sampled_circle_converges_with_the_square_of_the_places)
 {
     assert_within(sampled_error(100), 0, 1e-4);
     assert_close(sampled_error(24) / sampled_error(96), 16, 0.15);
 }
 
-static void a_sampled_cylinder_is_hertz(void **state)
+CLAIM(a_sampled_cylinder_is_hertz)
 {
     double x[101], slope[101];
     for (int i = 0; i <= 100; i++) {
@@ -258,20 +230,16 @@ static void a_sampled_cylinder_is_hertz(void **state)
         assert_within(edges_of(pad).right, edges_of(cylinder).right, 1e-13);
         assert_within(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-12);
         for (double at = -1.93; at < 2; at += 0.31) {
-            const stresses s = stress(pad, at, 0.1), t = stress(cylinder, at, 0.1);
-            assert_within(s.xx, t.xx, 1e-13);
-            assert_within(s.yy, t.yy, 1e-13);
-            assert_within(s.xy, t.xy, 1e-13);
+            const stresses s = stress_at(pad, at, 0.1), t = stress_at(cylinder, at, 0.1);
+            assert_within(apart(s, t), 0, 1e-13);
         }
     }
-    rwedge_contact_destroy(pad);
-    rwedge_contact_destroy(cylinder);
 }
 
 static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};
 static const double WORN[] = {-0.1, -0.02, -0.02, 0.05, 0.12};
 
-static void a_mirrored_profile_mirrors_everything(void **state)
+CLAIM(a_mirrored_profile_mirrors_everything)
 {
     double x[5], slope[5];
     for (int i = 0; i < 5; i++) {
@@ -289,43 +257,30 @@ static void a_mirrored_profile_mirrors_everything(void **state)
         assert_within(stick_zone_of(one).left, -stick_zone_of(other).right, 1e-12);
         assert_close(rwedge_contact_tilt(one), -rwedge_contact_tilt(other), 1e-12);
         for (double at = -1.5; at < 1.5; at += 0.21) {
-            const stresses s = stress(one, at, 0.03), t = stress(other, -at, 0.03);
+            const stresses s = stress_at(one, at, 0.03), t = stress_at(other, -at, 0.03);
             assert_within(s.xx, t.xx, 1e-12);
             assert_within(s.xy, -t.xy, 1e-12);
         }
     }
-    rwedge_contact_destroy(one);
-    rwedge_contact_destroy(other);
 }
 
-static void a_pad_is_stored_and_restored(void **state)
+CLAIM(a_pad_is_stored_and_restored)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4), profile(5, WORN_X, WORN)};
     for (int i = 0; i < 3; i++) {
-        rwedge_contact *restored, *copy;
-        double numbers[400];
         apply(pads[i], 0.2, 0.01, 0, 0);
         apply(pads[i], 0.2, 0.01, 0.05, 0);
-        const size_t n = rwedge_contact_state_size(pads[i]);
-        assert_true(n <= 400);
-        assert_ok(rwedge_contact_state(pads[i], n, numbers));
-        assert_ok(rwedge_contact_restore(n, numbers, &restored));
-        assert_ok(rwedge_contact_copy(pads[i], &copy));
+        rwedge_contact *twins[] = {copy_of(pads[i]), restored(state_of(pads[i]))};
         apply(pads[i], 0.2, 0.01, -0.02, 0);
-        apply(restored, 0.2, 0.01, -0.02, 0);
-        apply(copy, 0.2, 0.01, -0.02, 0);
-        for (double at = -1.5; at < 1.5; at += 0.21) {
-            assert_true(stress(pads[i], at, 0.1).xx == stress(restored, at, 0.1).xx);
-            assert_true(stress(pads[i], at, 0.1).xx == stress(copy, at, 0.1).xx);
+        for (int k = 0; k < 2; k++) {
+            apply(twins[k], 0.2, 0.01, -0.02, 0);
+            assert_state(twins[k], state_of(pads[i]));
         }
-        rwedge_contact_destroy(pads[i]);
-        rwedge_contact_destroy(restored);
-        rwedge_contact_destroy(copy);
     }
 }
 
 /* What sticks for good under P, Q between -1 and 1 of a half is the contact of the load P - Q/f. */
-static void what_never_slips_on_a_flat(void **state)
+CLAIM(what_never_slips_on_a_flat)
 {
     rwedge_contact *contact = flat(0.4), *smaller = flat(0.4);
     double left, right;
@@ -334,12 +289,10 @@ static void what_never_slips_on_a_flat(void **state)
         rwedge_contact_permanent_stick(contact, 0.1, 0, -0.02, 0, 0.1, 0, 0.02, 0, &left, &right));
     assert_close(right, edges_of(smaller).right, 1e-13);
     assert_close(left, edges_of(smaller).left, 1e-13);
-    rwedge_contact_destroy(contact);
-    rwedge_contact_destroy(smaller);
 }
 
 /* The factor against J2 on a fine grid of the surface and below. */
-static void the_yield_factor_misses_no_place(void **state)
+CLAIM(the_yield_factor_misses_no_place)
 {
     rwedge_contact *pads[] = {flat(0.4), profile(5, WORN_X, WORN)};
     for (int i = 0; i < 2; i++) {
@@ -349,21 +302,19 @@ static void the_yield_factor_misses_no_place(void **state)
         assert_ok(rwedge_contact_yield_factor(pads[i], 0.3, 1, &factor, NULL, NULL));
         for (double x = -1.2; x < 1.2; x += 0.002)
             for (double y = 0; y < 0.4; y = y == 0 ? 1e-4 : 1.15 * y) {
-                const stresses s = stress(pads[i], x, y);
+                const stresses s = stress_at(pads[i], x, y);
                 const double mean = (s.xx + s.yy) / 2, half = (s.xx - s.yy) / 2;
                 const double J2 = half * half + s.xy * s.xy + mean * mean * 0.16 / 3;
                 highest = fmax(highest, J2);
             }
         assert_true(1 / sqrt(highest) > factor * (1 - 1e-12));
         assert_close(1 / sqrt(highest), factor, 5e-3);
-        rwedge_contact_destroy(pads[i]);
     }
 }
 
 /* On one arc the middle of the patch is M/P, however narrow it is. */
-static void a_narrow_patch_far_from_the_origin_is_where_its_moment_is(void **state)
+CLAIM(a_narrow_patch_far_from_the_origin_is_where_its_moment_is)
 {
-    (void)state;
     const double x[] = {-1, 0.5, 0.7, 1.5}, slope[] = {-0.04, -0.03, -0.02, 0};
     for (double P = 1e-4; P > 1e-12; P /= 10) {
         rwedge_contact *pad = profile(4, x, slope);
@@ -371,14 +322,12 @@ static void a_narrow_patch_far_from_the_origin_is_where_its_moment_is(void **sta
         apply(pad, P, M, 0, 0);
         assert_within(edges_of(pad).left, M / P - s, 1e-15);
         assert_within(edges_of(pad).right, M / P + s, 1e-15);
-        rwedge_contact_destroy(pad);
     }
 }
 
 /* P/(bk) without friction. Hertz' is 4.880036 for nu = 0.3: lib/README.md, "Strength". */
-static void a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp(void **state)
+CLAIM(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp)
 {
-    (void)state;
     const double alphas[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 0.95};
     double last = INFINITY;
     for (int i = 0; i < 8; i++) {
@@ -386,27 +335,25 @@ static void a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp(void **
         double factor;
         rwedge_contact *pad = flat(a);
         apply(pad, P, 0, 0, 0);
-        assert_int_equal(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL), RWEDGE_OK);
+        assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL));
         assert_true((P * factor > 4.880036) == (a <= 0.5));
         if (a >= 0.4)
             assert_true(P * factor < last);
         last = P * factor;
-        rwedge_contact_destroy(pad);
     }
 }
 
-static void a_contact_that_reaches_too_far_is_refused(void **state)
+CLAIM(a_contact_that_reaches_too_far_is_refused)
 {
     rwedge_contact *pads[] = {flat(0), flat(0.4)};
     for (int i = 0; i < 2; i++) {
         assert_int_equal(rwedge_contact_load(pads[i], 50, 0), RWEDGE_ERANGE);
         apply(pads[i], 1, 0, 0, 0);
         assert_int_equal(rwedge_contact_apply(pads[i], 1, 12, 0, 0), RWEDGE_ERANGE);
-        rwedge_contact_destroy(pads[i]);
     }
 }
 
-static void profiles_that_are_none_are_refused(void **state)
+CLAIM(profiles_that_are_none_are_refused)
 {
     rwedge_contact *contact = NULL;
     const double x[] = {0, 1, 2}, back[] = {0, 2, 1}, slope[] = {-0.1, 0, 0.1};
@@ -426,30 +373,4 @@ static void profiles_that_are_none_are_refused(void **state)
     contact = profile(3, x, slope);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-4), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_beyond_flat(contact, &left, &right), RWEDGE_EABSENT);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cylinder_is_hertz),
-        cmocka_unit_test(a_flat_pad_has_its_edge_tension),
-        cmocka_unit_test(a_flat_pad_is_hertz_less_a_rounded_wedge),
-        cmocka_unit_test(the_edges_of_a_flat_are_known_from_its_corners),
-        cmocka_unit_test(the_rounded_wedge_is_a_profile),
-        cmocka_unit_test(a_profile_slips_as_its_wedge),
-        cmocka_unit_test(a_centred_pad_dissipates_as_its_wedge),
-        cmocka_unit_test(the_sharp_wedge_is_a_kink),
-        cmocka_unit_test(a_sampled_circle_converges_with_the_square_of_the_places),
-        cmocka_unit_test(a_sampled_cylinder_is_hertz),
-        cmocka_unit_test(a_mirrored_profile_mirrors_everything),
-        cmocka_unit_test(a_pad_is_stored_and_restored),
-        cmocka_unit_test(what_never_slips_on_a_flat),
-        cmocka_unit_test(the_yield_factor_misses_no_place),
-        cmocka_unit_test(a_narrow_patch_far_from_the_origin_is_where_its_moment_is),
-        cmocka_unit_test(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp),
-        cmocka_unit_test(a_contact_that_reaches_too_far_is_refused),
-        cmocka_unit_test(profiles_that_are_none_are_refused),
-    };
-    return RUN_CLAIMS("pads", tests);
 }

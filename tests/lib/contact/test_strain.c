@@ -13,20 +13,18 @@ static rwedge_contact *with_strain(double strain)
 
 /* Nowell and Hills (1987): the stick zone of a cylinder is off the centre by the strain times R/f.
  * E = 10 and nu = 0.5 against a rigid cylinder of R = 100: (1 - nu^2)/E 0.04 R/f = 0.6. */
-static void a_soft_body_under_a_rigid_one_has_twice_the_offset(void **state)
+CLAIM(a_soft_body_under_a_rigid_one_has_twice_the_offset)
 {
     const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create(0.1, 10, compliance, F, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 10, compliance, F);
     assert_ok(rwedge_contact_set_strain(contact, 0.075));
     apply(contact, 1, 0, 0, 0);
     apply(contact, 1, 0, 0.2, 0.04);
     assert_within(rw_patch_middle(stick_zone_of(contact)), 0.6, 1e-14);
-    rwedge_contact_destroy(contact);
 }
 
 /* The strain alone matters to the tractions: twice the strain is half the tension. */
-static void strain_takes_the_place_of_tension(void **state)
+CLAIM(strain_takes_the_place_of_tension)
 {
     rwedge_contact *like = create(0.4, F), *unlike = with_strain(A / 2);
     apply(like, 0, 0, 0, 0.02);
@@ -51,22 +49,19 @@ static void strain_takes_the_place_of_tension(void **state)
                                              &of_unlike[3]));
     for (int i = 0; i < 4; i++)
         assert_close(of_unlike[i], of_like[i], 1e-13);
-    rwedge_contact_destroy(unlike);
-    rwedge_contact_destroy(like);
 }
 
 /* A rigid half-plane does not stretch: any tension leaves no slip. */
-static void a_tension_may_stretch_nothing(void **state)
+CLAIM(a_tension_may_stretch_nothing)
 {
     rwedge_contact *contact = with_strain(0);
     apply(contact, 1, 0, 0, 0);
     apply(contact, 1, 0, 0, 1e6);
     assert_true(rwedge_contact_largest_tension_step(contact, 0.1) == HUGE_VAL);
     assert_true(rwedge_contact_dissipated_energy(contact) == 0);
-    rwedge_contact_destroy(contact);
 }
 
-static void it_is_set_while_the_bodies_are_apart(void **state)
+CLAIM(it_is_set_while_the_bodies_are_apart)
 {
     rwedge_contact *contact = create(0.4, F);
     assert_int_equal(rwedge_contact_set_strain(NULL, 1), RWEDGE_ENULL);
@@ -80,16 +75,4 @@ static void it_is_set_while_the_bodies_are_apart(void **state)
     apply(contact, 1, 0, 0, 0.02);
     apply(contact, 1, 0, 0.2, 0.02);
     assert_true(rw_patch_middle(stick_zone_of(contact)) == 0);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_soft_body_under_a_rigid_one_has_twice_the_offset),
-        cmocka_unit_test(strain_takes_the_place_of_tension),
-        cmocka_unit_test(a_tension_may_stretch_nothing),
-        cmocka_unit_test(it_is_set_while_the_bodies_are_apart),
-    };
-    return RUN_CLAIMS("strain", tests);
 }

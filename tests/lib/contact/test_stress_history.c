@@ -33,7 +33,7 @@ static int32_t run(history *h, rwedge_contact *contact)
                                          h->y, h->sxx, h->syy, h->txy);
 }
 
-static void gives_the_bits_of_single_calls(void **state)
+CLAIM(gives_the_bits_of_single_calls)
 {
     static history h;
     static const double cases[][3] = {
@@ -52,12 +52,10 @@ static void gives_the_bits_of_single_calls(void **state)
         }
         assert_true(rwedge_contact_stick_half_width(contact) ==
                     rwedge_contact_stick_half_width(single));
-        rwedge_contact_destroy(contact);
-        rwedge_contact_destroy(single);
     }
 }
 
-static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
+CLAIM(a_load_that_is_refused_leaves_all_as_it_was)
 {
     static history h, before;
     fill(&h, 0.1, 0.02);
@@ -75,18 +73,16 @@ static void a_load_that_is_refused_leaves_all_as_it_was(void **state)
     assert_int_equal(rwedge_contact_stress_history(NULL, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL,
                                                    NULL, NULL, NULL),
                      RWEDGE_ENULL);
-    rwedge_contact_destroy(contact);
 }
 
 /* Random histories of P and Q. */
-static void gives_the_bits_of_single_calls_along_random_histories(void **state)
+CLAIM(gives_the_bits_of_single_calls_along_random_histories)
 {
     static history h;
     fill(&h, 0, 0);
     for (int number = 0; number < 60; number++) {
         random_history random;
-        rwedge_contact *single = begin(&random, number), *contact;
-        assert_ok(rwedge_contact_copy(single, &contact));
+        rwedge_contact *single = begin(&random, number), *contact = copy_of(single);
         double last[3][POINTS];
         for (int i = 0; i < LOADS; i++) {
             go_on(&random, single);
@@ -100,17 +96,15 @@ static void gives_the_bits_of_single_calls_along_random_histories(void **state)
         assert_memory_equal(last[0], h.sxx + (LOADS - 1) * POINTS, sizeof last[0]);
         assert_memory_equal(last[1], h.syy + (LOADS - 1) * POINTS, sizeof last[1]);
         assert_memory_equal(last[2], h.txy + (LOADS - 1) * POINTS, sizeof last[2]);
-        rwedge_contact_destroy(contact);
-        rwedge_contact_destroy(single);
     }
 }
 
 /* Steps of slope f, each to rounding, leave corners with the same slope on both sides. */
-static void corners_of_one_slope_add_nothing(void **state)
+CLAIM(corners_of_one_slope_add_nothing)
 {
     static history h;
     fill(&h, 0, 0);
-    rwedge_contact *single = create(0.1, 0.5), *contact;
+    rwedge_contact *single = create(0.1, 0.5);
     double P = 0.1, ratio = 0;
     load(single, P, 0);
     for (int i = 0; i < 400; i++) {
@@ -118,7 +112,7 @@ static void corners_of_one_slope_add_nothing(void **state)
         ratio += 1e-4 + (i < 200 ? -2 : 2) * DBL_EPSILON * P;
         load(single, P, 0.5 * ratio);
     }
-    assert_ok(rwedge_contact_copy(single, &contact));
+    rwedge_contact *contact = copy_of(single);
     for (int i = 0; i < LOADS; i++) {
         h.P[i] = P;
         h.Q[i] = 0.5 * ratio;
@@ -130,12 +124,10 @@ static void corners_of_one_slope_add_nothing(void **state)
     assert_memory_equal(sxx, h.sxx, sizeof sxx);
     assert_memory_equal(syy, h.syy + POINTS, sizeof syy);
     assert_memory_equal(txy, h.txy + 2 * POINTS, sizeof txy);
-    rwedge_contact_destroy(single);
-    rwedge_contact_destroy(contact);
 }
 
 /* Separated there is only the tension. */
-static void separated_bodies_are_stretched(void **state)
+CLAIM(separated_bodies_are_stretched)
 {
     static const double P[] = {0, 0.5, 0}, M[] = {0, 0.1, 0}, Q[] = {0, 0, 0}, sigma[] = {2, 2, 3};
     const double x = 0.1, y = 0.2, deep = -1;
@@ -148,11 +140,10 @@ static void separated_bodies_are_stretched(void **state)
     assert_true(sxx[0] == 2 && syy[0] == 0 && txy[0] == 0);
     assert_true(sxx[2] == 3 && syy[2] == 0 && txy[2] == 0);
     assert_true(syy[1] < 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* One argument at a time. */
-static void what_is_missing_is_said(void **state)
+CLAIM(what_is_missing_is_said)
 {
     static history h;
     fill(&h, 0.1, 0.02);
@@ -173,18 +164,4 @@ static void what_is_missing_is_said(void **state)
                                                     h.y, out[0], out[1], out[2]));
     }
     assert_true(rwedge_contact_half_width(contact) == 0);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gives_the_bits_of_single_calls),
-        cmocka_unit_test(gives_the_bits_of_single_calls_along_random_histories),
-        cmocka_unit_test(a_load_that_is_refused_leaves_all_as_it_was),
-        cmocka_unit_test(corners_of_one_slope_add_nothing),
-        cmocka_unit_test(separated_bodies_are_stretched),
-        cmocka_unit_test(what_is_missing_is_said),
-    };
-    return RUN_CLAIMS("stress_history", tests);
 }

@@ -13,7 +13,7 @@ static double yield_factor(const rwedge_contact *contact, double nu, double k, d
     return factor;
 }
 
-static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **state)
+CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
 {
     static const double ALPHAS[] = {1e-13, 1e-7, 1e-3, 0.0176, 0.05, 0.1, 0.3, 0.5, 0.9, 1, 3};
     static const double FRICTIONS[] = {0, 0.05, 0.15, 0.2367, 0.26, 0.4, 0.8};
@@ -29,13 +29,12 @@ static void in_sliding_the_factor_is_the_elastic_limit_over_the_load(void **stat
                 assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
                 load(contact, P, -f * P); /* the mirror image */
                 assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
-                rwedge_contact_destroy(contact);
             }
 }
 
 /* Tips, frictions and Poisson's ratios where J2 has ridges that are flat to 1e-9, or a maximum
  * as near to the edge as b/f^2. */
-static void in_sliding_no_ridge_is_too_flat(void **state)
+CLAIM(in_sliding_no_ridge_is_too_flat)
 {
     uint64_t seed = 5;
     for (int i = 0; i < 2000; i++) {
@@ -50,13 +49,12 @@ static void in_sliding_no_ridge_is_too_flat(void **state)
         load(contact, P, f * P);
         const double expected = rwedge_elastic_limit(alpha, f, nu) * b / P;
         assert_close(yield_factor(contact, nu, 1, NULL, NULL), expected, 1e-13);
-        rwedge_contact_destroy(contact);
     }
 }
 
 /* The maximum is b/f^2 away from the edge, in Hertz' contact above all. A search around the centre
  * sees it, but does not resolve it. */
-static void strong_friction_yields_next_to_the_edge(void **state)
+CLAIM(strong_friction_yields_next_to_the_edge)
 {
     static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9},
                         FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
@@ -71,7 +69,6 @@ static void strong_friction_yields_next_to_the_edge(void **state)
                 const double expected = rwedge_elastic_limit(ALPHAS[i], f, nu) * b / P;
                 assert_close(yield_factor(contact, nu, 1, &x, NULL), expected, 1e-13);
                 assert_true(fabs(x) > (1 - 10 / (f * f)) * b && fabs(x) < b);
-                rwedge_contact_destroy(contact);
             }
 }
 
@@ -88,7 +85,7 @@ static double root_J2(const rwedge_contact *contact, double nu, double x, double
 
 /* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is
  * attained where it says. */
-static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
+CLAIM(no_point_is_nearer_to_yield_than_the_factor_says)
 {
     for (int number = 2; number < 42; number++) {
         random_history h;
@@ -106,13 +103,12 @@ static void no_point_is_nearer_to_yield_than_the_factor_says(void **state)
         assert_true(grid <= 1 / factor * (1 + 1e-14));
         assert_close(grid, 1 / factor, 0.02);
         assert_close(root_J2(contact, nu, x, y), 1 / factor, 1e-13);
-        rwedge_contact_destroy(contact);
     }
 }
 
 /* Narrow roundings, thin layers and strong friction; points at every scale around every place
  * where the tractions have a corner, and in rings around the maximum itself. */
-static void no_scale_hides_a_higher_point(void **state)
+CLAIM(no_scale_hides_a_higher_point)
 {
     uint64_t seed = 21;
     for (int number = 0; number < 150; number++) {
@@ -138,12 +134,11 @@ static void no_scale_hides_a_higher_point(void **state)
                 assert_true(root_J2(contact, nu, x + r * hypot(x, y) * cos(angle * PI / 12),
                                     fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <=
                             highest);
-        rwedge_contact_destroy(contact);
     }
 }
 
 /* With moment and bulk tension: along the surface, in the depth, and around every edge. */
-static void no_point_is_nearer_to_yield_off_the_centre(void **state)
+CLAIM(no_point_is_nearer_to_yield_off_the_centre)
 {
     uint64_t seed = 31;
     int tilted = 0;
@@ -182,54 +177,47 @@ static void no_point_is_nearer_to_yield_off_the_centre(void **state)
                         assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
                                             r * fabs(sin(angle * PI / 12))) <= highest);
             }
-        rwedge_contact_destroy(contact);
     }
     assert_true(tilted > 30);
 }
 
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
-static void a_maximum_next_to_the_edge_is_not_missed(void **state)
+CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.01, 3, 0.001, 84.04542447034143, &contact));
+    rwedge_contact *contact = create_wedge(0.01, 3, 0.001, 84.04542447034143);
     load(contact, 5.88, -187.525);
     load(contact, 5.88, -37.718);
     load(contact, 5.88, -145.33);
     assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
-    rwedge_contact_destroy(contact);
 }
 
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
  * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
  * search is another. */
-static void a_ridge_beside_the_grid_is_followed(void **state)
+CLAIM(a_ridge_beside_the_grid_is_followed)
 {
-    rwedge_contact *contact = NULL;
     const double P = 0.98755269117723787, M = -0.16595399389051149;
-    assert_ok(rwedge_contact_create(0.1, 0, 0.1, 0.01043908085530201, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 0, 0.1, 0.01043908085530201);
     apply(contact, P, M, 0, 0);
     apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669);
     assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
-    rwedge_contact_destroy(contact);
 }
 
 /* Below a tiny rounding at nu = 0.5, J2 is so flat that a climb takes a hundred steps. It is broken
  * off; the grids of other marks find the same top. With nu a little below 0.5 there is less of a
  * plateau, and J2 differs by less than 1e-13. */
-static void a_long_climb_is_broken_off_without_harm(void **state)
+CLAIM(a_long_climb_is_broken_off_without_harm)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.11871519035629816, 4.8339965423190293e-15,
-                                    3.9616415245691163e-08, 0.99667353322652019, &contact));
+    rwedge_contact *contact = create_wedge(0.11871519035629816, 4.8339965423190293e-15,
+                                           3.9616415245691163e-08, 0.99667353322652019);
     load(contact, 0.36913862821393151, 0);
     load(contact, 0.36913862821393151, 0.13581005141048719);
     const double factor = yield_factor(contact, 0.5, 1, NULL, NULL);
     assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
-    rwedge_contact_destroy(contact);
 }
 
 /* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
-static void many_corners_hide_no_higher_point(void **state)
+CLAIM(many_corners_hide_no_higher_point)
 {
     for (int kind = 0; kind < 2; kind++)
         for (int n = 30; n <= 120; n += 45) {
@@ -253,11 +241,10 @@ static void many_corners_hide_no_higher_point(void **state)
                             assert_true(root_J2(contact, 0.3, mark + r * cos(angle * PI / 8),
                                                 r * fabs(sin(angle * PI / 8))) <= highest);
                 }
-            rwedge_contact_destroy(contact);
         }
 }
 
-static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
+CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 {
     rwedge_contact *contact = create(0, 0.5);
     load(contact, 0.2, 0);
@@ -267,25 +254,22 @@ static void the_sharp_wedge_yields_at_once_unless_its_apex_sticks(void **state)
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     load(contact, 0.2, 0.1);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* A place of the search's grid around another mark is the apex itself, to the last bit. */
-static void a_grid_that_meets_the_apex_raises_nothing(void **state)
+CLAIM(a_grid_that_meets_the_apex_raises_nothing)
 {
     const double P = 0.001, f = 0.3;
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.3, 0, 0.001, f, &contact));
+    rwedge_contact *contact = create_wedge(0.3, 0, 0.001, f);
     load(contact, P, 0);
     load(contact, P, -0.3 * (f * P));
     feclearexcept(FE_ALL_EXCEPT);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
-static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
+CLAIM(nothing_yields_earlier_beside_a_stuck_apex)
 {
     for (double f = 0.05; f < 0.5; f += 0.05) {
         rwedge_contact *contact = create(0, f);
@@ -298,20 +282,17 @@ static void nothing_yields_earlier_beside_a_stuck_apex(void **state)
                 assert_true(root_J2(contact, 0.5, r * cos(angle * PI / 12),
                                     r * fabs(sin(angle * PI / 12))) <= highest);
         assert_true(root_J2(contact, 0.5, 0, 1e-9) <= highest);
-        rwedge_contact_destroy(contact);
     }
 }
 
-static void a_factor_beyond_the_domain_is_refused(void **state)
+CLAIM(a_factor_beyond_the_domain_is_refused)
 {
-    rwedge_contact *contact = NULL;
-    assert_ok(rwedge_contact_create(0.1, 1e30, 1e30, 0.5, &contact));
+    rwedge_contact *contact = create_wedge(0.1, 1e30, 1e30, 0.5);
     load(contact, 1, 0); /* stresses below 1e-30 */
     double factor = 7;
     assert_int_equal(rwedge_contact_yield_factor(contact, 0.3, 1e60, &factor, NULL, NULL),
                      RWEDGE_ERANGE);
     assert_true(factor == 7);
-    rwedge_contact_destroy(contact);
 }
 
 /* Many corners, off the centre where M is not 0: the patches that end far away count together. */
@@ -344,7 +325,7 @@ static void assert_same_fields(const rwedge_contact *contact, const rw_neighbour
     }
 }
 
-static void a_neighbourhood_has_the_fields_of_all_patches(void **state)
+CLAIM(a_neighbourhood_has_the_fields_of_all_patches)
 {
     uint64_t seed = 7;
     static const double CASES[][2] = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, -0.1}, {9, 0.2}};
@@ -364,28 +345,5 @@ static void a_neighbourhood_has_the_fields_of_all_patches(void **state)
             assert_int_equal(n.last - n.first, whole.last - whole.first);
         }
         assert_int_equal(fewest, 1);
-        rwedge_contact_destroy(contact);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_sliding_the_factor_is_the_elastic_limit_over_the_load),
-        cmocka_unit_test(in_sliding_no_ridge_is_too_flat),
-        cmocka_unit_test(strong_friction_yields_next_to_the_edge),
-        cmocka_unit_test(no_point_is_nearer_to_yield_than_the_factor_says),
-        cmocka_unit_test(no_scale_hides_a_higher_point),
-        cmocka_unit_test(no_point_is_nearer_to_yield_off_the_centre),
-        cmocka_unit_test(a_maximum_next_to_the_edge_is_not_missed),
-        cmocka_unit_test(a_ridge_beside_the_grid_is_followed),
-        cmocka_unit_test(a_long_climb_is_broken_off_without_harm),
-        cmocka_unit_test(many_corners_hide_no_higher_point),
-        cmocka_unit_test(the_sharp_wedge_yields_at_once_unless_its_apex_sticks),
-        cmocka_unit_test(a_grid_that_meets_the_apex_raises_nothing),
-        cmocka_unit_test(nothing_yields_earlier_beside_a_stuck_apex),
-        cmocka_unit_test(a_factor_beyond_the_domain_is_refused),
-        cmocka_unit_test(a_neighbourhood_has_the_fields_of_all_patches),
-    };
-    return RUN_CLAIMS("yield_factor", tests);
 }

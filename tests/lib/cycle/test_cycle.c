@@ -54,7 +54,7 @@ static friction rubbed(const rwedge_contact *contact, const loads *c, size_t n, 
 
 /* Cattaneo and Mindlin: a cylinder's slip in a cycle of +-Q has the range 2 f/R int sqrt(t^2 - c^2)
  * from c to x, under the shear f p. R = a/theta. */
-static void a_cylinder_slips_as_cattaneo_and_mindlin_say(void **state)
+CLAIM(a_cylinder_slips_as_cattaneo_and_mindlin_say)
 {
     const double a = 50, P = 0.02, Q = 0.7 * F * P, b = sqrt(2 * A * P * a / THETA / PI);
     const double c = b * sqrt(1 - Q / (F * P)), p0 = 2 * P / (PI * b);
@@ -70,7 +70,6 @@ static void a_cylinder_slips_as_cattaneo_and_mindlin_say(void **state)
         if (range > 0)
             assert_within(at.f1[0], friction_limit * range, 1e-7 * F * THETA * b * p0);
     }
-    rwedge_contact_destroy(contact);
 }
 
 /* Integral over the contact of the energy at its places, by Gauss and Chebyshev. */
@@ -89,13 +88,11 @@ static double energy_of(const rwedge_contact *contact, const loads *cycle, doubl
 
 static double energy_gained(const rwedge_contact *before, const loads *cycle)
 {
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_copy(before, &contact));
+    rwedge_contact *contact = copy_of(before);
     for (size_t i = 0; i < cycle->count; i++)
         rwedge_contact_apply(contact, cycle->P[i], cycle->M[i], cycle->Q[i], cycle->sigma[i]);
     const double gained =
         rwedge_contact_dissipated_energy(contact) - rwedge_contact_dissipated_energy(before);
-    rwedge_contact_destroy(contact);
     return gained;
 }
 
@@ -113,10 +110,9 @@ static void energies_of_the_places_add_up(double a, const loads *first, const lo
             right = fmax(right, r);
         }
     assert_close(energy_of(contact, cycle, left, right), energy_gained(contact, cycle), tolerance);
-    rwedge_contact_destroy(contact);
 }
 
-static void energy_is_that_of_the_contact(void **state)
+CLAIM(energy_is_that_of_the_contact)
 {
     const loads constant = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     const loads changing = add(add((loads){0}, 1.2, 0, 0.5, 0), 0.8, 0, -0.3, 0);
@@ -130,7 +126,7 @@ static void energy_is_that_of_the_contact(void **state)
 }
 
 /* Pressed, sheared, removed: what slips while the bodies separate counts. */
-static void the_energy_of_a_removal_counts(void **state)
+CLAIM(the_energy_of_a_removal_counts)
 {
     const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0), 0, 0, 0, 0);
     rwedge_contact *contact = create(0.4, F), *loaded = after(0.4, &removal, 0);
@@ -140,18 +136,15 @@ static void the_energy_of_a_removal_counts(void **state)
     assert_close(whole, energy_gained(contact, &removal), 2e-3);
     load(loaded, 1, 0.4);
     assert_true(whole > 1.1 * rwedge_contact_dissipated_energy(loaded));
-    rwedge_contact_destroy(loaded);
-    rwedge_contact_destroy(contact);
 }
 
-static void what_a_removal_under_tension_costs_is_not_known(void **state)
+CLAIM(what_a_removal_under_tension_costs_is_not_known)
 {
     const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.4, 0.15), 0, 0, 0, 0);
     rwedge_contact *contact = create(0.4, F);
     const double x = 0.1;
     friction at;
     assert_int_equal(rub(contact, &removal, 1, &x, &at), RWEDGE_EPATH);
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- Against many small steps ---- */
@@ -164,8 +157,7 @@ typedef struct {
 static walker walk(const rwedge_contact *before, const loads *cycle, double x)
 {
     enum { STEPS = 4000 };
-    rwedge_contact *contact;
-    rwedge_contact_copy(before, &contact);
+    rwedge_contact *contact = copy_of(before);
     walker w = {.slip = slip(contact, x)};
     w.least = w.most = w.slip;
     w.limit = F * fabs(pressure(contact, x));
@@ -183,11 +175,10 @@ static walker walk(const rwedge_contact *before, const loads *cycle, double x)
             w.limit = limit;
         }
     }
-    rwedge_contact_destroy(contact);
     return w;
 }
 
-static void a_place_that_stays_slips_as_in_many_small_steps(void **state)
+CLAIM(a_place_that_stays_slips_as_in_many_small_steps)
 {
     const loads cycle = add(
         add(add(add((loads){0}, 1.3, 0, 0.5, 0), 0.7, 0, -0.2, 0), 1, 0, 0.1, 0), 0.8, 0, 0.35, 0);
@@ -200,12 +191,10 @@ static void a_place_that_stays_slips_as_in_many_small_steps(void **state)
         assert_within(at.range[0], w.most - w.least, 2e-4 * F * THETA * b);
         assert_within(at.energy[0], w.energy, 2e-3 * F * THETA * b * F * 0.2);
     }
-    rwedge_contact_destroy(smallest);
-    rwedge_contact_destroy(contact);
 }
 
 /* Of two stays in one cycle each begins with the slip that the other ended with. */
-static void the_range_does_not_jump_at_an_edge_that_passes_twice(void **state)
+CLAIM(the_range_does_not_jump_at_an_edge_that_passes_twice)
 {
     const loads cycle =
         add(add(add(add((loads){0}, 1.3, 0, 0.6, 0), 0.7, 0, -0.3, 0), 1.1, 0, -0.5, 0), 0.7, 0,
@@ -216,17 +205,15 @@ static void the_range_does_not_jump_at_an_edge_that_passes_twice(void **state)
     const friction at = rubbed(contact, &cycle, 2, x);
     assert_true(at.range[0] > 0.01 * F * THETA * b);
     assert_close(at.range[1], at.range[0], 0.05);
-    rwedge_contact_destroy(contact);
 }
 
-static void there_is_no_friction_outside(void **state)
+CLAIM(there_is_no_friction_outside)
 {
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     rwedge_contact *contact = after(0.4, &cycle, 1);
     const double x = 1.01 * rwedge_contact_half_width(contact);
     const friction at = rubbed(contact, &cycle, 1, &x);
     assert_true(at.range[0] == 0 && at.f1[0] == 0 && at.f2[0] == 0 && at.energy[0] == 0);
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- The worst place ---- */
@@ -235,11 +222,9 @@ static double at_one_place(const rwedge_contact *contact, const loads *c, int me
 {
     const double y = 0;
     double v[12], s[3][MOST], angle, out_of_plane;
-    rwedge_contact *going = NULL;
-    rwedge_contact_copy(contact, &going);
+    rwedge_contact *going = copy_of(contact);
     rwedge_contact_stress_history(going, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &y, s[0],
                                   s[1], s[2]);
-    rwedge_contact_destroy(going);
     if (measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA)
         rwedge_contact_cycle_friction(contact, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &v[3],
                                       &v[4], &v[5], &v[6]);
@@ -250,7 +235,7 @@ static double at_one_place(const rwedge_contact *contact, const loads *c, int me
 }
 
 /* From 21 places; 2001 are looked at. */
-static void the_worst_is_found_between_the_places(void **state)
+CLAIM(the_worst_is_found_between_the_places)
 {
     enum { COARSE = 21, FINE = 2001 };
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
@@ -273,7 +258,6 @@ static void the_worst_is_found_between_the_places(void **state)
         assert_close(top, scanned, 3e-3);
         assert_close(top, at_one_place(contact, &cycle, measure, worst), 1e-15);
     }
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- Critical distances ---- */
@@ -285,13 +269,11 @@ static void stress_below(const rwedge_contact *contact, const loads *c, double a
     double s[3][2];
     const double x = -rwedge_contact_half_width(contact) + distance * sin(angle),
                  y = distance * cos(angle);
-    rwedge_contact *going;
-    assert_ok(rwedge_contact_copy(contact, &going));
+    rwedge_contact *going = copy_of(contact);
     assert_ok(rwedge_contact_stress_history(going, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &y,
                                             s[0], s[1], s[2]));
     for (int i = 0; i < 3; i++)
         stress[i] = s[i][1];
-    rwedge_contact_destroy(going);
 }
 
 /* Over the fourth power of the distance, by Simpson's rule: the root at the edge is smooth then. */
@@ -310,7 +292,7 @@ static void stress_mean(const rwedge_contact *contact, const loads *c, double an
     }
 }
 
-static void critical_distances_take_the_point_and_the_mean_of_the_line(void **state)
+CLAIM(critical_distances_take_the_point_and_the_mean_of_the_line)
 {
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
     rwedge_contact *contact = create(0.4, F);
@@ -342,7 +324,6 @@ static void critical_distances_take_the_point_and_the_mean_of_the_line(void **st
                                                 x, 0, 1, 0, &kept, &kept, &kept),
                      RWEDGE_ERANGE);
     assert_true(kept == 7);
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- Displacement ---- */
@@ -357,7 +338,7 @@ static double punch(double s, const void *b)
 }
 
 /* On first loading (A f/pi) int ln(b/s) dP(s) over the zone that slips: flat punches. */
-static void displacement_is_that_of_flat_punches(void **state)
+CLAIM(displacement_is_that_of_flat_punches)
 {
     rwedge_contact *contact = create(0.4, F);
     load(contact, 1, 0);
@@ -368,7 +349,6 @@ static void displacement_is_that_of_flat_punches(void **state)
     assert_true(pieces[0] < 0.4 && b > 0.4);
     assert_close(rwedge_contact_displacement(contact, b),
                  A * F / PI * integral(punch, &b, 2, pieces), 1e-8);
-    rwedge_contact_destroy(contact);
 }
 
 /* The loop of Q over the displacement encloses the energy of the cycle, by the trapezoidal rule. */
@@ -391,28 +371,26 @@ static void its_loop_encloses_the_energy(double M, double sigma, double toleranc
             Q_before = Q;
         }
     assert_close(area, rwedge_contact_dissipated_energy(contact) - energy, tolerance);
-    rwedge_contact_destroy(contact);
 }
 
-static void the_loop_of_the_displacement_encloses_the_energy(void **state)
+CLAIM(the_loop_of_the_displacement_encloses_the_energy)
 {
     its_loop_encloses_the_energy(0, 0, 1e-4);
     its_loop_encloses_the_energy(0.2, 0, 2e-3);
 }
 
-static void there_is_no_displacement_without_contact(void **state)
+CLAIM(there_is_no_displacement_without_contact)
 {
     rwedge_contact *contact = create(0.4, F);
     assert_nan(rwedge_contact_displacement(NULL, 1));
     assert_nan(rwedge_contact_displacement(contact, 1));
     load(contact, 1, 0);
     assert_nan(rwedge_contact_displacement(contact, 0));
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- Refusals ---- */
 
-static void a_refusal_leaves_the_outputs(void **state)
+CLAIM(a_refusal_leaves_the_outputs)
 {
     loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
     rwedge_contact *contact = after(0.4, &cycle, 1), *sharp = after(0, &cycle, 1);
@@ -445,26 +423,4 @@ static void a_refusal_leaves_the_outputs(void **state)
                                                     &worst_x, &worst),
                          bad[i].status);
     assert_true(worst_x == 7 && worst == 7);
-    rwedge_contact_destroy(sharp);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cylinder_slips_as_cattaneo_and_mindlin_say),
-        cmocka_unit_test(energy_is_that_of_the_contact),
-        cmocka_unit_test(the_energy_of_a_removal_counts),
-        cmocka_unit_test(what_a_removal_under_tension_costs_is_not_known),
-        cmocka_unit_test(a_place_that_stays_slips_as_in_many_small_steps),
-        cmocka_unit_test(the_range_does_not_jump_at_an_edge_that_passes_twice),
-        cmocka_unit_test(there_is_no_friction_outside),
-        cmocka_unit_test(the_worst_is_found_between_the_places),
-        cmocka_unit_test(critical_distances_take_the_point_and_the_mean_of_the_line),
-        cmocka_unit_test(displacement_is_that_of_flat_punches),
-        cmocka_unit_test(the_loop_of_the_displacement_encloses_the_energy),
-        cmocka_unit_test(there_is_no_displacement_without_contact),
-        cmocka_unit_test(a_refusal_leaves_the_outputs),
-    };
-    return RUN_CLAIMS("cycle", tests);
 }

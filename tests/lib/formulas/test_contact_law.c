@@ -7,7 +7,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static void load_matches_reference(void **state)
+CLAIM(load_matches_reference)
 {
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table))
@@ -22,7 +22,7 @@ static double slope_times_t(double tau, const void *alpha)
 }
 
 /* Eq. (5), integrated. */
-static void load_is_the_integral_of_the_profile(void **state)
+CLAIM(load_is_the_integral_of_the_profile)
 {
     for (double alpha = 0.05; alpha < 1.01; alpha += 0.05) {
         const double points[] = {0, asin(fmin(alpha, 1)), PI / 2};
@@ -30,7 +30,7 @@ static void load_is_the_integral_of_the_profile(void **state)
     }
 }
 
-static void load_has_the_hertz_and_the_sharp_limit(void **state)
+CLAIM(load_has_the_hertz_and_the_sharp_limit)
 {
     assert_close(rwedge_load(0), 2, 0);                /* Eq. (13) */
     assert_close(rwedge_load(1), PI / 2, DBL_EPSILON); /* Eq. (11) */
@@ -39,7 +39,7 @@ static void load_has_the_hertz_and_the_sharp_limit(void **state)
     assert_close(rwedge_load(1e-60), 2, 0);
 }
 
-static void a_over_b_inverts_the_load(void **state)
+CLAIM(a_over_b_inverts_the_load)
 {
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table)) {
@@ -48,7 +48,7 @@ static void a_over_b_inverts_the_load(void **state)
     }
 }
 
-static void a_over_b_covers_the_whole_range(void **state)
+CLAIM(a_over_b_covers_the_whole_range)
 {
     for (double decade = -119.7; decade <= 60; decade += 7.3) {
         const double load = pow(10, decade), alpha = rwedge_a_over_b(load);
@@ -61,9 +61,8 @@ static void a_over_b_covers_the_whole_range(void **state)
     assert_close(rwedge_a_over_b(1e-118), sqrt(PI / 2) * 1e59, 1e-14);
 }
 
-static void load_derivative_matches_reference(void **state)
+CLAIM(load_derivative_matches_reference)
 {
-    (void)state;
     reference table = reference_open("contact_law_derivatives.csv");
     while (reference_next(&table))
         assert_close(rwedge_load_derivative(table.cell[0]), table.cell[1], 1e-14);
@@ -72,17 +71,4 @@ static void load_derivative_matches_reference(void **state)
     assert_close(rwedge_load_derivative(1), -PI / 2, DBL_EPSILON); /* from both sides */
     assert_close(rwedge_load_derivative(nextafter(1, 0)), -PI / 2, 1e-7);
     assert_close(rwedge_load_derivative(1e-60), -2e-60 / 3, DBL_EPSILON);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(load_matches_reference),
-        cmocka_unit_test(load_is_the_integral_of_the_profile),
-        cmocka_unit_test(load_has_the_hertz_and_the_sharp_limit),
-        cmocka_unit_test(a_over_b_inverts_the_load),
-        cmocka_unit_test(a_over_b_covers_the_whole_range),
-        cmocka_unit_test(load_derivative_matches_reference),
-    };
-    return RUN_CLAIMS("contact_law", tests);
 }

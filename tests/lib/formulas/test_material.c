@@ -4,7 +4,7 @@
 
 #include <float.h>
 
-static void compliance_is_equation_2(void **state)
+CLAIM(compliance_is_equation_2)
 {
     /* 4 * 0.91 / 200e3 */
     assert_close(rwedge_compliance(200e3, 0.3, 200e3, 0.3), 1.82e-5, 4 * DBL_EPSILON);
@@ -22,7 +22,7 @@ static double beta_by_definition(double E1, double nu1, double E2, double nu2)
     return (mu1 * (k2 - 1) - mu2 * (k1 - 1)) / (mu1 * (k2 + 1) + mu2 * (k1 + 1));
 }
 
-static void beta_is_dundurs(void **state)
+CLAIM(beta_is_dundurs)
 {
     uint64_t seed = 1;
     for (int i = 0; i < 1000; i++) {
@@ -37,20 +37,10 @@ static void beta_is_dundurs(void **state)
     assert_within(rwedge_dundurs_beta(HUGE_VAL, 0.1, 7, 0), 0.5, DBL_EPSILON);
 }
 
-static void a_compliance_beyond_the_domain_is_no_number(void **state)
+CLAIM(a_compliance_beyond_the_domain_is_no_number)
 {
     assert_nan(rwedge_compliance(1, 0.3, 9e-61, 0.3));
     assert_nan(rwedge_compliance(1e-60, 0, 1e-60, 0)); /* 2/E + 2/E = 4e60 */
     assert_close(rwedge_compliance(4.1e-60, 0, 4.1e-60, 0), 4 / 4.1e-60, 4 * DBL_EPSILON);
     assert_nan(rwedge_dundurs_beta(9e-61, 0.3, 1, 0.3));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(compliance_is_equation_2),
-        cmocka_unit_test(beta_is_dundurs),
-        cmocka_unit_test(a_compliance_beyond_the_domain_is_no_number),
-    };
-    return RUN_CLAIMS("material", tests);
 }

@@ -7,7 +7,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static void shear_ratio_matches_reference(void **state)
+CLAIM(shear_ratio_matches_reference)
 {
     reference table = reference_open("stress_partial_slip.csv");
     while (reference_next(&table))
@@ -15,7 +15,7 @@ static void shear_ratio_matches_reference(void **state)
     assert_int_equal(table.row, 600);
 }
 
-static void stick_width_inverts_the_shear_ratio(void **state)
+CLAIM(stick_width_inverts_the_shear_ratio)
 {
     uint64_t seed = 7;
     for (int i = 0; i < 20000; i++) {
@@ -30,7 +30,7 @@ static void stick_width_inverts_the_shear_ratio(void **state)
 
 /* Where c is lost beside 1 the ratio was sometimes 1 + 2 epsilon, outside the domain of its
  * inverse. */
-static void round_trips_stay_in_the_domain(void **state)
+CLAIM(round_trips_stay_in_the_domain)
 {
     uint64_t seed = 13;
     for (int i = 0; i < 20000; i++) {
@@ -42,7 +42,7 @@ static void round_trips_stay_in_the_domain(void **state)
     }
 }
 
-static void stick_zone_has_its_limits(void **state)
+CLAIM(stick_zone_has_its_limits)
 {
     for (double alpha = 0; alpha < 3; alpha += 0.3) {
         assert_within(rwedge_stick_width(alpha, 0), 1, 0);
@@ -60,7 +60,7 @@ static void stick_zone_has_its_limits(void **state)
 }
 
 /* Eq. (25) as printed, for c > a. */
-static void shear_ratio_is_equation_25(void **state)
+CLAIM(shear_ratio_is_equation_25)
 {
     const double alpha = 0.25, c = 0.5, omega0 = asin(alpha / c), phi0 = asin(alpha);
     const double corrective = alpha / pow(sin(omega0), 2) * (sin(2 * omega0) / 2 + omega0);
@@ -80,7 +80,7 @@ static double shear_in_phi(double phi, const void *context)
     return rwedge_shear(s->alpha, s->c, sin(phi)) * cos(phi);
 }
 
-static void shear_integrates_to_Q(void **state)
+CLAIM(shear_integrates_to_Q)
 {
     for (double alpha = 0; alpha < 1.3; alpha += 0.25)
         for (double c = 0.05; c < 1; c += 0.13) {
@@ -93,7 +93,7 @@ static void shear_integrates_to_Q(void **state)
 }
 
 /* Eq. (20): slip zones carry f p, the stick zone less. */
-static void shear_is_limited_by_friction(void **state)
+CLAIM(shear_is_limited_by_friction)
 {
     for (double x = 0.01; x < 1; x += 0.01) {
         const double p = rwedge_pressure(0.25, x), q = rwedge_shear(0.25, 0.5, x);
@@ -107,7 +107,7 @@ static void shear_is_limited_by_friction(void **state)
 }
 
 /* Eq. (23): for c < a the corrective traction is Cattaneo's and Mindlin's. */
-static void corrective_shear_is_elliptic_inside_the_rounding(void **state)
+CLAIM(corrective_shear_is_elliptic_inside_the_rounding)
 {
     const double alpha = 0.25, c = 1.0 / 6;
     for (double x = 0; x < c; x += 0.01)
@@ -115,7 +115,7 @@ static void corrective_shear_is_elliptic_inside_the_rounding(void **state)
                      rwedge_pressure(alpha, x) + sqrt(c * c - x * x) / alpha, 1e-14);
 }
 
-static void sharp_wedge_sticks_at_its_apex(void **state)
+CLAIM(sharp_wedge_sticks_at_its_apex)
 {
     /* two logarithmic infinities, less each other */
     assert_close(rwedge_shear(0, 0.5, 0), -2 / PI * log(2), 1e-15);
@@ -123,40 +123,21 @@ static void sharp_wedge_sticks_at_its_apex(void **state)
     assert_close(rwedge_shear(1e-12, 0.5, 1e-3), rwedge_shear(0, 0.5, 1e-3), 1e-12);
 }
 
-static void the_smallest_tips_slip_like_the_sharp_wedge(void **state)
+CLAIM(the_smallest_tips_slip_like_the_sharp_wedge)
 {
     const double lost = 0x1p-52;
     assert_close(rwedge_shear_ratio(1e-60, 1 - lost), lost, 1e-15);
     assert_close(rwedge_shear_ratio(1e-60, 0.25), 0.75, 1e-15);
 }
 
-static void a_stick_zone_too_narrow_to_be_seen_changes_nothing(void **state)
+CLAIM(a_stick_zone_too_narrow_to_be_seen_changes_nothing)
 {
     assert_close(rwedge_shear(0.5, 1e-59, 0), rwedge_pressure(0.5, 0), 0);
     assert_close(rwedge_shear(0.5, 1e-59, 5e-60), rwedge_pressure(0.5, 0), 1e-15);
 }
 
-static void shear_is_even(void **state)
+CLAIM(shear_is_even)
 {
     for (double x = 0.05; x < 1.2; x += 0.1)
         assert_close(rwedge_shear(0.3, 0.5, -x), rwedge_shear(0.3, 0.5, x), 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shear_ratio_matches_reference),
-        cmocka_unit_test(stick_width_inverts_the_shear_ratio),
-        cmocka_unit_test(round_trips_stay_in_the_domain),
-        cmocka_unit_test(stick_zone_has_its_limits),
-        cmocka_unit_test(shear_ratio_is_equation_25),
-        cmocka_unit_test(shear_integrates_to_Q),
-        cmocka_unit_test(shear_is_limited_by_friction),
-        cmocka_unit_test(corrective_shear_is_elliptic_inside_the_rounding),
-        cmocka_unit_test(sharp_wedge_sticks_at_its_apex),
-        cmocka_unit_test(the_smallest_tips_slip_like_the_sharp_wedge),
-        cmocka_unit_test(a_stick_zone_too_narrow_to_be_seen_changes_nothing),
-        cmocka_unit_test(shear_is_even),
-    };
-    return RUN_CLAIMS("partial_slip", tests);
 }

@@ -8,7 +8,7 @@
 static const double PI = 3.14159265358979323846;
 
 /* The same in 60 digits. Near a tilt of 1 the loads of a patch are as badly determined. */
-static void laws_agree_with_60_digits(void **state)
+CLAIM(laws_agree_with_60_digits)
 {
     reference rows = reference_open("off_centre.csv");
     while (reference_next(&rows)) {
@@ -55,7 +55,7 @@ static double tilt_of_rise(double x, const void *context)
     return -2 / PI * asin(fmax(-1, fmin(1, t))) / (2 * p->a);
 }
 
-static void laws_are_means_over_the_rounding(void **state)
+CLAIM(laws_are_means_over_the_rounding)
 {
     uint64_t seed = 3;
     for (int i = 0; i < 40; i++) {
@@ -74,7 +74,7 @@ static void laws_are_means_over_the_rounding(void **state)
 }
 
 /* dP = u dr - v dl and pi s d(delta) = u dr + v dl, dM = (m + s/2) u dr - (m - s/2) v dl. */
-static void edges_move_at_their_rates(void **state)
+CLAIM(edges_move_at_their_rates)
 {
     static const rw_patch patches[] = {{-0.8, 1.7}, {0.2, 1.9}, {-2.5, 0.1}, {-1, 4}};
     for (size_t i = 0; i < sizeof patches / sizeof *patches; i++) {
@@ -91,7 +91,7 @@ static void edges_move_at_their_rates(void **state)
     }
 }
 
-static void hertz_and_the_sharp_wedge(void **state)
+CLAIM(hertz_and_the_sharp_wedge)
 {
     const rw_patch hertz = rw_patch_of_moment(2, 0.3, 0.12); /* s = sqrt(2 a P/pi), m = M/P */
     assert_close(rw_patch_middle(hertz), 0.4, 1e-15);
@@ -105,7 +105,7 @@ static void hertz_and_the_sharp_wedge(void **state)
 }
 
 /* The centred contact law. */
-static void without_moment_the_patch_is_centred(void **state)
+CLAIM(without_moment_the_patch_is_centred)
 {
     for (double alpha = 0.01; alpha < 3; alpha *= 1.7) {
         const rw_patch patch = rw_patch_of_moment(alpha, rwedge_load(alpha), 0);
@@ -115,20 +115,7 @@ static void without_moment_the_patch_is_centred(void **state)
 }
 
 /* A tilt of 1 is a flank on the surface: it has no edges. */
-static void a_flank_on_the_surface_has_no_patch(void **state)
+CLAIM(a_flank_on_the_surface_has_no_patch)
 {
     assert_nan(rw_patch_of_moment(1, 1e-3, 1e40).left);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(laws_agree_with_60_digits),
-        cmocka_unit_test(laws_are_means_over_the_rounding),
-        cmocka_unit_test(edges_move_at_their_rates),
-        cmocka_unit_test(hertz_and_the_sharp_wedge),
-        cmocka_unit_test(without_moment_the_patch_is_centred),
-        cmocka_unit_test(a_flank_on_the_surface_has_no_patch),
-    };
-    return RUN_CLAIMS("patch", tests);
 }

@@ -7,7 +7,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static void pressure_matches_reference(void **state)
+CLAIM(pressure_matches_reference)
 {
     reference table = reference_open("pressure.csv");
     while (reference_next(&table))
@@ -15,7 +15,7 @@ static void pressure_matches_reference(void **state)
     assert_int_equal(table.row, 600);
 }
 
-static void named_pressures_match_reference(void **state)
+CLAIM(named_pressures_match_reference)
 {
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table)) {
@@ -24,7 +24,7 @@ static void named_pressures_match_reference(void **state)
     }
 }
 
-static void named_pressures_are_the_pressure_there(void **state)
+CLAIM(named_pressures_are_the_pressure_there)
 {
     for (double alpha = 1e-6; alpha < 1; alpha *= 1.7) {
         /* Eq. (10) */
@@ -49,7 +49,7 @@ static double profile_in_tau(double tau, const void *context)
     return slope * ratio / cos((tau + c->at) / 2);
 }
 
-static void pressure_is_the_inverted_integral(void **state)
+CLAIM(pressure_is_the_inverted_integral)
 {
     for (double alpha = 0.1; alpha < 1; alpha += 0.2)
         for (double x = 0.03; x < 1; x += 0.11) {
@@ -65,7 +65,7 @@ static double pressure_in_phi(double phi, const void *alpha)
     return rwedge_pressure(*(const double *)alpha, sin(phi)) * cos(phi);
 }
 
-static void pressure_integrates_to_the_load(void **state)
+CLAIM(pressure_integrates_to_the_load)
 {
     const double alphas[] = {1e-6, 1e-3, 0.05, 0.3, 0.9, 1 - 1e-9, 1, 3};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
@@ -75,7 +75,7 @@ static void pressure_integrates_to_the_load(void **state)
     }
 }
 
-static void pressure_has_its_limits(void **state)
+CLAIM(pressure_has_its_limits)
 {
     for (double x = 0.05; x < 1; x += 0.1) {
         /* Eq. (12) */
@@ -94,25 +94,11 @@ static void pressure_has_its_limits(void **state)
     assert_close(rwedge_pressure(1e-60, 1e-60), -2 / PI * (1 - log(1e-60)), 1e-14);
 }
 
-static void pressure_vanishes_outside(void **state)
+CLAIM(pressure_vanishes_outside)
 {
     assert_within(rwedge_pressure(0.3, 1), 0, 0);
     assert_within(rwedge_pressure(0, -1.5), 0, 0);
     assert_within(rwedge_pressure(7, 1e60), 0, 0);
     assert_true(rwedge_pressure(0.3, nextafter(1, 0)) < 0);
     assert_within(rwedge_transition_pressure(1), 0, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pressure_matches_reference),
-        cmocka_unit_test(named_pressures_match_reference),
-        cmocka_unit_test(named_pressures_are_the_pressure_there),
-        cmocka_unit_test(pressure_is_the_inverted_integral),
-        cmocka_unit_test(pressure_integrates_to_the_load),
-        cmocka_unit_test(pressure_has_its_limits),
-        cmocka_unit_test(pressure_vanishes_outside),
-    };
-    return RUN_CLAIMS("pressure", tests);
 }

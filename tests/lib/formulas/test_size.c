@@ -6,7 +6,7 @@
 static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
-static void a_cylinder_gives_the_formulas_of_hertz(void **state)
+CLAIM(a_cylinder_gives_the_formulas_of_hertz)
 {
     const double R = 50, E = 70e3, nu = 0.3, P = 100; /* mm, N/mm^2, N/mm */
     const double compliance = rwedge_compliance(E, nu, E, nu), theta = 0.1,
@@ -18,7 +18,7 @@ static void a_cylinder_gives_the_formulas_of_hertz(void **state)
                  1e-14);
 }
 
-static void half_width_and_load_are_inverse(void **state)
+CLAIM(half_width_and_load_are_inverse)
 {
     uint64_t seed = 4;
     for (int i = 0; i < 20000; i++) {
@@ -32,13 +32,13 @@ static void half_width_and_load_are_inverse(void **state)
     assert_close(rwedge_half_width(THETA, 1e-59, A, 0.2), A * 0.2 / (2 * THETA), 1e-15);
 }
 
-static void nothing_has_no_size(void **state)
+CLAIM(nothing_has_no_size)
 {
     assert_true(rwedge_radius(0.1, 0) == 0 && rwedge_rounding(0.1, 0) == 0);
     assert_true(rwedge_radius(0.1, 1) == 1 / 0.1 && rwedge_rounding(0.1, 1) == 0.1);
 }
 
-static void sizes_end_with_the_domain(void **state)
+CLAIM(sizes_end_with_the_domain)
 {
     assert_true(rwedge_rounding(0.5, 2e-60) == 1e-60 && rwedge_radius(0.5, 5e59) == 1e60);
     assert_nan(rwedge_rounding(0.5, 1e-60));
@@ -47,15 +47,4 @@ static void sizes_end_with_the_domain(void **state)
     assert_nan(rwedge_half_width(1, 1e60, 1, 1e-60));  /* b = 0.8, a/b = 1.3e60 */
     assert_nan(rwedge_normal_load(1, 0, 1e-50, 1e20)); /* P = 2e70 */
     assert_nan(rwedge_normal_load(1, 1e40, 1, 1e-25)); /* a/b = 1e65 */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cylinder_gives_the_formulas_of_hertz),
-        cmocka_unit_test(half_width_and_load_are_inverse),
-        cmocka_unit_test(nothing_has_no_size),
-        cmocka_unit_test(sizes_end_with_the_domain),
-    };
-    return RUN_CLAIMS("size", tests);
 }

@@ -31,19 +31,19 @@ static int32_t of_safety(double safety)
     return rwedge_validity(NAN, NAN, NAN, NAN, NAN, safety);
 }
 
-static void a_sound_contact_has_no_doubts(void **state)
+CLAIM(a_sound_contact_has_no_doubts)
 {
     assert_int_equal(rwedge_validity(0.01, 0.5, 0, 0.3, 2e-3, 1.5), 0);
     assert_int_equal(rwedge_validity(0.01, 0, 0.2, 0, 2e-3, HUGE_VAL), 0); /* sharp; frictionless */
 }
 
-static void an_angle_above_a_tenth_is_doubted(void **state)
+CLAIM(an_angle_above_a_tenth_is_doubted)
 {
     assert_int_equal(of_angle(0.1), 0);
     assert_int_equal(of_angle(nextafter(0.1, 1)), RWEDGE_DOUBT_ANGLE);
 }
 
-static void dissimilar_bodies_are_doubted_with_friction(void **state)
+CLAIM(dissimilar_bodies_are_doubted_with_friction)
 {
     assert_int_equal(of_bodies(0.1, 0), 0);
     assert_int_equal(of_bodies(0, 0.3), 0);
@@ -53,7 +53,7 @@ static void dissimilar_bodies_are_doubted_with_friction(void **state)
     assert_int_equal(of_bodies(-0.1, 1e-9), RWEDGE_DOUBT_COUPLING);
 }
 
-static void a_load_above_yield_is_doubted(void **state)
+CLAIM(a_load_above_yield_is_doubted)
 {
     assert_int_equal(of_safety(1), 0);
     assert_int_equal(of_safety(nextafter(1, 0)), RWEDGE_DOUBT_YIELD);
@@ -61,7 +61,7 @@ static void a_load_above_yield_is_doubted(void **state)
 }
 
 /* Steel in GPa beside a load in N/mm: a/b = 0.0046 in place of 4.6. */
-static void mixed_units_are_doubted(void **state)
+CLAIM(mixed_units_are_doubted)
 {
     assert_int_equal(of_rounding(0.01), 0);
     assert_int_equal(of_rounding(1e4), 0);
@@ -78,19 +78,19 @@ static void mixed_units_are_doubted(void **state)
     assert_int_equal(of_strength(0), 0);
 }
 
-static void doubts_add_up(void **state)
+CLAIM(doubts_add_up)
 {
     assert_int_equal(rwedge_validity(1.15, 1e-3, 0.1, 0.6, 1, 0.5), 1 + 2 + 4 + 8 + 16);
 }
 
-static void what_is_not_known_is_not_doubted_and_raises_nothing(void **state)
+CLAIM(what_is_not_known_is_not_doubted_and_raises_nothing)
 {
     feclearexcept(FE_ALL_EXCEPT);
     assert_int_equal(rwedge_validity(NAN, NAN, NAN, NAN, NAN, NAN), 0);
     assert_int_equal(fetestexcept(FE_INVALID), 0);
 }
 
-static void every_bit_has_its_own_text_and_nothing_else_has_one(void **state)
+CLAIM(every_bit_has_its_own_text_and_nothing_else_has_one)
 {
     int32_t all = 0;
     for (int32_t bit = 1; rwedge_validity_text(bit)[0] != '\0'; bit *= 2) {
@@ -102,19 +102,4 @@ static void every_bit_has_its_own_text_and_nothing_else_has_one(void **state)
     const int32_t none[] = {0, 3, -1, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++)
         assert_string_equal(rwedge_validity_text(none[i]), "");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_sound_contact_has_no_doubts),
-        cmocka_unit_test(an_angle_above_a_tenth_is_doubted),
-        cmocka_unit_test(dissimilar_bodies_are_doubted_with_friction),
-        cmocka_unit_test(a_load_above_yield_is_doubted),
-        cmocka_unit_test(mixed_units_are_doubted),
-        cmocka_unit_test(doubts_add_up),
-        cmocka_unit_test(what_is_not_known_is_not_doubted_and_raises_nothing),
-        cmocka_unit_test(every_bit_has_its_own_text_and_nothing_else_has_one),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static void assert_corner(const rw_memory *path, size_t i, double load, double s
 
 /* Mindlin: under a constant load each reversal adds a layer half as thick as the change of
  * shear. */
-static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
+CLAIM(reversals_add_layers_that_larger_ones_wipe_out)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -56,7 +56,7 @@ static void reversals_add_layers_that_larger_ones_wipe_out(void **state)
 
 /* After a first load in proportion, Q goes through a cycle. P is constant but for rounding. What
  * slips must have |D| = 1 to the last bit; else the stick zone would end at the edge. */
-static void rounding_of_the_load_hides_no_slip(void **state)
+CLAIM(rounding_of_the_load_hides_no_slip)
 {
     static const double ROUNDINGS[][8] = {
         {17, 0, -8, -3, 0, 19, 0, 0}, {0, -8, -16, -1, 3, 0, -11, 2}, {0, 5, -7, 0, 0, 0, 0, 0}};
@@ -78,7 +78,7 @@ static void rounding_of_the_load_hides_no_slip(void **state)
 
 /* A load goes back to a corner of the path, and slips by rounding alone. The path then ends at that
  * corner. */
-static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
+CLAIM(a_slip_of_a_rounding_ends_at_the_corner)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -90,7 +90,7 @@ static void a_slip_of_a_rounding_ends_at_the_corner(void **state)
     rw_memory_destroy(&path);
 }
 
-static void a_rising_load_sticks_where_it_can(void **state)
+CLAIM(a_rising_load_sticks_where_it_can)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -105,7 +105,7 @@ static void a_rising_load_sticks_where_it_can(void **state)
     rw_memory_destroy(&path);
 }
 
-static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
+CLAIM(a_falling_load_cuts_off_what_it_need_not_slip)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -119,7 +119,7 @@ static void a_falling_load_cuts_off_what_it_need_not_slip(void **state)
     rw_memory_destroy(&path);
 }
 
-static void collinear_steps_are_one(void **state)
+CLAIM(collinear_steps_are_one)
 {
     rw_memory line, steep;
     assert_true(rw_memory_create(&line) && rw_memory_create(&steep));
@@ -139,7 +139,7 @@ static void collinear_steps_are_one(void **state)
 }
 
 /* Each step differs from a straight one by less than rounding; all together do not. */
-static void a_slow_bend_is_not_straightened(void **state)
+CLAIM(a_slow_bend_is_not_straightened)
 {
     for (int sign = -1; sign <= 1; sign += 2) {
         rw_memory bend;
@@ -157,7 +157,7 @@ static void a_slow_bend_is_not_straightened(void **state)
 }
 
 /* 1e6 steps of half an epsilon each: none may be lost, nor may they pile up. */
-static void creep_below_rounding_is_not_lost(void **state)
+CLAIM(creep_below_rounding_is_not_lost)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -182,7 +182,7 @@ static void random_load(uint64_t *seed, double *load, double *shear)
 
 /* Loads around a point, as far from it as any number of roundings: a corner stays only if it is the
  * highest or lowest of all since, so that there are about as many as digits in their number. */
-static void dithering_leaves_few_corners(void **state)
+CLAIM(dithering_leaves_few_corners)
 {
     uint64_t seed = 21;
     for (double far = DBL_EPSILON; far < 1e-8; far *= 4)
@@ -203,7 +203,7 @@ static void dithering_leaves_few_corners(void **state)
 
 /* A load that grows by roundings, and dithers. Two layers together are thicker than the tolerance:
  * a path of slopes up to 1 is straight to within its length. */
-static void growth_by_roundings_leaves_no_more_than_it_is_long(void **state)
+CLAIM(growth_by_roundings_leaves_no_more_than_it_is_long)
 {
     uint64_t seed = 22;
     for (double step = DBL_EPSILON / 4; step < 2 * DBL_EPSILON; step *= 2) {
@@ -218,7 +218,7 @@ static void growth_by_roundings_leaves_no_more_than_it_is_long(void **state)
     }
 }
 
-static void a_million_equal_cycles_keep_the_size_of_one(void **state)
+CLAIM(a_million_equal_cycles_keep_the_size_of_one)
 {
     uint64_t seed = 11;
     for (int kind = 0; kind < 6; kind++) {
@@ -242,7 +242,7 @@ static void a_million_equal_cycles_keep_the_size_of_one(void **state)
     }
 }
 
-static void each_load_adds_two_corners_at_most(void **state)
+CLAIM(each_load_adds_two_corners_at_most)
 {
     rw_memory path;
     assert_true(rw_memory_create(&path));
@@ -259,7 +259,7 @@ static void each_load_adds_two_corners_at_most(void **state)
 }
 
 /* A step in one and in parts gives the same, also where the sign of slip changes inside it. */
-static void a_step_is_the_sum_of_its_parts(void **state)
+CLAIM(a_step_is_the_sum_of_its_parts)
 {
     uint64_t seed = 5;
     for (int history = 0; history < 300; history++) {
@@ -309,7 +309,7 @@ static double punches(double w, const void *context)
     return (load_of(g->alpha, t) - load_of(g->alpha, 1)) * g->x / (t * t * acos(-1));
 }
 
-static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
+CLAIM(the_gap_beside_a_patch_is_that_of_its_flat_punches)
 {
     static const double ALPHAS[] = {0, 1e-8, 1e-3, 0.1, 0.5, 0.99, 0.999999, 1, 1.001, 1.5, 3, 100};
     static const double XS[] = {1.001, 1.1, 1.4, 2, 2.24, 2.26, 5, 50, 1e3};
@@ -328,7 +328,7 @@ static void the_gap_beside_a_patch_is_that_of_its_flat_punches(void **state)
 
 /* Next to the edge the gap is (2/(3 pi)) (phi0/alpha) X^3, which the closed form loses to
  * cancellation. */
-static void the_gap_opens_with_the_power_three_halves(void **state)
+CLAIM(the_gap_opens_with_the_power_three_halves)
 {
     static const double ALPHAS[] = {0, 1e-8, 0.1, 0.5, 0.9, 2};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++) {
@@ -340,7 +340,7 @@ static void the_gap_opens_with_the_power_three_halves(void **state)
     }
 }
 
-static void inside_its_patch_the_gap_is_closed(void **state)
+CLAIM(inside_its_patch_the_gap_is_closed)
 {
     rw_potential patch;
     rw_potential_init(&patch, 0.3);
@@ -349,7 +349,7 @@ static void inside_its_patch_the_gap_is_closed(void **state)
 
 /* Seen from far away the patch is a point. x^2 would overflow there, and the deformation is a part
  * log(x)/x of the profile. */
-static void far_from_its_patch_the_gap_is_the_profile(void **state)
+CLAIM(far_from_its_patch_the_gap_is_the_profile)
 {
     static const double ALPHAS[] = {0, 0.3, 1, 100, 1e190, 1e250},
                         XS[] = {1e20, 1e154, 1e200, 1e280};
@@ -359,28 +359,4 @@ static void far_from_its_patch_the_gap_is_the_profile(void **state)
             rw_potential_init(&patch, ALPHAS[i]);
             assert_close(rw_gap(&patch, XS[j]), rw_wedge_height(ALPHAS[i], XS[j]), 1e-15);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reversals_add_layers_that_larger_ones_wipe_out),
-        cmocka_unit_test(rounding_of_the_load_hides_no_slip),
-        cmocka_unit_test(a_slip_of_a_rounding_ends_at_the_corner),
-        cmocka_unit_test(a_rising_load_sticks_where_it_can),
-        cmocka_unit_test(a_falling_load_cuts_off_what_it_need_not_slip),
-        cmocka_unit_test(collinear_steps_are_one),
-        cmocka_unit_test(a_slow_bend_is_not_straightened),
-        cmocka_unit_test(creep_below_rounding_is_not_lost),
-        cmocka_unit_test(dithering_leaves_few_corners),
-        cmocka_unit_test(growth_by_roundings_leaves_no_more_than_it_is_long),
-        cmocka_unit_test(a_million_equal_cycles_keep_the_size_of_one),
-        cmocka_unit_test(each_load_adds_two_corners_at_most),
-        cmocka_unit_test(a_step_is_the_sum_of_its_parts),
-        cmocka_unit_test(the_gap_beside_a_patch_is_that_of_its_flat_punches),
-        cmocka_unit_test(the_gap_opens_with_the_power_three_halves),
-        cmocka_unit_test(inside_its_patch_the_gap_is_closed),
-        cmocka_unit_test(far_from_its_patch_the_gap_is_the_profile),
-    };
-    return RUN_CLAIMS("history", tests);
 }

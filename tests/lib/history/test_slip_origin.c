@@ -3,8 +3,6 @@
  * were. */
 #include "histories.h"
 
-#include <stdlib.h>
-
 enum { MOST = 512 };
 
 /* Copies of the paths, one for each origin, taken whole. */
@@ -66,7 +64,7 @@ static void random_load(random_history *h, int step)
     h->Q = fmax(-0.9 * h->P, fmin(0.9 * h->P, h->Q / h->f + change)) * h->f;
 }
 
-static void paths_that_are_kept_are_what_they_were(void **state)
+CLAIM(paths_that_are_kept_are_what_they_were)
 {
     static copies c;
     size_t most = 0;
@@ -81,22 +79,19 @@ static void paths_that_are_kept_are_what_they_were(void **state)
                 assert_as_copied(contact, &c);
             most = c.count > most ? c.count : most;
         }
-        rwedge_contact *copy;
-        assert_ok(rwedge_contact_copy(contact, &copy));
-        rwedge_contact_destroy(contact);
+        rwedge_contact *copy = copy_of(contact);
+        load(contact, 0, 0); /* forgets all */
         assert_as_copied(copy, &c);
-        rwedge_contact_destroy(copy);
     }
     cut(&c, 0);
     assert_true(most > 30);
 }
 
 /* Each load rises, every other one slips: once 194 MB for 4001 loads, 3.1 GB for 16001. */
-static void memory_grows_in_proportion_to_the_loads(void **state)
+CLAIM(memory_grows_in_proportion_to_the_loads)
 {
     enum { LOADS = 4000 };
-    rwedge_contact *contact = NULL, *restored = NULL;
-    assert_ok(rwedge_contact_create(0.01, 0.3, 0.001, 0.5, &contact));
+    rwedge_contact *contact = create_wedge(0.01, 0.3, 0.001, 0.5);
     load(contact, 10, 0);
     double P = 10, Q = 0;
     for (int i = 0; i < LOADS; i++) {
@@ -109,29 +104,14 @@ static void memory_grows_in_proportion_to_the_loads(void **state)
     const size_t points = rwedge_contact_memory(contact), n = rwedge_contact_state_size(contact);
     assert_true(points <= 2 * (LOADS + 1));
     assert_true(n <= 32 + 18 * points); /* all there is */
-    double *numbers = malloc(n * sizeof *numbers);
-    assert_non_null(numbers);
-    assert_ok(rwedge_contact_state(contact, n, numbers));
-    assert_ok(rwedge_contact_restore(n, numbers, &restored));
+    rwedge_contact *twin = restored(state_of(contact));
     const double b = rwedge_contact_half_width(contact);
     for (int i = 0; i < 40; i++) {
         const double x = b * (0.3 + 0.7 * i / 40);
-        assert_true(slip(contact, x) == slip(restored, x));
+        assert_true(slip(contact, x) == slip(twin, x));
     }
     load(contact, 0.8 * P, 0);
-    load(restored, 0.8 * P, 0);
-    assert_int_equal(rwedge_contact_memory(contact), rwedge_contact_memory(restored));
+    load(twin, 0.8 * P, 0);
+    assert_int_equal(rwedge_contact_memory(contact), rwedge_contact_memory(twin));
     assert_true(rwedge_contact_memory(contact) < points);
-    free(numbers);
-    rwedge_contact_destroy(restored);
-    rwedge_contact_destroy(contact);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(paths_that_are_kept_are_what_they_were),
-        cmocka_unit_test(memory_grows_in_proportion_to_the_loads),
-    };
-    return RUN_CLAIMS("slip_origin", tests);
 }

@@ -70,7 +70,7 @@ static double criterion_of(const block *k)
     return value;
 }
 
-static void one_cycle_has_the_life_of_its_parameter(void **state)
+CLAIM(one_cycle_has_the_life_of_its_parameter)
 {
     uint64_t seed = 3;
     for (int i = 0; i < 60; i++) {
@@ -82,7 +82,7 @@ static void one_cycle_has_the_life_of_its_parameter(void **state)
     }
 }
 
-static void a_block_of_three_equal_cycles_has_three_times_the_damage(void **state)
+CLAIM(a_block_of_three_equal_cycles_has_three_times_the_damage)
 {
     uint64_t seed = 4;
     for (int i = 0; i < 10; i++) {
@@ -100,7 +100,7 @@ static void a_block_of_three_equal_cycles_has_three_times_the_damage(void **stat
 
 /* Tension alone, in plane stress: 300 to -280, in it 200 to -50 and 120 to 60. Each cycle has its
  * own top. */
-static void a_spectrum_of_tension_is_summed_by_hand(void **state)
+CLAIM(a_spectrum_of_tension_is_summed_by_hand)
 {
     const block k = {.n = 6, .nu = 0.3, .plane_stress = 1, .sxx = {300, -50, 200, -280, 120, 60}};
     const double tops[3] = {300, 200, 120}, ranges[3] = {580, 250, 60};
@@ -114,7 +114,7 @@ static void a_spectrum_of_tension_is_summed_by_hand(void **state)
     assert_within(d.out, 0, 1e-4);
 }
 
-static void cycles_below_the_limit_do_no_damage(void **state)
+CLAIM(cycles_below_the_limit_do_no_damage)
 {
     const double sxx[6] = {300, -50, 200, -280, 120, 60}, zero[6] = {0};
     const double small = 200 * 250 / 2 / E;
@@ -249,7 +249,7 @@ static double in_all_directions(const block *k, double angle, double out)
     return best;
 }
 
-static void no_scanned_plane_has_more_damage(void **state)
+CLAIM(no_scanned_plane_has_more_damage)
 {
     uint64_t seed = 7;
     for (int i = 0; i < 40; i++) {
@@ -265,7 +265,7 @@ static void no_scanned_plane_has_more_damage(void **state)
     }
 }
 
-static void refusals_leave_the_results_alone(void **state)
+CLAIM(refusals_leave_the_results_alone)
 {
     double v = 1, c = 2, a = 3, o = 4;
     const double s[2] = {300, -280}, bad[2] = {0, NAN}, huge[2] = {1e60, -1e60};
@@ -291,7 +291,7 @@ static void refusals_leave_the_results_alone(void **state)
 }
 
 /* rwedge_smith_watson_topper_damage_field(), rwedge_fatemi_socie_damage_field() */
-static void a_field_has_the_bits_of_its_points(void **state)
+CLAIM(a_field_has_the_bits_of_its_points)
 {
     uint64_t seed = 8;
     block k[2] = {{.is_shear = false}, {.is_shear = false}};
@@ -317,18 +317,4 @@ static void a_field_has_the_bits_of_its_points(void **state)
             assert_true(d.value == v[i] && d.cycles == c[i] && d.angle == a[i] && d.out == o[i]);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_cycle_has_the_life_of_its_parameter),
-        cmocka_unit_test(a_block_of_three_equal_cycles_has_three_times_the_damage),
-        cmocka_unit_test(a_spectrum_of_tension_is_summed_by_hand),
-        cmocka_unit_test(cycles_below_the_limit_do_no_damage),
-        cmocka_unit_test(no_scanned_plane_has_more_damage),
-        cmocka_unit_test(refusals_leave_the_results_alone),
-        cmocka_unit_test(a_field_has_the_bits_of_its_points),
-    };
-    return RUN_CLAIMS("damage", tests);
 }

@@ -11,7 +11,7 @@ static double example(double b)
 /* SWT of 810 MPa as a stress, of ea 0.0135, sa 290, sm 10, E 162000. The root for the constants as
  * they are printed is 278.02483705 (by bisection in extended precision). The published life is 277:
  * it lies between the lives for b = -0.0775 and b = -0.0785, which are both printed as -0.078. */
-static void the_worked_example_lives_277_cycles_to_the_digits_of_its_constants(void **state)
+CLAIM(the_worked_example_lives_277_cycles_to_the_digits_of_its_constants)
 {
     assert_close(example(-0.078), 278.02483705, 1e-10);
     assert_true(example(-0.0785) < 277 && 277 < example(-0.0775));
@@ -27,7 +27,7 @@ static double shear_strain(double N)
     return 450.0 / 62000 * pow(2 * N, -0.08) + 0.7 * pow(2 * N, -0.6);
 }
 
-static void lives_are_where_the_curves_have_the_value(void **state)
+CLAIM(lives_are_where_the_curves_have_the_value)
 {
     for (double N = 0.5; N < 1e12; N *= 3.7) {
         assert_close(rwedge_smith_watson_topper_life(strain_energy(N), 162000, 475.4, -0.078, 0.612,
@@ -38,7 +38,7 @@ static void lives_are_where_the_curves_have_the_value(void **state)
     }
 }
 
-static void run_outs_are_infinite(void **state)
+CLAIM(run_outs_are_infinite)
 {
     assert_true(isinf(rwedge_smith_watson_topper_life(0, 162000, 475, -0.08, 0.6, -0.6, 0)));
     assert_true(isinf(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.31)));
@@ -47,7 +47,7 @@ static void run_outs_are_infinite(void **state)
     assert_true(isinf(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, 2e-3)));
 }
 
-static void what_is_outside_the_domain_has_no_life(void **state)
+CLAIM(what_is_outside_the_domain_has_no_life)
 {
     assert_nan(rwedge_smith_watson_topper_life(-1, 162000, 475, -0.08, 0.6, -0.6, 0));
     assert_nan(rwedge_smith_watson_topper_life(NAN, 162000, 475, -0.08, 0.6, -0.6, 0));
@@ -56,15 +56,4 @@ static void what_is_outside_the_domain_has_no_life(void **state)
     assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -3, 0));
     assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0, -0.6, 0));
     assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, -1));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_worked_example_lives_277_cycles_to_the_digits_of_its_constants),
-        cmocka_unit_test(lives_are_where_the_curves_have_the_value),
-        cmocka_unit_test(run_outs_are_infinite),
-        cmocka_unit_test(what_is_outside_the_domain_has_no_life),
-    };
-    return RUN_CLAIMS("life", tests);
 }

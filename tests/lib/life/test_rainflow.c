@@ -54,7 +54,7 @@ static void assert_counted(const history *h, int32_t repeats, size_t n, const co
 /* ASTM E1049-85, Fig. 6 (once) and Fig. 7 (repeated). */
 static const history EXAMPLE = {9, {-2, 1, -3, 5, -1, 3, -4, 4, -2}};
 
-static void the_example_of_the_standard(void **state)
+CLAIM(the_example_of_the_standard)
 {
     ASSERT_COUNTED(&EXAMPLE, 0, {-2, 1, 0.5}, {1, -3, 0.5}, {-1, 3, 1}, {-3, 5, 0.5}, {5, -4, 0.5},
                    {-4, 4, 0.5}, {4, -2, 0.5});
@@ -63,7 +63,7 @@ static void the_example_of_the_standard(void **state)
 
 /* Sequences and closed cycles of pyLife's tests (tests/stress/rainflow/test_fourpoint.py and
  * test_threepoint.py, Apache-2.0). What it calls the residuals is counted half, range by range. */
-static void the_sequences_of_pylife(void **state)
+CLAIM(the_sequences_of_pylife)
 {
     ASSERT_COUNTED((&(history){9, {2, -1, 3, -5, 1, -3, 4, -4, 2}}), 0, {1, -3, 1}, {2, -1, 0.5},
                    {-1, 3, 0.5}, {3, -5, 0.5}, {-5, 4, 0.5}, {4, -4, 0.5}, {-4, 2, 0.5});
@@ -85,7 +85,7 @@ static void the_sequences_of_pylife(void **state)
                    {4, 3, 0.5}, {3, 6, 0.5}, {6, 1, 0.5}, {1, 2, 0.5});
 }
 
-static void what_stands_still_has_no_cycles(void **state)
+CLAIM(what_stands_still_has_no_cycles)
 {
     for (int32_t repeats = 0; repeats <= 1; repeats++) {
         assert_true(all_counts(&(history){1, {7}}, repeats) == 0);
@@ -95,7 +95,7 @@ static void what_stands_still_has_no_cycles(void **state)
     assert_true(all_counts(&(history){4, {0, 1, 1, 3}}, 1) == 1);
 }
 
-static void refusals_leave_the_counts_alone(void **state)
+CLAIM(refusals_leave_the_counts_alone)
 {
     double range[2] = {5, 6}, mean[2] = {7, 8}, count[2] = {9, 10};
     const double good[2] = {0, 1}, bad[2] = {0, NAN};
@@ -104,15 +104,4 @@ static void refusals_leave_the_counts_alone(void **state)
     assert_int_equal(rwedge_rainflow(0, good, 0, range, mean, count), RWEDGE_ERANGE);
     assert_int_equal(rwedge_rainflow(2, good, 0, range, NULL, count), RWEDGE_ENULL);
     assert_true(range[0] == 5 && mean[1] == 8 && count[1] == 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_example_of_the_standard),
-        cmocka_unit_test(the_sequences_of_pylife),
-        cmocka_unit_test(what_stands_still_has_no_cycles),
-        cmocka_unit_test(refusals_leave_the_counts_alone),
-    };
-    return RUN_CLAIMS("rainflow", tests);
 }

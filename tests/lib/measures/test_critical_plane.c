@@ -137,7 +137,7 @@ static void draw_cycle(cycle *c, path kind, size_t n, uint64_t *seed)
 }
 
 /* No scanned plane has more, and the plane that is named has it. */
-static void the_critical_plane_is_that_of_a_scan(void **state)
+CLAIM(the_critical_plane_is_that_of_a_scan)
 {
     static const size_t counts[] = {1, 2, 3, 12, 48, 65, 400};
     static cycle c;
@@ -155,7 +155,7 @@ static void the_critical_plane_is_that_of_a_scan(void **state)
 }
 
 /* A path round a circle: as many planes are the worst as there are loads, all but rounding. */
-static void a_circular_path_has_as_many_worst_planes_as_loads(void **state)
+CLAIM(a_circular_path_has_as_many_worst_planes_as_loads)
 {
     static cycle c;
     static const size_t counts[] = {4, 7, 48, 63, 64, 65, 128, 400};
@@ -183,7 +183,7 @@ static cycle alternating(double sxx, double syy, double txy)
 }
 
 /* Tension and compression s: the plane across it, whose strain is s (1-nu^2)/E in plane strain. */
-static void uniaxial_cycle(void **state)
+CLAIM(uniaxial_cycle)
 {
     cycle c = alternating(250, 0, 0);
     double angle;
@@ -202,7 +202,7 @@ static void uniaxial_cycle(void **state)
 
 /* Pure torsion t: SWT on the planes of s1 = t; Fatemi-Socie between those and the planes of t,
  * where cos(u) (1 + K sin(u)) is largest: sin(u) = 1/2 for K = k t/sy = 1. */
-static void torsion_cycle(void **state)
+CLAIM(torsion_cycle)
 {
     cycle c = alternating(0, 0, 160);
     c.k = 1 / 160.0;
@@ -216,7 +216,7 @@ static void torsion_cycle(void **state)
 
 /* Tension s and torsion s/2, 90 degrees out of phase: for k = 0 every plane is as bad as the worst
  * in tension alone, (1+nu) s/E; Smith, Watson and Topper's plane is that of tension alone. */
-static void out_of_phase_cycle(void **state)
+CLAIM(out_of_phase_cycle)
 {
     enum { N = 48 };
     cycle c = {.n = N, .E = 210e3, .nu = 0.3};
@@ -233,7 +233,7 @@ static void out_of_phase_cycle(void **state)
 /* At the worst plane the second and third derivatives are 0 too: the product is (1 + c) (3 - c)/10,
  * c the cosine of twice the angle from it. The value is as good as ever; many planes have it, but
  * for rounding. */
-static void a_flat_maximum(void **state)
+CLAIM(a_flat_maximum)
 {
     static const double mean[2] = {1, 0.4}, half_difference[2] = {1, 1.2};
     for (double at = -1.5; at < 1.5; at += 0.1) {
@@ -250,7 +250,7 @@ static void a_flat_maximum(void **state)
 }
 
 /* The header's way to plane stress: exx = (sxx - nu syy)/E. */
-static void plane_stress_by_other_constants(void **state)
+CLAIM(plane_stress_by_other_constants)
 {
     const double nu = 0.3;
     cycle c = alternating(250, 0, 0);
@@ -261,7 +261,7 @@ static void plane_stress_by_other_constants(void **state)
     assert_close(parameter_of(&c, FATEMI_SOCIE, &angle), 1.3 * 250 / 210e3, 1e-14);
 }
 
-static void harmless_cycles_have_none(void **state)
+CLAIM(harmless_cycles_have_none)
 {
     cycle c = alternating(10, 20, 5);
     double angle = 7;
@@ -282,7 +282,7 @@ static void harmless_cycles_have_none(void **state)
 }
 
 /* In another unit, in another order and gone through twice. */
-static void units_and_order_do_not_matter(void **state)
+CLAIM(units_and_order_do_not_matter)
 {
     static cycle c, other;
     uint64_t seed = 5;
@@ -309,7 +309,7 @@ static void units_and_order_do_not_matter(void **state)
 }
 
 /* Smaller stresses than the header speaks of: an end, and nothing but numbers. */
-static void vanishing_stresses_come_to_an_end(void **state)
+CLAIM(vanishing_stresses_come_to_an_end)
 {
     static cycle c;
     uint64_t seed = 6;
@@ -325,7 +325,7 @@ static void vanishing_stresses_come_to_an_end(void **state)
     }
 }
 
-static void a_field_is_its_points(void **state)
+CLAIM(a_field_is_its_points)
 {
     enum { POINTS = 37, LOADS = 90 };
     static double s[3][LOADS * POINTS], value[2][POINTS], angle[2][POINTS];
@@ -360,7 +360,7 @@ static void a_field_is_its_points(void **state)
                                         angle[1])); /* no points */
 }
 
-static void a_cycle_has_loads_and_no_more_than_there_are_addresses(void **state)
+CLAIM(a_cycle_has_loads_and_no_more_than_there_are_addresses)
 {
     const double s[2] = {1, 2};
     double value = 11, angle = 12;
@@ -370,23 +370,4 @@ static void a_cycle_has_loads_and_no_more_than_there_are_addresses(void **state)
         rwedge_smith_watson_topper_field((size_t)-1 / 4, 8, s, s, s, 1, 0.3, &value, &angle),
         RWEDGE_ERANGE);
     assert_true(value == 11 && angle == 12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_critical_plane_is_that_of_a_scan),
-        cmocka_unit_test(a_circular_path_has_as_many_worst_planes_as_loads),
-        cmocka_unit_test(uniaxial_cycle),
-        cmocka_unit_test(torsion_cycle),
-        cmocka_unit_test(out_of_phase_cycle),
-        cmocka_unit_test(a_flat_maximum),
-        cmocka_unit_test(plane_stress_by_other_constants),
-        cmocka_unit_test(harmless_cycles_have_none),
-        cmocka_unit_test(units_and_order_do_not_matter),
-        cmocka_unit_test(vanishing_stresses_come_to_an_end),
-        cmocka_unit_test(a_field_is_its_points),
-        cmocka_unit_test(a_cycle_has_loads_and_no_more_than_there_are_addresses),
-    };
-    return RUN_CLAIMS("critical_plane", tests);
 }

@@ -177,7 +177,7 @@ static void draw_cycle(cycle *c, path kind, size_t n, uint64_t *seed)
 }
 
 /* No scanned plane has more, and the plane that is named has it. */
-static void the_worst_plane_is_that_of_a_scan(void **state)
+CLAIM(the_worst_plane_is_that_of_a_scan)
 {
     static const size_t counts[] = {1, 2, 3, 9};
     static cycle c;
@@ -220,7 +220,7 @@ static void assert_found(double actual, double expected, int *rough)
 /* Findley's parameter of a fully reversed proportional cycle, with b and c half of the sum and of
  * the difference of the outermost principal stresses: k b + c sqrt(1 + k^2), for either sign of
  * the load. */
-static void findley_of_a_proportional_cycle_is_the_closed_form(void **state)
+CLAIM(findley_of_a_proportional_cycle_is_the_closed_form)
 {
     uint64_t seed = 11;
     int rough = 0;
@@ -238,7 +238,7 @@ static void findley_of_a_proportional_cycle_is_the_closed_form(void **state)
 
 /* Without a share of the normal stress Fatemi and Socie's parameter is the largest shear strain,
  * between the outermost principal stresses, wherever szz is. */
-static void the_shear_is_that_between_the_outermost_principal_stresses(void **state)
+CLAIM(the_shear_is_that_between_the_outermost_principal_stresses)
 {
     uint64_t seed = 12;
     int away = 0, rough = 0;
@@ -255,7 +255,7 @@ static void the_shear_is_that_between_the_outermost_principal_stresses(void **st
 }
 
 /* Two loads of a contact, P and Q in phase, at x = -0.45 b. */
-static void in_phase_loads_are_worse_off_the_planes_that_contain_z(void **state)
+CLAIM(in_phase_loads_are_worse_off_the_planes_that_contain_z)
 {
     rwedge_contact *contact;
     const double nu = 0.3, E = 210e3, A = rwedge_compliance(E, nu, E, nu), theta = 0.1;
@@ -280,7 +280,7 @@ static void in_phase_loads_are_worse_off_the_planes_that_contain_z(void **state)
 
 static const double TENSION[2] = {100, -100}, NOTHING[2] = {0, 0};
 
-static void uniaxial_and_torsion_have_the_ratios_1_and_0(void **state)
+CLAIM(uniaxial_and_torsion_have_the_ratios_1_and_0)
 {
     double value, angle, out;
     assert_ok(rwedge_modified_wohler(2, TENSION, NOTHING, NOTHING, 0, 7, &value, &angle, &out));
@@ -294,7 +294,7 @@ static void uniaxial_and_torsion_have_the_ratios_1_and_0(void **state)
 }
 
 /* Of the two planes of the same shear amplitude the one in tension. */
-static void of_equal_amplitudes_the_larger_normal_stress_decides(void **state)
+CLAIM(of_equal_amplitudes_the_larger_normal_stress_decides)
 {
     const double sxx[2] = {30, 30}, syy[2] = {-50, -50}, txy[2] = {40, -40};
     double value, angle, out;
@@ -306,7 +306,7 @@ static void of_equal_amplitudes_the_larger_normal_stress_decides(void **state)
 
 /* ---- Crossland, Dang Van ---- */
 
-static void spheres_around_textbook_paths_are_exact(void **state)
+CLAIM(spheres_around_textbook_paths_are_exact)
 {
     enum { N = 48 };
     double sxx[N], syy[N], txy[N], value;
@@ -330,7 +330,7 @@ static void spheres_around_textbook_paths_are_exact(void **state)
 
 /* A cycle between 0 and p has the centre p/2: its shear is p/4 about it, whatever the mean, and
  * compression takes from it. */
-static void dang_van_counts_from_shakedown(void **state)
+CLAIM(dang_van_counts_from_shakedown)
 {
     double value;
     const double pulse[2] = {0, 200}, crush[2] = {0, -200};
@@ -346,7 +346,7 @@ static void dang_van_counts_from_shakedown(void **state)
 
 /* ---- Fields, scales, errors ---- */
 
-static void a_field_has_the_bits_of_its_points_at_every_scale(void **state)
+CLAIM(a_field_has_the_bits_of_its_points_at_every_scale)
 {
     enum { N = 6, LOADS = 5 };
     double sxx[LOADS * N], syy[LOADS * N], txy[LOADS * N], value[N], angle[N], out[N];
@@ -417,7 +417,7 @@ static two_points draw_points(uint64_t *seed)
 /* As rwedge_findley_field() above: rwedge_smith_watson_topper_planes_field(),
  * rwedge_fatemi_socie_planes_field(), rwedge_modified_wohler_field(), rwedge_mcdiarmid_field(),
  * rwedge_crossland_field(), rwedge_dang_van_field(). */
-static void every_field_has_the_bits_of_its_points(void **state)
+CLAIM(every_field_has_the_bits_of_its_points)
 {
     uint64_t seed = 21;
     for (int i = 0; i < 20; i++) {
@@ -429,7 +429,7 @@ static void every_field_has_the_bits_of_its_points(void **state)
         ASSERT_SPHERE(dang_van);
     }
 }
-static void a_cycle_has_loads(void **state)
+CLAIM(a_cycle_has_loads)
 {
     double value = 5, angle = 6, out = 7;
     assert_int_equal(rwedge_findley(0, TENSION, NOTHING, NOTHING, 0.3, 0.2, &value, &angle, &out),
@@ -438,7 +438,7 @@ static void a_cycle_has_loads(void **state)
 }
 
 /* Uniaxial, fully reversed: sqrt(E ea (sm + sa)) is the parameter as a stress. */
-static void uniaxial_smith_watson_topper_is_the_textbook_value(void **state)
+CLAIM(uniaxial_smith_watson_topper_is_the_textbook_value)
 {
     const double sxx[2] = {300, -280}, E = 162000;
     double value, angle, out;
@@ -449,7 +449,7 @@ static void uniaxial_smith_watson_topper_is_the_textbook_value(void **state)
 }
 
 /* As the functions that are named, to the bit. */
-static void a_criterion_by_its_number_is_that_by_its_name(void **state)
+CLAIM(a_criterion_by_its_number_is_that_by_its_name)
 {
     const double sxx[4] = {300, 20, -80, 45}, syy[4] = {-40, 5, 60, -10}, txy[4] = {10, 30, -90, 2};
     double v[8][2], by[8][2], a[8][2], angle[2], o[8][2], out[2];
@@ -483,24 +483,4 @@ static void a_criterion_by_its_number_is_that_by_its_name(void **state)
     assert_int_equal(
         rwedge_criterion_field(0, 2, 2, sxx, syy, txy, 7e4, 0.3, 1, 0.4, 500, by[0], NULL, out),
         RWEDGE_ENULL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_worst_plane_is_that_of_a_scan),
-        cmocka_unit_test(findley_of_a_proportional_cycle_is_the_closed_form),
-        cmocka_unit_test(the_shear_is_that_between_the_outermost_principal_stresses),
-        cmocka_unit_test(in_phase_loads_are_worse_off_the_planes_that_contain_z),
-        cmocka_unit_test(uniaxial_and_torsion_have_the_ratios_1_and_0),
-        cmocka_unit_test(of_equal_amplitudes_the_larger_normal_stress_decides),
-        cmocka_unit_test(spheres_around_textbook_paths_are_exact),
-        cmocka_unit_test(dang_van_counts_from_shakedown),
-        cmocka_unit_test(a_field_has_the_bits_of_its_points_at_every_scale),
-        cmocka_unit_test(every_field_has_the_bits_of_its_points),
-        cmocka_unit_test(a_cycle_has_loads),
-        cmocka_unit_test(uniaxial_smith_watson_topper_is_the_textbook_value),
-        cmocka_unit_test(a_criterion_by_its_number_is_that_by_its_name),
-    };
-    return RUN_CLAIMS("planes", tests);
 }

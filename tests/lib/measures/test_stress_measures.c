@@ -22,7 +22,7 @@ static void resolve(const double s[3], double angle, double *along_normal, doubl
     *across = tx * y - ty * x;
 }
 
-static void the_plane_of_s1_carries_s1_and_no_shear(void **state)
+CLAIM(the_plane_of_s1_carries_s1_and_no_shear)
 {
     uint64_t seed = 1;
     for (int i = 0; i < 1000; i++) {
@@ -46,7 +46,7 @@ static double angle_of(double sxx, double syy, double txy)
 }
 
 /* From the surface's normal +y, positive towards +x. */
-static void angles_turn_from_the_normal_towards_x(void **state)
+CLAIM(angles_turn_from_the_normal_towards_x)
 {
     assert_within(angle_of(0, 1, 0), 0, 0);
     assert_close(angle_of(1, 0, 0), PI / 2, DBL_EPSILON);
@@ -63,7 +63,7 @@ static double largest_of(double a, double b, double c)
 }
 
 /* From the three principal stresses, in long double. */
-static void invariants_are_those_of_the_principal_stresses(void **state)
+CLAIM(invariants_are_those_of_the_principal_stresses)
 {
     uint64_t seed = 2;
     for (int i = 0; i < 1000; i++) {
@@ -80,7 +80,7 @@ static void invariants_are_those_of_the_principal_stresses(void **state)
     }
 }
 
-static void textbook_stresses(void **state)
+CLAIM(textbook_stresses)
 {
     assert_close(rwedge_von_mises(-7, 0, 0, 0), 7, 4 * DBL_EPSILON);
     assert_close(rwedge_von_mises(0, 0, 2, 0.3), 2 * sqrt(3), 4 * DBL_EPSILON);
@@ -92,7 +92,7 @@ static void textbook_stresses(void **state)
 }
 
 /* The sharp edges of a difference: stresses that are nearly a fluid's pressure. */
-static void small_differences_keep_their_digits(void **state)
+CLAIM(small_differences_keep_their_digits)
 {
     const double off = ldexp(1, -50);
     assert_close(rwedge_von_mises(1, 1 + off, 0, 0.5), sqrt(3) * off / 2, 4 * DBL_EPSILON);
@@ -103,20 +103,7 @@ static void small_differences_keep_their_digits(void **state)
 }
 
 /* The domain is that of the arguments. */
-static void measures_may_leave_the_domain_of_stresses(void **state)
+CLAIM(measures_may_leave_the_domain_of_stresses)
 {
     assert_close(rwedge_von_mises(1e60, -1e60, 1e60, 0.3), sqrt(6) * 1e60, 4 * DBL_EPSILON);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_plane_of_s1_carries_s1_and_no_shear),
-        cmocka_unit_test(angles_turn_from_the_normal_towards_x),
-        cmocka_unit_test(invariants_are_those_of_the_principal_stresses),
-        cmocka_unit_test(textbook_stresses),
-        cmocka_unit_test(small_differences_keep_their_digits),
-        cmocka_unit_test(measures_may_leave_the_domain_of_stresses),
-    };
-    return RUN_CLAIMS("stress_measures", tests);
 }

@@ -88,7 +88,7 @@ static void slip_is_that_of_the_closed_form(const pair *c)
     }
 }
 
-static void mindlins_loading_unloading_and_reloading(void **state)
+CLAIM(mindlins_loading_unloading_and_reloading)
 {
     for (int i = 0; i < 3; i++) {
         pair c = begin(4, 0, TOLERANCES[i]);
@@ -103,7 +103,7 @@ static void mindlins_loading_unloading_and_reloading(void **state)
     }
 }
 
-static void tension_in_phase_with_a_moment(void **state)
+CLAIM(tension_in_phase_with_a_moment)
 {
     for (int i = 0; i < 3; i++) {
         pair c = begin(4, 1.2, TOLERANCES[i]);
@@ -114,7 +114,7 @@ static void tension_in_phase_with_a_moment(void **state)
     }
 }
 
-static void a_contact_that_grows_and_recedes(void **state)
+CLAIM(a_contact_that_grows_and_recedes)
 {
     for (int i = 0; i < 3; i++) {
         pair c = begin(3, 0, TOLERANCES[i]);
@@ -127,7 +127,7 @@ static void a_contact_that_grows_and_recedes(void **state)
 }
 
 /* The error that is told is not below the true one, and not far above the tolerance. */
-static void a_step_in_parts_is_the_step_as_a_whole(void **state)
+CLAIM(a_step_in_parts_is_the_step_as_a_whole)
 {
     const rw_course from = {4, 0, 0, 0}, to = {4.4, 0.3, 0.9, 0.3};
     const int parts[] = {1, 2, 7, 50};
@@ -150,7 +150,7 @@ static void a_step_in_parts_is_the_step_as_a_whole(void **state)
     rw_traction_destroy(&first);
 }
 
-static void repeated_loads_do_not_fill_the_memory(void **state)
+CLAIM(repeated_loads_do_not_fill_the_memory)
 {
     pair c = begin(4, 0, 1e-3);
     size_t most = 0;
@@ -163,16 +163,4 @@ static void repeated_loads_do_not_fill_the_memory(void **state)
     assert_true(most < 400);
     assert_true(c.numerical.errors <= RW_MOST_ERRORS);
     end(&c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mindlins_loading_unloading_and_reloading),
-        cmocka_unit_test(tension_in_phase_with_a_moment),
-        cmocka_unit_test(a_contact_that_grows_and_recedes),
-        cmocka_unit_test(a_step_in_parts_is_the_step_as_a_whole),
-        cmocka_unit_test(repeated_loads_do_not_fill_the_memory),
-    };
-    return RUN_CLAIMS("numerical", tests);
 }

@@ -20,7 +20,7 @@ static rw_traction fitted(void)
     return t;
 }
 
-static void the_traction_is_what_was_fitted(void **state)
+CLAIM(the_traction_is_what_was_fitted)
 {
     rw_traction t = fitted();
     for (int i = -50; i <= 50; i++)
@@ -30,7 +30,7 @@ static void the_traction_is_what_was_fitted(void **state)
     rw_traction_destroy(&t);
 }
 
-static void the_slope_of_hertz_is_a_line_inside_and_falls_off_outside(void **state)
+CLAIM(the_slope_of_hertz_is_a_line_inside_and_falls_off_outside)
 {
     rw_traction t = fitted();
     for (int i = -300; i <= 300; i++) {
@@ -43,7 +43,7 @@ static void the_slope_of_hertz_is_a_line_inside_and_falls_off_outside(void **sta
 }
 
 /* -(1/pi) int sqrt(1 - s^2) ln|s - x| ds = -(x^2 - 1/2 - ln 2)/2 inside. */
-static void the_displacement_of_hertz_is_a_parabola(void **state)
+CLAIM(the_displacement_of_hertz_is_a_parabola)
 {
     rw_traction t = fitted();
     for (int i = -40; i <= 40; i++) {
@@ -60,7 +60,7 @@ static rw_complex root(double x, double y)
     return rw_product(one, other);
 }
 
-static void the_field_of_hertz_is_its_potential(void **state)
+CLAIM(the_field_of_hertz_is_its_potential)
 {
     rw_traction t = fitted();
     const double x[] = {0.3, -1.01, 0.5, 2, 0.4, 0, -0.2, 7},
@@ -78,9 +78,8 @@ static void the_field_of_hertz_is_its_potential(void **state)
 }
 
 /* The edges of slip zones may lie so close together: a point was not moved off such an edge. */
-static void the_slope_at_the_ends_of_a_narrow_element_is_finite(void **state)
+CLAIM(the_slope_at_the_ends_of_a_narrow_element_is_finite)
 {
-    (void)state;
     for (double width = 1e-6; width > 1e-10; width /= 10) {
         const double breaks[] = {-1, 0.38, 0.38 + width, 1};
         rw_traction t = {0};
@@ -91,7 +90,7 @@ static void the_slope_at_the_ends_of_a_narrow_element_is_finite(void **state)
     }
 }
 
-static void an_element_made_of_coefficients_is_the_same(void **state)
+CLAIM(an_element_made_of_coefficients_is_the_same)
 {
     rw_traction t = fitted(), again = {0};
     for (size_t i = 0; i < t.count; i++)
@@ -101,17 +100,4 @@ static void an_element_made_of_coefficients_is_the_same(void **state)
         assert_true(rw_traction_slope(&t, i / 9.5) == rw_traction_slope(&again, i / 9.5));
     rw_traction_destroy(&t);
     rw_traction_destroy(&again);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_traction_is_what_was_fitted),
-        cmocka_unit_test(the_slope_of_hertz_is_a_line_inside_and_falls_off_outside),
-        cmocka_unit_test(the_displacement_of_hertz_is_a_parabola),
-        cmocka_unit_test(the_field_of_hertz_is_its_potential),
-        cmocka_unit_test(the_slope_at_the_ends_of_a_narrow_element_is_finite),
-        cmocka_unit_test(an_element_made_of_coefficients_is_the_same),
-    };
-    return RUN_CLAIMS("transform", tests);
 }

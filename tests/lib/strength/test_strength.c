@@ -16,7 +16,7 @@ static double von_mises(double alpha, double f, double nu, double x, double y)
     return sqrt((a * a + b * b + c * c) / 6 + txy * txy);
 }
 
-static void elastic_limit_matches_reference(void **state)
+CLAIM(elastic_limit_matches_reference)
 {
     reference table = reference_open("elastic_limit.csv");
     while (reference_next(&table)) {
@@ -31,7 +31,7 @@ static void elastic_limit_matches_reference(void **state)
     assert_int_equal(table.row, 160);
 }
 
-static void paper_grid_matches_reference(void **state)
+CLAIM(paper_grid_matches_reference)
 {
     reference table = reference_open("paper_grid.csv");
     while (reference_next(&table)) {
@@ -44,7 +44,7 @@ static void paper_grid_matches_reference(void **state)
     assert_int_equal(table.row, 170);
 }
 
-static void critical_friction_matches_reference(void **state)
+CLAIM(critical_friction_matches_reference)
 {
     reference table = reference_open("critical_friction.csv");
     while (reference_next(&table))
@@ -52,7 +52,7 @@ static void critical_friction_matches_reference(void **state)
     assert_int_equal(table.row, 24);
 }
 
-static void branches_cross_at_the_critical_friction(void **state)
+CLAIM(branches_cross_at_the_critical_friction)
 {
     for (double alpha = 0.1; alpha < 1.5; alpha += 0.2)
         for (double nu = 0.26; nu <= 0.5; nu += 0.06) {
@@ -69,7 +69,7 @@ static void branches_cross_at_the_critical_friction(void **state)
         }
 }
 
-static void limit_is_the_smaller_branch(void **state)
+CLAIM(limit_is_the_smaller_branch)
 {
     for (double alpha = 0.05; alpha < 1.2; alpha += 0.17)
         for (double f = 0; f < 0.8; f += 0.013) {
@@ -82,7 +82,7 @@ static void limit_is_the_smaller_branch(void **state)
 }
 
 /* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
-static void small_tips_yield_at_the_surface_without_friction(void **state)
+CLAIM(small_tips_yield_at_the_surface_without_friction)
 {
     const double takeover[][2] = {{0.3, 0.0176467}, {0.25, 0.1173}, {0.2, 0.5542}}; /* nu, alpha */
     for (int i = 0; i < 3; i++) {
@@ -99,7 +99,7 @@ static void small_tips_yield_at_the_surface_without_friction(void **state)
 
 /* The reversal of the smallest tips: at the surface without friction, below it with a little, at
  * the surface with more. */
-static void tiny_tips_yield_below_with_a_little_friction(void **state)
+CLAIM(tiny_tips_yield_below_with_a_little_friction)
 {
     const double frictions[] = {0, 0.1, 0.3};
     for (int i = 0; i < 3; i++) {
@@ -119,7 +119,7 @@ static void tiny_tips_yield_below_with_a_little_friction(void **state)
 }
 
 /* The search below does not begin beyond f = 0.6. */
-static void no_fold_is_beyond_0_556(void **state)
+CLAIM(no_fold_is_beyond_0_556)
 {
     double limit, x, y;
     assert_ok(rwedge_subsurface_yield(0.82, 0.5556, 0.47, &limit, &x, &y));
@@ -130,7 +130,7 @@ static void no_fold_is_beyond_0_556(void **state)
 }
 
 /* Past the fold the branch is gone; before it, it is there, up to the fold's last bits. */
-static void subsurface_branch_ends_at_a_fold(void **state)
+CLAIM(subsurface_branch_ends_at_a_fold)
 {
     double there = 0, gone = 1, limit = 7, x = 7, y = 7;
     while (gone - there > 1e-13) {
@@ -152,13 +152,13 @@ static void subsurface_branch_ends_at_a_fold(void **state)
     assert_true(limit == 7 && x == 7 && y == 7);
 }
 
-static void hertz_does_not_depend_on_alpha(void **state)
+CLAIM(hertz_does_not_depend_on_alpha)
 {
     for (double f = 0; f < 1; f += 0.1)
         assert_close(rwedge_elastic_limit(7, f, 0.3), rwedge_elastic_limit(1, f, 0.3), 0);
 }
 
-static void sharp_wedge_yields_at_its_apex(void **state)
+CLAIM(sharp_wedge_yields_at_its_apex)
 {
     double limit = 7, x = 7, y = 7;
     assert_ok(rwedge_yield_point(0, 0.2, 0.3, &limit, &x, &y));
@@ -176,7 +176,7 @@ static void sharp_wedge_yields_at_its_apex(void **state)
 
 /* Where J2 is so flat that rounding moves its maximum, the branch was lost and the surface taken
  * for the place of yield. Values of a search of the half-plane by the stresses alone. */
-static void flat_maxima_of_tiny_tips_are_found(void **state)
+CLAIM(flat_maxima_of_tiny_tips_are_found)
 {
     static const double cases[][3] = {{1e-10, 0.001, 3.1407}, {9e-14, 0.01, 2.94}};
     for (int i = 0; i < 2; i++) {
@@ -191,14 +191,14 @@ static void flat_maxima_of_tiny_tips_are_found(void **state)
             assert_true(rwedge_elastic_limit(alpha, f, 0.5) > PI * (1 - 15 * f));
 }
 
-static void incompressible_surface_is_safe_without_friction(void **state)
+CLAIM(incompressible_surface_is_safe_without_friction)
 {
     double limit = 7, x = 7;
     assert_int_equal(rwedge_surface_yield(0.3, 0, 0.5, &limit, &x), RWEDGE_EABSENT);
     assert_true(limit == 7 && x == 7);
 }
 
-static void max_tension_matches_reference(void **state)
+CLAIM(max_tension_matches_reference)
 {
     reference table = reference_open("contact_law.csv");
     while (reference_next(&table))
@@ -209,7 +209,7 @@ static void max_tension_matches_reference(void **state)
 }
 
 /* Nowhere in the half-plane is s1 above sxx at the trailing edge. */
-static void max_tension_is_the_largest(void **state)
+CLAIM(max_tension_is_the_largest)
 {
     for (double alpha = 0.1; alpha < 1; alpha += 0.3) {
         const double f = 0.5, largest = f * rwedge_load(alpha) * rwedge_max_tension(alpha);
@@ -223,7 +223,7 @@ static void max_tension_is_the_largest(void **state)
     }
 }
 
-static void arrays_are_limits_one_by_one(void **state)
+CLAIM(arrays_are_limits_one_by_one)
 {
     enum { N = 200 };
     double alpha[N], f[N], limit[N];
@@ -252,7 +252,7 @@ static void arrays_are_limits_one_by_one(void **state)
 
 /* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f
  * g)^2 has its maximum at x = f/sqrt(1 + f^2): for large f the end of the rounding, to rounding. */
-static void the_maximum_may_be_at_the_end_of_the_rounding(void **state)
+CLAIM(the_maximum_may_be_at_the_end_of_the_rounding)
 {
     for (double f = 1; f <= 1e6; f *= 10)
         for (double nu = 0; nu < 0.5; nu += 0.1) {
@@ -264,9 +264,8 @@ static void the_maximum_may_be_at_the_end_of_the_rounding(void **state)
         }
 }
 
-static void max_tension_derivative_matches_reference(void **state)
+CLAIM(max_tension_derivative_matches_reference)
 {
-    (void)state;
     reference table = reference_open("contact_law_derivatives.csv");
     while (reference_next(&table))
         assert_close(rwedge_max_tension_derivative(table.cell[0]), table.cell[2], 1e-14);
@@ -276,9 +275,8 @@ static void max_tension_derivative_matches_reference(void **state)
     assert_nan(rwedge_max_tension_derivative(-1));
 }
 
-static void elastic_limit_gradient_is_the_difference_quotient(void **state)
+CLAIM(elastic_limit_gradient_is_the_difference_quotient)
 {
-    (void)state;
     reference table = reference_open("limit_gradient.csv");
     while (reference_next(&table)) {
         const double *v = table.cell;
@@ -292,9 +290,8 @@ static void elastic_limit_gradient_is_the_difference_quotient(void **state)
     assert_int_equal(table.row, 55);
 }
 
-static void the_gradient_jumps_at_the_critical_friction(void **state)
+CLAIM(the_gradient_jumps_at_the_critical_friction)
 {
-    (void)state;
     const double f = rwedge_critical_friction(0.25, 0.3);
     assert_within(f, 0.2019, 1e-4);
     double d_alpha, d_f, d_nu, at_surface;
@@ -310,9 +307,8 @@ static void the_gradient_jumps_at_the_critical_friction(void **state)
     assert_true(at_surface == 1);
 }
 
-static void the_gradient_is_refused_where_there_is_none(void **state)
+CLAIM(the_gradient_is_refused_where_there_is_none)
 {
-    (void)state;
     const double bad[][3] = {{0, 0.1, 0.3}, {1e-15, 0.1, 0.3}, {0.5, -1, 0.3}, {0.5, 0.1, 0.6}};
     double d[4] = {7, 7, 7, 7};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
@@ -328,32 +324,4 @@ static void the_gradient_is_refused_where_there_is_none(void **state)
     }
     for (int i = 0; i < 4; i++)
         assert_true(d[i] == 7);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(elastic_limit_matches_reference),
-        cmocka_unit_test(paper_grid_matches_reference),
-        cmocka_unit_test(critical_friction_matches_reference),
-        cmocka_unit_test(branches_cross_at_the_critical_friction),
-        cmocka_unit_test(limit_is_the_smaller_branch),
-        cmocka_unit_test(small_tips_yield_at_the_surface_without_friction),
-        cmocka_unit_test(tiny_tips_yield_below_with_a_little_friction),
-        cmocka_unit_test(no_fold_is_beyond_0_556),
-        cmocka_unit_test(subsurface_branch_ends_at_a_fold),
-        cmocka_unit_test(hertz_does_not_depend_on_alpha),
-        cmocka_unit_test(sharp_wedge_yields_at_its_apex),
-        cmocka_unit_test(flat_maxima_of_tiny_tips_are_found),
-        cmocka_unit_test(incompressible_surface_is_safe_without_friction),
-        cmocka_unit_test(max_tension_matches_reference),
-        cmocka_unit_test(max_tension_is_the_largest),
-        cmocka_unit_test(arrays_are_limits_one_by_one),
-        cmocka_unit_test(the_maximum_may_be_at_the_end_of_the_rounding),
-        cmocka_unit_test(max_tension_derivative_matches_reference),
-        cmocka_unit_test(elastic_limit_gradient_is_the_difference_quotient),
-        cmocka_unit_test(the_gradient_jumps_at_the_critical_friction),
-        cmocka_unit_test(the_gradient_is_refused_where_there_is_none),
-    };
-    return RUN_CLAIMS("strength", tests);
 }

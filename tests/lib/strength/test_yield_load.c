@@ -6,7 +6,7 @@
 static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
-static void the_yield_load_is_where_the_elastic_limit_says(void **state)
+CLAIM(the_yield_load_is_where_the_elastic_limit_says)
 {
     uint64_t seed = 8;
     for (int i = 0; i < 200; i++) {
@@ -20,7 +20,7 @@ static void the_yield_load_is_where_the_elastic_limit_says(void **state)
 }
 
 /* Down to the smallest tip that has an elastic limit. */
-static void tiny_tips_have_a_yield_load(void **state)
+CLAIM(tiny_tips_have_a_yield_load)
 {
     const double a = 0.3, alpha = 1.1e-14, b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
     const double k = P / (b * rwedge_elastic_limit(alpha, 0.1, 0.3));
@@ -28,7 +28,7 @@ static void tiny_tips_have_a_yield_load(void **state)
 }
 
 /* Far from the usual units: exact powers of two. */
-static void the_yield_load_scales_with_the_units(void **state)
+CLAIM(the_yield_load_scales_with_the_units)
 {
     static const struct {
         double f, nu, k;
@@ -47,7 +47,7 @@ static void the_yield_load_scales_with_the_units(void **state)
     }
 }
 
-static void what_never_yields_has_an_infinite_yield_load(void **state)
+CLAIM(what_never_yields_has_an_infinite_yield_load)
 {
     const double bound = 2 / PI * THETA / A;
     assert_true(rwedge_yield_load(THETA, 0.3, A, 0, 0.5, 1.001 * bound) == HUGE_VAL);
@@ -59,15 +59,4 @@ static void what_never_yields_has_an_infinite_yield_load(void **state)
     assert_true(rwedge_yield_load(THETA, 0, A, 0, 0.3, 1e9) == 0);
     /* A k/theta = 1e150 */
     assert_true(rwedge_yield_load(1e-50, 1, 1e50, 0.1, 0.3, 1e50) == HUGE_VAL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_yield_load_is_where_the_elastic_limit_says),
-        cmocka_unit_test(tiny_tips_have_a_yield_load),
-        cmocka_unit_test(the_yield_load_scales_with_the_units),
-        cmocka_unit_test(what_never_yields_has_an_infinite_yield_load),
-    };
-    return RUN_CLAIMS("yield_load", tests);
 }

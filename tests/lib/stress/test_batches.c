@@ -64,7 +64,7 @@ static void assert_alike(double alpha, double c, size_t n, const double x[], con
     }
 }
 
-static void batches_have_the_bits_of_their_points(void **state)
+CLAIM(batches_have_the_bits_of_their_points)
 {
     double x[N], y[N];
     for (size_t i = 0; i < COUNT(alphas); i++)
@@ -75,7 +75,7 @@ static void batches_have_the_bits_of_their_points(void **state)
             }
 }
 
-static void every_length_is_filled(void **state)
+CLAIM(every_length_is_filled)
 {
     double x[N], y[N];
     make_points(x, y, 2, 0.2, 0.4);
@@ -84,7 +84,7 @@ static void every_length_is_filled(void **state)
 }
 
 /* Nothing is written behind the last point. */
-static void neighbours_are_left_alone(void **state)
+CLAIM(neighbours_are_left_alone)
 {
     double x[N], y[N], s[3][N];
     make_points(x, y, 1, 0.2, 0.4);
@@ -96,7 +96,7 @@ static void neighbours_are_left_alone(void **state)
     }
 }
 
-static void outputs_may_be_the_inputs(void **state)
+CLAIM(outputs_may_be_the_inputs)
 {
     double x[N], y[N], s[3][N];
     make_points(x, y, 2, 0.2, 0.4);
@@ -107,7 +107,7 @@ static void outputs_may_be_the_inputs(void **state)
 }
 
 /* Of the same size as the inputs: one load at many points, many loads at one. */
-static void outputs_of_a_contact_may_be_the_inputs(void **state)
+CLAIM(outputs_of_a_contact_may_be_the_inputs)
 {
     enum { M = 5 };
     double P[M] = {2000, 2100, 2000, 1900, 2000}, moment[M] = {0}, Q[M] = {-600, 0, 300, -100, 50};
@@ -144,7 +144,7 @@ static void outputs_of_a_contact_may_be_the_inputs(void **state)
     rwedge_contact_destroy(contact);
 }
 
-static void outputs_of_measures_may_be_the_inputs(void **state)
+CLAIM(outputs_of_measures_may_be_the_inputs)
 {
     enum { POINTS = 4 };
     double sxx[POINTS] = {100, -50, 0, 1}, syy[POINTS] = {-20, 10, 3, 0},
@@ -169,7 +169,7 @@ static void outputs_of_measures_may_be_the_inputs(void **state)
     }
 }
 
-static void elastic_limits_are_those_of_single_calls(void **state)
+CLAIM(elastic_limits_are_those_of_single_calls)
 {
     double alpha[N], f[N], limit[N];
     uint64_t seed = 23;
@@ -182,18 +182,4 @@ static void elastic_limits_are_those_of_single_calls(void **state)
         const double one = rwedge_elastic_limit(alpha[i], f[i], 0.3);
         assert_true(same_bits(&one, &limit[i], 1));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(batches_have_the_bits_of_their_points),
-        cmocka_unit_test(every_length_is_filled),
-        cmocka_unit_test(neighbours_are_left_alone),
-        cmocka_unit_test(outputs_may_be_the_inputs),
-        cmocka_unit_test(outputs_of_a_contact_may_be_the_inputs),
-        cmocka_unit_test(outputs_of_measures_may_be_the_inputs),
-        cmocka_unit_test(elastic_limits_are_those_of_single_calls),
-    };
-    return RUN_CLAIMS("batches", tests);
 }

@@ -8,7 +8,7 @@ static const double PI = 3.14159265358979323846;
 
 /* 150 patches and points: sharp, with both ends of the rounding inside, with one, with none; next
  * to the edges, to the ends and far away. */
-static void agrees_with_60_digits(void **state)
+CLAIM(agrees_with_60_digits)
 {
     reference rows = reference_open("off_centre.csv");
     while (reference_next(&rows)) {
@@ -34,7 +34,7 @@ static const struct {
 enum { COUNT = sizeof CASES / sizeof *CASES };
 
 /* The pressure under the patch, and the slope less the tilt: what it is made of. */
-static void is_slope_and_pressure_on_the_surface(void **state)
+CLAIM(is_slope_and_pressure_on_the_surface)
 {
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric potential;
@@ -67,7 +67,7 @@ static double kernel(double v, const void *context)
     return p * (c->imaginary ? c->y : dx) / r2;
 }
 
-static void is_the_integral_of_the_pressure(void **state)
+CLAIM(is_the_integral_of_the_pressure)
 {
     for (int i = 1; i < 4; i++) {
         rw_eccentric p;
@@ -86,7 +86,7 @@ static void is_the_integral_of_the_pressure(void **state)
     }
 }
 
-static void a_batch_has_the_bits_of_its_points(void **state)
+CLAIM(a_batch_has_the_bits_of_its_points)
 {
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric potential;
@@ -109,7 +109,7 @@ static void a_batch_has_the_bits_of_its_points(void **state)
     }
 }
 
-static void a_centred_patch_has_the_bits_of_the_contact(void **state)
+CLAIM(a_centred_patch_has_the_bits_of_the_contact)
 {
     rw_eccentric patch;
     rw_potential contact;
@@ -123,7 +123,7 @@ static void a_centred_patch_has_the_bits_of_the_contact(void **state)
 }
 
 /* P/(pi z), the field of a force. */
-static void far_away_it_is_that_of_a_force(void **state)
+CLAIM(far_away_it_is_that_of_a_force)
 {
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric p;
@@ -137,17 +137,4 @@ static void far_away_it_is_that_of_a_force(void **state)
             assert_within(is.G_im, -P / PI * y / r2, 1e-10 * P / sqrt(r2));
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(agrees_with_60_digits),
-        cmocka_unit_test(is_slope_and_pressure_on_the_surface),
-        cmocka_unit_test(is_the_integral_of_the_pressure),
-        cmocka_unit_test(a_batch_has_the_bits_of_its_points),
-        cmocka_unit_test(far_away_it_is_that_of_a_force),
-        cmocka_unit_test(a_centred_patch_has_the_bits_of_the_contact),
-    };
-    return RUN_CLAIMS("eccentric", tests);
 }

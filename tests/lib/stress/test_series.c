@@ -7,7 +7,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static void coefficients_match_reference(void **state)
+CLAIM(coefficients_match_reference)
 {
     reference table = reference_open("coefficients.csv");
     while (reference_next(&table))
@@ -28,7 +28,7 @@ static double projected(double t, const void *context)
 }
 
 /* b_n = -(2/pi) int p sin(m t) dt, x = cos(t), by quadrature. */
-static void coefficients_are_projections_of_the_pressure(void **state)
+CLAIM(coefficients_are_projections_of_the_pressure)
 {
     for (double alpha = 0.1; alpha < 1; alpha += 0.17)
         for (int n = 0; n < 6; n++) {
@@ -39,7 +39,7 @@ static void coefficients_are_projections_of_the_pressure(void **state)
         }
 }
 
-static void coefficients_have_their_limits(void **state)
+CLAIM(coefficients_have_their_limits)
 {
     for (int32_t n = 1; n < 2000; n += 97) {
         const double sharp = (n % 2 ? -4 : 4) / (PI * (2 * n + 1));
@@ -63,7 +63,7 @@ static rwedge_series *analytic(double alpha, int32_t terms)
 }
 
 /* The two routes to the stresses test each other: deep enough, 1000 terms leave nothing out. */
-static void series_and_closed_form_agree(void **state)
+CLAIM(series_and_closed_form_agree)
 {
     uint64_t seed = 5;
     const double alphas[] = {0, 0.01, 0.1, 0.5, 0.99, 1, 2.5};
@@ -81,7 +81,7 @@ static void series_and_closed_form_agree(void **state)
     }
 }
 
-static void far_away_the_series_is_the_closed_form(void **state)
+CLAIM(far_away_the_series_is_the_closed_form)
 {
     rwedge_series *series = analytic(0.3, 40);
     const double far[] = {10, 1e4, 1e9, 1e40, 1e60};
@@ -96,7 +96,7 @@ static void far_away_the_series_is_the_closed_form(void **state)
 }
 
 /* Eq. (32): s = 2 Re Phi; and Phi on the surface of the contact, -(i+f)(g + i p)/2. */
-static void potential_is_equation_30(void **state)
+CLAIM(potential_is_equation_30)
 {
     const double f = 0.4;
     rwedge_series *series = analytic(1, 3);
@@ -113,7 +113,7 @@ static void potential_is_equation_30(void **state)
     rwedge_series_destroy(series);
 }
 
-static void truncation_is_bounded(void **state)
+CLAIM(truncation_is_bounded)
 {
     const double alphas[] = {1e-3, 0.1, 0.7};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
@@ -147,7 +147,7 @@ static void chebyshev_points(double x[SAMPLES])
 
 /* An uneven pressure of three terms, U_0, U_1, U_4, is recovered whole; its stresses are
  * Flamant's. */
-static void fit_recovers_an_uneven_pressure(void **state)
+CLAIM(fit_recovers_an_uneven_pressure)
 {
     double x[SAMPLES], p[SAMPLES];
     chebyshev_points(x);
@@ -174,7 +174,7 @@ static void fit_recovers_an_uneven_pressure(void **state)
 
 /* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed
  * form has. */
-static void fit_approaches_the_closed_form(void **state)
+CLAIM(fit_approaches_the_closed_form)
 {
     double x[SAMPLES], p[SAMPLES], residual[2];
     chebyshev_points(x);
@@ -194,7 +194,7 @@ static void fit_approaches_the_closed_form(void **state)
     assert_true(residual[1] < residual[0] / 5 && residual[0] < 0.01);
 }
 
-static void rank_deficiency_is_refused(void **state)
+CLAIM(rank_deficiency_is_refused)
 {
     double x[SAMPLES], p[SAMPLES];
     rwedge_series *untouched = NULL, *series = untouched;
@@ -212,7 +212,7 @@ static void rank_deficiency_is_refused(void **state)
     assert_ptr_equal(series, untouched);
 }
 
-static void samples_are_as_many_as_terms_need_and_memory_holds(void **state)
+CLAIM(samples_are_as_many_as_terms_need_and_memory_holds)
 {
     const double x[3] = {-0.5, 0, 0.5}, p[3] = {-1, -1, -1};
     rwedge_series *series = NULL;
@@ -228,7 +228,7 @@ static void samples_are_as_many_as_terms_need_and_memory_holds(void **state)
 
 /* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)). The sum from n = N on is nearly
  * that of 2/(pi n) up to n = 1/(2 alpha): a logarithm. */
-static void the_smallest_tips_have_a_bound_too(void **state)
+CLAIM(the_smallest_tips_have_a_bound_too)
 {
     for (int decade = 40; decade < 60; decade++) {
         const double alpha = pow(10, -decade), N = 10;
@@ -243,7 +243,7 @@ static void the_smallest_tips_have_a_bound_too(void **state)
 
 /* Samples of any size: the fit is in proportion to them. The residual of a sample that no term
  * fits, -sin(3t) for two terms, is its root mean square over Chebyshev's points, sqrt(1/2). */
-static void fits_scale_with_the_samples(void **state)
+CLAIM(fits_scale_with_the_samples)
 {
     double x[SAMPLES], p[SAMPLES];
     chebyshev_points(x);
@@ -260,7 +260,7 @@ static void fits_scale_with_the_samples(void **state)
     }
 }
 
-static void no_pressure_is_fitted_by_none(void **state)
+CLAIM(no_pressure_is_fitted_by_none)
 {
     double x[SAMPLES], p[SAMPLES] = {0};
     chebyshev_points(x);
@@ -281,25 +281,4 @@ static void no_pressure_is_fitted_by_none(void **state)
         assert_int_equal(rwedge_series_fit(most + 1, x, p, 1 << half, &series), RWEDGE_ERANGE);
     }
     assert_int_equal(rwedge_series_fit(1 << 14, x, p, 1 << 13, &series), RWEDGE_ERANGE);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coefficients_match_reference),
-        cmocka_unit_test(coefficients_are_projections_of_the_pressure),
-        cmocka_unit_test(coefficients_have_their_limits),
-        cmocka_unit_test(series_and_closed_form_agree),
-        cmocka_unit_test(far_away_the_series_is_the_closed_form),
-        cmocka_unit_test(potential_is_equation_30),
-        cmocka_unit_test(truncation_is_bounded),
-        cmocka_unit_test(fit_recovers_an_uneven_pressure),
-        cmocka_unit_test(fit_approaches_the_closed_form),
-        cmocka_unit_test(rank_deficiency_is_refused),
-        cmocka_unit_test(samples_are_as_many_as_terms_need_and_memory_holds),
-        cmocka_unit_test(the_smallest_tips_have_a_bound_too),
-        cmocka_unit_test(fits_scale_with_the_samples),
-        cmocka_unit_test(no_pressure_is_fitted_by_none),
-    };
-    return RUN_CLAIMS("series", tests);
 }

@@ -22,7 +22,7 @@ static void stress(double alpha, double f, double c, double x, double y, double 
     assert_ok(rwedge_stress(alpha, f, c, x, y, &s[0], &s[1], &s[2]));
 }
 
-static void sliding_stresses_match_reference(void **state)
+CLAIM(sliding_stresses_match_reference)
 {
     reference table = reference_open("stress_sliding.csv");
     while (reference_next(&table)) {
@@ -34,7 +34,7 @@ static void sliding_stresses_match_reference(void **state)
     assert_int_equal(table.row, 600);
 }
 
-static void partial_slip_stresses_match_reference(void **state)
+CLAIM(partial_slip_stresses_match_reference)
 {
     reference table = reference_open("stress_partial_slip.csv");
     while (reference_next(&table)) {
@@ -49,7 +49,7 @@ static void partial_slip_stresses_match_reference(void **state)
 /* Points next to the edge of a stick zone that ends next to the corner x = a. A coordinate
  * divided by c lost the distance to the edge there, and with it half of the digits. Values from
  * ball arithmetic with 600 bits. */
-static void stick_edges_keep_their_digits(void **state)
+CLAIM(stick_edges_keep_their_digits)
 {
     static const double cases[][8] = {
         /* alpha, f, c, x, y, sxx, syy, txy */
@@ -70,7 +70,7 @@ static void stick_edges_keep_their_digits(void **state)
     }
 }
 
-static void stresses_are_flamant_integrated(void **state)
+CLAIM(stresses_are_flamant_integrated)
 {
     uint64_t seed = 3;
     for (int i = 0; i < 60; i++) {
@@ -85,7 +85,7 @@ static void stresses_are_flamant_integrated(void **state)
     }
 }
 
-static void surface_carries_the_tractions(void **state)
+CLAIM(surface_carries_the_tractions)
 {
     const double alphas[] = {1e-7, 0.01, 0.4, 1 - 1e-12, 1, 2};
     for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
@@ -98,7 +98,7 @@ static void surface_carries_the_tractions(void **state)
         }
 }
 
-static void surface_is_free_outside(void **state)
+CLAIM(surface_is_free_outside)
 {
     const double outside[] = {1, -1, 1 + 1e-15, 1.5, -3, 1e9, -1e60};
     for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
@@ -110,7 +110,7 @@ static void surface_is_free_outside(void **state)
 }
 
 /* Along the surface sxx = p - 2 f g in full sliding: Eq. (32), (33) with G = g + i p. */
-static void tension_at_the_trailing_edge_is_twice_friction(void **state)
+CLAIM(tension_at_the_trailing_edge_is_twice_friction)
 {
     double s[3];
     stress(0.3, 0.5, 0, -1, 0, s);
@@ -135,7 +135,7 @@ static double stress_on_level(double x, const void *context)
 }
 
 /* What crosses any level below the contact is P and Q. */
-static void levels_carry_the_forces(void **state)
+CLAIM(levels_carry_the_forces)
 {
     for (double y = 0.5; y < 4; y += 0.7) {
         level l = {.alpha = 0.3, .f = 0.6, .c = 0.4, .y = y, .component = 1};
@@ -147,7 +147,7 @@ static void levels_carry_the_forces(void **state)
     }
 }
 
-static void normal_load_is_symmetric(void **state)
+CLAIM(normal_load_is_symmetric)
 {
     double right[3], left[3];
     stress(0.2, 0, 0, 0.3, 0.4, right);
@@ -157,7 +157,7 @@ static void normal_load_is_symmetric(void **state)
     assert_close(left[2], -right[2], 0);
 }
 
-static void full_stick_leaves_the_normal_load(void **state)
+CLAIM(full_stick_leaves_the_normal_load)
 {
     double stuck[3], normal[3];
     stress(0.2, 0.7, 1, 0.3, 0.4, stuck);
@@ -166,7 +166,7 @@ static void full_stick_leaves_the_normal_load(void **state)
         assert_within(stuck[i], normal[i], 1e-15);
 }
 
-static void hertz_depends_on_alpha_as_a_factor(void **state)
+CLAIM(hertz_depends_on_alpha_as_a_factor)
 {
     double one[3], three[3];
     stress(1, 0.2, 0.5, 0.3, 0.4, one);
@@ -175,7 +175,7 @@ static void hertz_depends_on_alpha_as_a_factor(void **state)
         assert_close(3 * three[i], one[i], 1e-14);
 }
 
-static void sharp_wedge_is_the_limit_of_small_tips(void **state)
+CLAIM(sharp_wedge_is_the_limit_of_small_tips)
 {
     double sharp[3], tip[3];
     stress(0, 0.3, 0.4, 0.02, 0.01, sharp);
@@ -184,7 +184,7 @@ static void sharp_wedge_is_the_limit_of_small_tips(void **state)
 }
 
 /* The whole domain gives finite tensors. */
-static void the_ends_of_the_domain_give_finite_stresses(void **state)
+CLAIM(the_ends_of_the_domain_give_finite_stresses)
 {
     const double size[] = {0, 1e-60, 1e-50, 1e-30, 1e-20, 1e-3, 0.5, 1, 2, 1e5, 1e20, 1e50, 1e60};
     enum { SIZES = sizeof size / sizeof size[0] };
@@ -201,7 +201,7 @@ static void the_ends_of_the_domain_give_finite_stresses(void **state)
 }
 
 /* Next to z = a, where the potential is finite but its parts are not, and next to the edge. */
-static void singular_points_are_approached_continuously(void **state)
+CLAIM(singular_points_are_approached_continuously)
 {
     const double near[] = {1e-60, 1e-45, 1e-30, 1e-18};
     for (size_t i = 0; i < sizeof near / sizeof near[0]; i++)
@@ -217,7 +217,7 @@ static void singular_points_are_approached_continuously(void **state)
 
 /* Near the apex, at the scale of the rounding, all small tips have the same field, but for a
  * logarithm in the mean stress. */
-static void tiny_tips_are_alike(void **state)
+CLAIM(tiny_tips_are_alike)
 {
     const double tip = 1e-8, tinier = 1e-59, PI = 3.14159265358979323846;
     double a[3], b[3];
@@ -228,7 +228,7 @@ static void tiny_tips_are_alike(void **state)
     assert_close(b[0] + b[1], a[0] + a[1] + 4 / PI * log(tinier / tip), 1e-12);
 }
 
-static void arrays_are_points_one_by_one(void **state)
+CLAIM(arrays_are_points_one_by_one)
 {
     enum { N = 500 };
     double x[N], y[N], sxx[N], syy[N], txy[N];
@@ -274,9 +274,8 @@ static int32_t sensitivity(const double v[5], double d[9])
                                      &d[4], &d[5], &d[6], &d[7], &d[8]);
 }
 
-static void derivatives_are_difference_quotients(void **state)
+CLAIM(derivatives_are_difference_quotients)
 {
-    (void)state;
     reference table = reference_open("stress_gradient.csv");
     while (reference_next(&table)) {
         const double *v = table.cell, far = 1 + hypot(v[3], v[4]);
@@ -289,9 +288,8 @@ static void derivatives_are_difference_quotients(void **state)
     assert_int_equal(table.row, 67);
 }
 
-static void stresses_are_in_equilibrium(void **state)
+CLAIM(stresses_are_in_equilibrium)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 1000; i++) {
         const double v[5] = {pow(10, 3 * random_fraction(&seed) - 2), random_fraction(&seed),
@@ -305,9 +303,8 @@ static void stresses_are_in_equilibrium(void **state)
     }
 }
 
-static void derivatives_end_at_the_edges(void **state)
+CLAIM(derivatives_end_at_the_edges)
 {
-    (void)state;
     const double singular[][5] = {
         {0.5, 0.3, 0.7, 1, 0},   {0.5, 0.3, 0.7, -0.5, 0}, {0.5, 0.3, 0.7, 0.7, 0},
         {0, 0.3, 0, 0, 0},       {0.5, 0.3, 2, 0, 1},      {0.5, -1, 0, 0, 1},
@@ -326,9 +323,8 @@ static void derivatives_end_at_the_edges(void **state)
     assert_int_equal(sensitivity(beside, d), RWEDGE_OK);
 }
 
-static void derivatives_refuse_missing_outputs(void **state)
+CLAIM(derivatives_refuse_missing_outputs)
 {
-    (void)state;
     for (int missing = 0; missing < 9; missing++) {
         double d[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7}, *p[9];
         for (int k = 0; k < 9; k++)
@@ -346,9 +342,8 @@ static void derivatives_refuse_missing_outputs(void **state)
 }
 
 /* The sharp wedge's stick zone grows from 0 as the load does: q changes by a flat punch's force. */
-static void derivatives_at_the_ends_of_the_domain(void **state)
+CLAIM(derivatives_at_the_ends_of_the_domain)
 {
-    (void)state;
     const double sharp[5] = {0, 0.3, 0, 0.6, 0.4}, hertz[5] = {2, 0.3, 0, 0.6, 0.4};
     double d[9], next[9], s[3];
     assert_int_equal(sensitivity(sharp, d), RWEDGE_OK);
@@ -373,32 +368,4 @@ static void derivatives_at_the_ends_of_the_domain(void **state)
         for (int k = 0; k < 15; k++)
             assert_true(isfinite(e[k]));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sliding_stresses_match_reference),
-        cmocka_unit_test(partial_slip_stresses_match_reference),
-        cmocka_unit_test(stick_edges_keep_their_digits),
-        cmocka_unit_test(stresses_are_flamant_integrated),
-        cmocka_unit_test(surface_carries_the_tractions),
-        cmocka_unit_test(surface_is_free_outside),
-        cmocka_unit_test(tension_at_the_trailing_edge_is_twice_friction),
-        cmocka_unit_test(levels_carry_the_forces),
-        cmocka_unit_test(normal_load_is_symmetric),
-        cmocka_unit_test(full_stick_leaves_the_normal_load),
-        cmocka_unit_test(hertz_depends_on_alpha_as_a_factor),
-        cmocka_unit_test(sharp_wedge_is_the_limit_of_small_tips),
-        cmocka_unit_test(the_ends_of_the_domain_give_finite_stresses),
-        cmocka_unit_test(singular_points_are_approached_continuously),
-        cmocka_unit_test(tiny_tips_are_alike),
-        cmocka_unit_test(arrays_are_points_one_by_one),
-        cmocka_unit_test(derivatives_are_difference_quotients),
-        cmocka_unit_test(stresses_are_in_equilibrium),
-        cmocka_unit_test(derivatives_end_at_the_edges),
-        cmocka_unit_test(derivatives_refuse_missing_outputs),
-        cmocka_unit_test(derivatives_at_the_ends_of_the_domain),
-    };
-    return RUN_CLAIMS("stress", tests);
 }

@@ -34,7 +34,7 @@ static void assert_stress(const field &N, const field &T, double f, const comple
     assert_within(middle(im(D)), expected[2], 1e-15 * norm);
 }
 
-static void stresses_in_full_sliding_are_the_reference_values(void **)
+CLAIM(stresses_in_full_sliding_are_the_reference_values)
 {
     const precision here(400);
     reference table = reference_open("stress_sliding.csv");
@@ -46,7 +46,7 @@ static void stresses_in_full_sliding_are_the_reference_values(void **)
     }
 }
 
-static void stresses_in_partial_slip_are_the_reference_values(void **)
+CLAIM(stresses_in_partial_slip_are_the_reference_values)
 {
     const precision here(400);
     reference table = reference_open("stress_partial_slip.csv");
@@ -80,7 +80,7 @@ static void wide_balls_contain_thin_ones(const patch &p, double centre, double r
 }
 
 /* Small ones are finite at the special points too. */
-static void wide_balls_contain_thin_ones_and_small_ones_are_finite(void **)
+CLAIM(wide_balls_contain_thin_ones_and_small_ones_are_finite)
 {
     for (const double alpha : {0.0, 0.01, 0.3, 0.99, 1.0, 2.0})
         for (const double centre : {-1.0, -0.3, 0.0, 0.01, 0.3, 0.7, 0.99, 1.0, 1.5})
@@ -89,7 +89,7 @@ static void wide_balls_contain_thin_ones_and_small_ones_are_finite(void **)
 }
 
 /* (G(z+h) - G(z-h))/2h, h = 2^-40, is G'(z) to 2^-60 or so. */
-static void the_slope_is_the_derivative(void **)
+CLAIM(the_slope_is_the_derivative)
 {
     const precision here(400);
     const ball h = ldexp(1, -40);
@@ -101,15 +101,4 @@ static void the_slope_is_the_derivative(void **)
             assert_within(middle(re(secant)), middle(re(slope)), 1e-14);
             assert_within(middle(im(secant)), middle(im(slope)), 1e-14);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stresses_in_full_sliding_are_the_reference_values),
-        cmocka_unit_test(stresses_in_partial_slip_are_the_reference_values),
-        cmocka_unit_test(wide_balls_contain_thin_ones_and_small_ones_are_finite),
-        cmocka_unit_test(the_slope_is_the_derivative),
-    };
-    return RUN_CLAIMS("ball_potential", tests);
 }

@@ -37,7 +37,7 @@ static double maximum_on_grid(const model &m)
     return best;
 }
 
-static void the_maximum_of_a_polynomial_is_bounded_sharply(void **)
+CLAIM(the_maximum_of_a_polynomial_is_bounded_sharply)
 {
     uint64_t seed = 1;
     for (int i = 0; i < 2000; i++) {
@@ -53,7 +53,7 @@ static void the_maximum_of_a_polynomial_is_bounded_sharply(void **)
     }
 }
 
-static void nothing_bounds_what_is_not_finite(void **)
+CLAIM(nothing_bounds_what_is_not_finite)
 {
     for (int i = 0; i < 7; i++)
         for (int j = 0; j < (i == 6 ? 2 : 3); j++) { /* the rest is not negative */
@@ -64,7 +64,7 @@ static void nothing_bounds_what_is_not_finite(void **)
         }
 }
 
-static void products_and_sums_contain_those_of_the_values(void **)
+CLAIM(products_and_sums_contain_those_of_the_values)
 {
     uint64_t seed = 2;
     for (int i = 0; i < 2000; i++) {
@@ -101,7 +101,7 @@ static void assert_near(const complex_ball &difference, const complex_ball &deri
     assert_within(middle(im(difference)), y, 1e-5 * hypot(x, y));
 }
 
-static void the_higher_derivatives_are_those_of_the_slope(void **)
+CLAIM(the_higher_derivatives_are_those_of_the_slope)
 {
     for (const double alpha : {0.05, 0.3, 0.99, 1.0, 2.0})
         for (const double half_width : {1.0, 0.75})
@@ -167,7 +167,7 @@ static void check_square(const contact &c, square s, uint64_t *seed, tally *coun
 }
 
 /* The largest error seen, over the rest that bounds it, says how much of the bound is needed. */
-static void squares_contain_what_points_in_them_give(void **)
+CLAIM(squares_contain_what_points_in_them_give)
 {
     uint64_t seed = 3;
     tally count = {};
@@ -182,7 +182,7 @@ static void squares_contain_what_points_in_them_give(void **)
 
 /* The certificate finishes because the rest falls like the cube of the square's size: by 8 when
  * that is halved. */
-static void the_rest_falls_with_the_cube(void **)
+CLAIM(the_rest_falls_with_the_cube)
 {
     const contact c(0.3);
     double before = 0;
@@ -203,7 +203,7 @@ static complex_ball random_point_at(double distance, uint64_t *seed)
     return complex_ball(distance * cos(angle) + (cos(angle) > 0 ? 1 : -1), distance * sin(angle));
 }
 
-static void far_away_J2_is_below_its_bound(void **)
+CLAIM(far_away_J2_is_below_its_bound)
 {
     enum { DISTANCE = 3 };
     uint64_t seed = 4;
@@ -220,7 +220,7 @@ static void far_away_J2_is_below_its_bound(void **)
 }
 
 /* The other route to J2, load and limit. */
-static void the_reference_limits_are_those_of_their_places(void **)
+CLAIM(the_reference_limits_are_those_of_their_places)
 {
     reference table = reference_open("elastic_limit.csv");
     size_t checked = 0;
@@ -235,19 +235,4 @@ static void the_reference_limits_are_those_of_their_places(void **)
         checked++;
     }
     assert_true(checked > 50);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_maximum_of_a_polynomial_is_bounded_sharply),
-        cmocka_unit_test(nothing_bounds_what_is_not_finite),
-        cmocka_unit_test(products_and_sums_contain_those_of_the_values),
-        cmocka_unit_test(the_higher_derivatives_are_those_of_the_slope),
-        cmocka_unit_test(squares_contain_what_points_in_them_give),
-        cmocka_unit_test(the_rest_falls_with_the_cube),
-        cmocka_unit_test(far_away_J2_is_below_its_bound),
-        cmocka_unit_test(the_reference_limits_are_those_of_their_places),
-    };
-    return RUN_CLAIMS("enclosure", tests);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as text. They are read as strtod() reads them; what is written reads back. */
 #include "input.h"
-#include "text/number.h"
+#include "number/number.h"
 
 static char *text_of(const uint8_t *data, size_t size)
 {

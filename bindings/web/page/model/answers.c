@@ -5,11 +5,11 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/measures.h"
-#include "model/verdict.h"
+#include "model/results/measures.h"
+#include "model/results/verdict.h"
 
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <rwedge.h>
 

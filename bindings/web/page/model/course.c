@@ -6,9 +6,9 @@
 #include "pasted.h"
 #include "records.h"
 
-#include "model/load_row.h"
+#include "model/reading/load_row.h"
 #include "text/memory.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <inttypes.h>
 #include <stdio.h>

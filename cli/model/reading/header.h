@@ -4,7 +4,7 @@
 #ifndef CLI_HEADER_H
 #define CLI_HEADER_H
 
-#include "inputs.h"
+#include "model/inputs.h"
 
 #include <stddef.h>
 

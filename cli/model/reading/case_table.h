@@ -4,7 +4,7 @@
 #define CLI_CASE_TABLE_H
 
 #include "header.h"
-#include "results.h"
+#include "model/results/results.h"
 
 typedef struct {
     header names;

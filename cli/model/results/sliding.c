@@ -69,23 +69,23 @@ static sliding first_yield(const contact_case *setup, const sliding *present)
 {
     enum { ROUNDS = 60 };
     const double CLOSE = 1e-12;
-    sliding one = *present, other, next = *present;
-    if (isinf(one.excess) || !bracket(setup, &one, &other)) {
-        next.P = isinf(one.excess) ? 0 : NAN;
+    sliding from = *present, to, next = *present;
+    if (isinf(from.excess) || !bracket(setup, &from, &to)) {
+        next.P = isinf(from.excess) ? 0 : NAN;
         return next;
     }
-    for (int i = 0; i < ROUNDS && fabs(other.excess) > CLOSE; i++) {
-        const double ratio = log(other.P / one.P);
-        const double P = other.P * exp(-ratio * other.excess / (other.excess - one.excess));
-        if (P == other.P || slide(setup, setup->k, P, &next) != RWEDGE_OK)
+    for (int i = 0; i < ROUNDS && fabs(to.excess) > CLOSE; i++) {
+        const double ratio = log(to.P / from.P);
+        const double P = to.P * exp(-ratio * to.excess / (to.excess - from.excess));
+        if (P == to.P || slide(setup, setup->k, P, &next) != RWEDGE_OK)
             break;
-        if (next.excess * other.excess < 0)
-            one = other;
+        if (next.excess * to.excess < 0)
+            from = to;
         else
-            one.excess /= 2;
-        other = next;
+            from.excess /= 2;
+        to = next;
     }
-    return other;
+    return to;
 }
 
 int32_t results_of_sliding(const contact_case *setup, cell row[])

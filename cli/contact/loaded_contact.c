@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "state.h"
+#include "loaded_contact.h"
 
 #include "notices.h"
 #include "model/contact_case.h"
@@ -17,7 +17,7 @@ static struct poptOption loads_option_table[] = {
     POPT_TABLEEND,
 };
 
-struct poptOption state_option_table[] = {
+struct poptOption loaded_contact_option_table[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
      "Its strength, to be warned of yield:", NULL},
@@ -26,7 +26,7 @@ struct poptOption state_option_table[] = {
     POPT_TABLEEND,
 };
 
-void state_describe(FILE *stream)
+void loaded_contact_describe(FILE *stream)
 {
     fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
           "(default 0.3), --M, --sigma, and --q-over-fp or --c-over-b: lengths are in b,\n"
@@ -101,43 +101,43 @@ static load read_natural_load(const arguments *line, const input_texts *texts, d
     return to;
 }
 
-static void apply_natural(const input_texts *texts, double f, load to, contact_state *state)
+static void apply_natural(const input_texts *texts, double f, load to, loaded_contact *loaded)
 {
-    const int32_t status = loads_apply_monotonic(to, state->contact);
+    const int32_t status = loads_apply_monotonic(to, loaded->contact);
     if (status == RWEDGE_OK)
         return;
     char name[INPUT_NAME_SIZE];
-    const load_fault fault = loads_fault(status, to, f, state->contact);
+    const load_fault fault = loads_fault(status, to, f, loaded->contact);
     const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
     usage_error("%s%s%s: %s", named ? input_name(texts, fault.input, name) : "the loads",
                 named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 
 /* Without a moment the half-width is 1 to rounding, and the edges are at 1 exactly. */
-static void measure_natural(bool centred, contact_state *state)
+static void measure_natural(bool centred, loaded_contact *loaded)
 {
-    const zone contact = state_contact_zone(state);
-    const double b = rwedge_contact_half_width(state->contact);
-    state->b = centred ? 1 : b;
-    state->left = centred ? -1 : contact.left;
-    state->right = centred ? 1 : contact.right;
-    state->length_unit = centred ? b : 1;
-    state->slip_unit = NATURAL_THETA * state->length_unit;
+    const zone contact = loaded_contact_zone(loaded);
+    const double b = rwedge_contact_half_width(loaded->contact);
+    loaded->b = centred ? 1 : b;
+    loaded->left = centred ? -1 : contact.left;
+    loaded->right = centred ? 1 : contact.right;
+    loaded->length_unit = centred ? b : 1;
+    loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
 }
 
-static void read_natural(const arguments *line, const input_texts *texts, contact_state *state)
+static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
 {
     refuse_dimensional(line, texts);
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
-    state->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
-    state->shape = pad_wedge(NATURAL_THETA, alpha);
+    loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
+    loaded->shape = pad_wedge(NATURAL_THETA, alpha);
     const load to = read_natural_load(line, texts, alpha, f);
-    check_status(pad_contact(&state->shape, NATURAL_A, f, &state->contact), "the contact");
-    rwedge_contact_allow_error(state->contact, texts->tolerance);
-    apply_natural(texts, f, to, state);
-    measure_natural(to.M == 0, state);
-    doubts_say((doubts){.error = rwedge_contact_error(state->contact)}, "");
+    check_status(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
+    rwedge_contact_allow_error(loaded->contact, texts->tolerance);
+    apply_natural(texts, f, to, loaded);
+    measure_natural(to.M == 0, loaded);
+    doubts_say((doubts){.error = rwedge_contact_error(loaded->contact)}, "");
 }
 
 /* ---- Dimensional ---- */
@@ -151,66 +151,66 @@ static void refuse_natural(const arguments *line)
 }
 
 static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
-                             contact_state *state)
+                             loaded_contact *loaded)
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    const load_source from = load_source_of(line);
-    const bool has_history = load_source_is_given(&from);
-    load_source_check(&from, texts);
+    const history_source from = history_source_of(line);
+    const bool has_history = history_source_is_given(&from);
+    history_source_check(&from, texts);
     refuse_natural(line);
     if (!case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
-    check_status(case_contact(&setup, &state->contact), "the contact");
+    check_status(case_contact(&setup, &loaded->contact), "the contact");
     if (has_history)
-        load_source_apply(&from, decimal_sign, setup.f, state->contact);
+        history_source_apply(&from, decimal_sign, setup.f, loaded->contact);
     else
-        check_status(loads_apply_monotonic(case_load(&setup), state->contact),
+        check_status(loads_apply_monotonic(case_load(&setup), loaded->contact),
                      "the loads cannot be applied");
-    state->nu = setup.nu1;
-    state->shape = setup.shape;
-    const zone contact = state_contact_zone(state);
-    state->b = rwedge_contact_half_width(state->contact);
-    state->left = contact.left;
-    state->right = contact.right;
-    state->length_unit = state->slip_unit = 1;
-    doubts_say(doubts_of_state(&setup, state->contact), "");
+    loaded->nu = setup.nu1;
+    loaded->shape = setup.shape;
+    const zone contact = loaded_contact_zone(loaded);
+    loaded->b = rwedge_contact_half_width(loaded->contact);
+    loaded->left = contact.left;
+    loaded->right = contact.right;
+    loaded->length_unit = loaded->slip_unit = 1;
+    doubts_say(doubts_of_state(&setup, loaded->contact), "");
 }
 
-void state_read(const arguments *line, char decimal_sign, contact_state *state)
+void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded)
 {
     input_texts texts;
-    *state = (contact_state){0};
+    *loaded = (loaded_contact){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    const load_source from = load_source_of(line);
-    load_source_check_encoding(&from);
+    const history_source from = history_source_of(line);
+    history_source_check_encoding(&from);
     if (line->value[OPTION_A_OVER_B] != NULL)
-        read_natural(line, &texts, state);
+        read_natural(line, &texts, loaded);
     else
-        read_dimensional(line, decimal_sign, &texts, state);
+        read_dimensional(line, decimal_sign, &texts, loaded);
 }
 
-zone state_contact_zone(const contact_state *state)
+zone loaded_contact_zone(const loaded_contact *loaded)
 {
     zone stretch = {0, 0};
-    rwedge_contact_edges(state->contact, &stretch.left, &stretch.right);
+    rwedge_contact_edges(loaded->contact, &stretch.left, &stretch.right);
     return stretch;
 }
 
-zone state_stick_zone(const contact_state *state)
+zone loaded_contact_stick_zone(const loaded_contact *loaded)
 {
     zone stretch = {0, 0};
-    rwedge_contact_stick_zone(state->contact, &stretch.left, &stretch.right);
+    rwedge_contact_stick_zone(loaded->contact, &stretch.left, &stretch.right);
     return stretch;
 }
 
-void state_free(contact_state *state)
+void loaded_contact_free(loaded_contact *loaded)
 {
-    rwedge_contact_destroy(state->contact);
+    rwedge_contact_destroy(loaded->contact);
 }
 
-bool state_is_kink(const contact_state *state, double x, double y)
+bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y)
 {
-    return state->b > 0 && y == 0 && pad_is_kink(&state->shape, x);
+    return loaded->b > 0 && y == 0 && pad_is_kink(&loaded->shape, x);
 }

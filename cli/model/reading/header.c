@@ -3,7 +3,7 @@
 
 #include "column_name.h"
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #define CLI_LOAD_ROW_H
 
 #include "header.h"
-#include "loads.h"
+#include "model/loads.h"
 
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */

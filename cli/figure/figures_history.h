@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures of a contact that goes through a table of loads: "history", "fretting", and the loop of
  * any history. */
-#ifndef CLI_FIGURES_COURSE_H
-#define CLI_FIGURES_COURSE_H
+#ifndef CLI_FIGURES_HISTORY_H
+#define CLI_FIGURES_HISTORY_H
 
 #include "kind.h"
 

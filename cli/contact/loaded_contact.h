@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A loaded contact to look into, dimensional or in natural units: what "profile" and "field"
  * have in common. */
-#ifndef CLI_STATE_H
-#define CLI_STATE_H
+#ifndef CLI_LOADED_CONTACT_H
+#define CLI_LOADED_CONTACT_H
 
-#include "load_table.h"
+#include "load_history.h"
 
 #include "pad/pad.h"
 
@@ -12,11 +12,11 @@ enum {
     OPTION_A_OVER_B = OPTION_AFTER_LOADS,
     OPTION_Q_OVER_FP,
     OPTION_C_OVER_B,
-    OPTION_AFTER_STATE
+    OPTION_AFTER_LOADED
 };
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact, its strength, its loads. */
-extern struct poptOption state_option_table[];
+extern struct poptOption loaded_contact_option_table[];
 
 typedef struct {
     rwedge_contact *contact;
@@ -27,25 +27,25 @@ typedef struct {
     double b, left, right;
     double length_unit; /* of what is written, in the contact's own unit; so is the next */
     double slip_unit;
-} contact_state;
+} loaded_contact;
 
 /* Reads the options and applies the loads; decimal_sign is that of a file of loads. Free
  * it. */
-void state_read(const arguments *line, char decimal_sign, contact_state *state);
-void state_free(contact_state *state);
+void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded);
+void loaded_contact_free(loaded_contact *loaded);
 
 /* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there
  * is none. */
 typedef struct {
     double left, right;
 } zone;
-zone state_contact_zone(const contact_state *state);
-zone state_stick_zone(const contact_state *state);
+zone loaded_contact_zone(const loaded_contact *loaded);
+zone loaded_contact_stick_zone(const loaded_contact *loaded);
 
 /* Whether the stresses at this point are infinite: at a sharp edge. */
-bool state_is_kink(const contact_state *state, double x, double y);
+bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y);
 
 /* Prints what the help of both commands says about them. */
-void state_describe(FILE *stream);
+void loaded_contact_describe(FILE *stream);
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef CLI_RESULTS_H
 #define CLI_RESULTS_H
 
-#include "doubts.h"
-#include "text/cell.h"
+#include "model/doubts.h"
+#include "number/cell.h"
 
 enum {
     RESULT_A,

@@ -3,7 +3,7 @@
 #ifndef CLI_INVERSE_H
 #define CLI_INVERSE_H
 
-#include "contact_case.h"
+#include "model/contact_case.h"
 
 /* The input of a name, "radius"; INPUT_COUNT where it is none that can be looked for. */
 int inverse_input(const char *name);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "peak.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -71,9 +71,9 @@ static double pressure_at(const void *contact, double x)
     return rwedge_contact_tractions(contact, 1, &x, &p, &q) == RWEDGE_OK ? -p : NAN;
 }
 
-static int ascending(const void *one, const void *other)
+static int ascending(const void *first, const void *second)
 {
-    const double a = *(const double *)one, b = *(const double *)other;
+    const double a = *(const double *)first, b = *(const double *)second;
     return (a > b) - (a < b);
 }
 

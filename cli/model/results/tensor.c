@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tensor.h"
 
-#include "text/pi.h"
+#include "number/pi.h"
 
 #include <math.h>
 
@@ -24,26 +24,26 @@ double degrees(double angle)
 
 tensor tensor_of(double sxx, double syy, double txy, double nu)
 {
-    tensor found = tensor_unknown();
+    tensor at_point = tensor_unknown();
     double s1, s2, angle;
-    found.value[TENSOR_SXX] = sxx;
-    found.value[TENSOR_SYY] = syy;
-    found.value[TENSOR_TXY] = txy;
-    found.value[TENSOR_VON_MISES] = rwedge_von_mises(sxx, syy, txy, nu);
-    found.value[TENSOR_SZZ] = rwedge_out_of_plane_stress(sxx, syy, nu);
-    found.value[TENSOR_TAU_MAX] = rwedge_largest_shear(sxx, syy, txy, nu);
+    at_point.value[TENSOR_SXX] = sxx;
+    at_point.value[TENSOR_SYY] = syy;
+    at_point.value[TENSOR_TXY] = txy;
+    at_point.value[TENSOR_VON_MISES] = rwedge_von_mises(sxx, syy, txy, nu);
+    at_point.value[TENSOR_SZZ] = rwedge_out_of_plane_stress(sxx, syy, nu);
+    at_point.value[TENSOR_TAU_MAX] = rwedge_largest_shear(sxx, syy, txy, nu);
     if (rwedge_principal_stresses(sxx, syy, txy, &s1, &s2, &angle) == RWEDGE_OK) {
-        found.value[TENSOR_S1] = s1;
-        found.value[TENSOR_S2] = s2;
-        found.value[TENSOR_S1_ANGLE] = degrees(angle);
+        at_point.value[TENSOR_S1] = s1;
+        at_point.value[TENSOR_S2] = s2;
+        at_point.value[TENSOR_S1_ANGLE] = degrees(angle);
     }
-    return found;
+    return at_point;
 }
 
 tensor tensor_unknown(void)
 {
-    tensor found;
+    tensor at_point;
     for (int i = 0; i < TENSOR_COUNT; i++)
-        found.value[i] = NAN;
-    return found;
+        at_point.value[i] = NAN;
+    return at_point;
 }

@@ -3,7 +3,7 @@
 #ifndef CLI_PEAK_H
 #define CLI_PEAK_H
 
-#include "contact_case.h"
+#include "model/contact_case.h"
 
 /* NAN where it has no value, which no peak is. */
 typedef double peak_function(const void *context, double x);

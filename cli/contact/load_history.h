@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A history of loads, in straight steps, as the command line or a CSV file gives it: read whole,
  * and then applied, once or again and again. */
-#ifndef CLI_LOAD_TABLE_H
-#define CLI_LOAD_TABLE_H
+#ifndef CLI_LOAD_HISTORY_H
+#define CLI_LOAD_HISTORY_H
 
-#include "model/header.h"
+#include "model/reading/header.h"
 #include "input/csv_row.h"
 #include "input_options.h"
 #include "model/loads.h"
@@ -28,46 +28,46 @@ typedef struct {
     load *load;
     csv_row *row; /* of the file, where each stands */
     size_t count, room;
-} load_table;
+} load_history;
 
 /* Where the loads come from; a file may be named by a word in place of the option. */
 typedef struct {
     const char *file, *list, *encoding; /* NULL where not given */
-} load_source;
-load_source load_source_of(const arguments *line);
-bool load_source_is_given(const load_source *from);
+} history_source;
+history_source history_source_of(const arguments *line);
+bool history_source_is_given(const history_source *from);
 
 /* Refuses an encoding without a file, or one that iconv does not know. */
-void load_source_check_encoding(const load_source *from);
+void history_source_check_encoding(const history_source *from);
 
 /* Refuses a file beside a list, and loads that the texts give too. */
-void load_source_check(const load_source *from, const input_texts *texts);
+void history_source_check(const history_source *from, const input_texts *texts);
 
 /* Reads the file or the list. */
-void load_table_read(const load_source *from, char decimal_sign, load_table *loads);
-void load_table_free(load_table *loads);
+void load_history_read(const history_source *from, char decimal_sign, load_history *loads);
+void load_history_free(load_history *loads);
 
 /* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
-void load_table_write_unused(const load_table *loads, size_t row, char *text, size_t size);
-void load_table_say_unused(const load_table *loads);
+void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
+void load_history_say_unused(const load_history *loads);
 
 /* Applies one load. False, with the complaint, where the contact refuses it; it is as before. */
-bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
-                      char complaint[COMPLAINT_SIZE]);
+bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
+                        char complaint[COMPLAINT_SIZE]);
 
 /* Applies them all, in order; the first refusal ends the command. */
-void load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact);
+void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact);
 
 /* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
-NO_RETURN void load_table_fail(const load_table *loads, size_t row, const char *word,
-                               const char *complaint);
+NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
+                                 const char *complaint);
 
 /* Reads the loads and applies them all, and names columns with numbers that are not used. */
-void load_source_apply(const load_source *from, char decimal_sign, double f,
-                       rwedge_contact *contact);
+void history_source_apply(const history_source *from, char decimal_sign, double f,
+                          rwedge_contact *contact);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };
-const char *load_table_place(const load_table *loads, size_t row, char place[LOAD_PLACE_SIZE]);
+const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE]);
 
 #endif

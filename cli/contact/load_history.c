@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "load_table.h"
+#include "load_history.h"
 
 #include "input/text_input.h"
-#include "model/load_row.h"
+#include "model/reading/load_row.h"
 #include "table_header.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -23,18 +23,18 @@ struct poptOption load_option_table[] = {
     POPT_TABLEEND,
 };
 
-load_source load_source_of(const arguments *line)
+history_source history_source_of(const arguments *line)
 {
-    return (load_source){line->value[OPTION_HISTORY], line->value[OPTION_LOAD],
-                         line->value[OPTION_ENCODING]};
+    return (history_source){line->value[OPTION_HISTORY], line->value[OPTION_LOAD],
+                            line->value[OPTION_ENCODING]};
 }
 
-bool load_source_is_given(const load_source *from)
+bool history_source_is_given(const history_source *from)
 {
     return from->file != NULL || from->list != NULL;
 }
 
-void load_source_check_encoding(const load_source *from)
+void history_source_check_encoding(const history_source *from)
 {
     if (from->encoding == NULL)
         return;
@@ -43,12 +43,12 @@ void load_source_check_encoding(const load_source *from)
     text_input_check(from->encoding);
 }
 
-void load_source_check(const load_source *from, const input_texts *texts)
+void history_source_check(const history_source *from, const input_texts *texts)
 {
     if (from->list != NULL && from->file != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     from->file);
-    for (int i = INPUT_P; i <= INPUT_SIGMA && load_source_is_given(from); i++) {
+    for (int i = INPUT_P; i <= INPUT_SIGMA && history_source_is_given(from); i++) {
         char name[INPUT_NAME_SIZE];
         if (texts->text[i] != NULL)
             usage_error(
@@ -60,7 +60,7 @@ void load_source_check(const load_source *from, const input_texts *texts)
 
 /* ---- Rows in memory ---- */
 
-static void add(load_table *loads, load next, csv_row row)
+static void add(load_history *loads, load next, csv_row row)
 {
     if (loads->count == loads->room) {
         loads->room = 2 * loads->room + 64;
@@ -71,14 +71,14 @@ static void add(load_table *loads, load next, csv_row row)
     loads->row[loads->count++] = row;
 }
 
-void load_table_free(load_table *loads)
+void load_history_free(load_history *loads)
 {
     for (size_t i = 0; i < loads->count; i++)
         csv_row_free(&loads->row[i]);
     csv_row_free(&loads->first);
     free(loads->row);
     free(loads->load);
-    *loads = (load_table){0};
+    *loads = (load_history){0};
 }
 
 /* ---- The command line ---- */
@@ -124,7 +124,7 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
-static void read_list(const char *lines, load_table *loads)
+static void read_list(const char *lines, load_history *loads)
 {
     load to = {0};
     loads->lines = lines;
@@ -144,7 +144,7 @@ static void read_list(const char *lines, load_table *loads)
 /* ---- A file ---- */
 
 /* A row that is no load ends it: what comes after would belong to another history. */
-static void take_row(csv_input *in, char decimal_sign, load_table *loads)
+static void take_row(csv_input *in, char decimal_sign, load_history *loads)
 {
     load to;
     csv_row row;
@@ -157,7 +157,7 @@ static void take_row(csv_input *in, char decimal_sign, load_table *loads)
     add(loads, to, row);
 }
 
-static void read_rows(csv_input *in, char decimal_sign, load_table *loads)
+static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 {
     csv_event event;
     char complaint[COMPLAINT_SIZE];
@@ -172,7 +172,7 @@ static void read_rows(csv_input *in, char decimal_sign, load_table *loads)
         failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
 }
 
-static void read_file(const load_source *from, char decimal_sign, load_table *loads)
+static void read_file(const history_source *from, char decimal_sign, load_history *loads)
 {
     csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
     read_rows(in, decimal_sign, loads);
@@ -181,9 +181,9 @@ static void read_file(const load_source *from, char decimal_sign, load_table *lo
     csv_input_close(in);
 }
 
-void load_table_read(const load_source *from, char decimal_sign, load_table *loads)
+void load_history_read(const history_source *from, char decimal_sign, load_history *loads)
 {
-    *loads = (load_table){0};
+    *loads = (load_history){0};
     if (from->file != NULL)
         read_file(from, decimal_sign, loads);
     else
@@ -192,7 +192,7 @@ void load_table_read(const load_source *from, char decimal_sign, load_table *loa
 
 /* ---- Columns that nothing uses ---- */
 
-void load_table_write_unused(const load_table *loads, size_t row, char *text, size_t size)
+void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size)
 {
     bool unused[HEADER_COLUMNS] = {false};
     if (loads->name == NULL)
@@ -201,7 +201,7 @@ void load_table_write_unused(const load_table *loads, size_t row, char *text, si
     header_write_unused(&loads->names, unused, text, size);
 }
 
-void load_table_say_unused(const load_table *loads)
+void load_history_say_unused(const load_history *loads)
 {
     if (loads->name != NULL)
         table_header_say_unused(&loads->names, loads->unused, loads->name);
@@ -209,13 +209,13 @@ void load_table_say_unused(const load_table *loads)
 
 /* ---- Applied ---- */
 
-bool load_table_apply(const load_table *loads, size_t row, double f, rwedge_contact *contact,
-                      char complaint[COMPLAINT_SIZE])
+bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
+                        char complaint[COMPLAINT_SIZE])
 {
     return loads_apply_next(loads->load[row], f, contact, complaint);
 }
 
-const char *load_table_place(const load_table *loads, size_t row, char place[LOAD_PLACE_SIZE])
+const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE])
 {
     if (loads->name != NULL) {
         snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name,
@@ -229,29 +229,30 @@ const char *load_table_place(const load_table *loads, size_t row, char place[LOA
     return place;
 }
 
-void load_table_fail(const load_table *loads, size_t row, const char *word, const char *complaint)
+void load_history_fail(const load_history *loads, size_t row, const char *word,
+                       const char *complaint)
 {
     char place[LOAD_PLACE_SIZE];
-    load_table_place(loads, row, place);
+    load_history_place(loads, row, place);
     if (loads->name != NULL)
         failure("%s%s: %s", place, word, complaint);
     usage_error("%s%s: %s", place, word, complaint);
 }
 
-void load_table_apply_all(const load_table *loads, double f, rwedge_contact *contact)
+void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact)
 {
     char complaint[COMPLAINT_SIZE];
     for (size_t i = 0; i < loads->count; i++)
-        if (!load_table_apply(loads, i, f, contact, complaint))
-            load_table_fail(loads, i, "", complaint);
+        if (!load_history_apply(loads, i, f, contact, complaint))
+            load_history_fail(loads, i, "", complaint);
 }
 
-void load_source_apply(const load_source *from, char decimal_sign, double f,
-                       rwedge_contact *contact)
+void history_source_apply(const history_source *from, char decimal_sign, double f,
+                          rwedge_contact *contact)
 {
-    load_table loads;
-    load_table_read(from, decimal_sign, &loads);
-    load_table_apply_all(&loads, f, contact);
-    load_table_say_unused(&loads);
-    load_table_free(&loads);
+    load_history loads;
+    load_history_read(from, decimal_sign, &loads);
+    load_history_apply_all(&loads, f, contact);
+    load_history_say_unused(&loads);
+    load_history_free(&loads);
 }

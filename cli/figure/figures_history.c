@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "figures_course.h"
+#include "figures_history.h"
 
-#include "model/tensor.h"
+#include "model/results/tensor.h"
 #include "fretting/surface.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 enum { STEPS = 24 }; /* from load to load, for smooth curves */
 
 /* Adds what is to be seen of a state; the number of the load counts on in between. */
-typedef int32_t visitor(const figure_case *of, double number, const rwedge_contact *contact,
+typedef int32_t visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                         dataset *rows);
 
 static double part_of(double from, double to, int i)
@@ -23,11 +23,11 @@ static double part_of(double from, double to, int i)
 }
 
 /* The states before a load. Where one has no closed form, the curve is straight from there. */
-static int32_t visit_between(const figure_case *of, size_t step, rwedge_contact *contact,
+static int32_t visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
                              visitor *visit, dataset *rows)
 {
     rwedge_contact *trial = NULL;
-    load from, to = course_load(of->whole, step);
+    load from, to = contact_history_load(inputs->history, step);
     rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
     int32_t status = rwedge_contact_copy(contact, &trial);
     for (int i = 1; i < STEPS && status == RWEDGE_OK && from.P > 0; i++) {
@@ -35,25 +35,25 @@ static int32_t visit_between(const figure_case *of, size_t step, rwedge_contact 
                                  part_of(from.Q, to.Q, i),
                                  part_of(from.sigma, to.sigma, i)) != RWEDGE_OK)
             break;
-        status = visit(of, (double)step + (double)i / STEPS, trial, rows);
+        status = visit(inputs, (double)step + (double)i / STEPS, trial, rows);
     }
     rwedge_contact_destroy(trial);
     return status;
 }
 
 /* Of the loads from the first on. Those before the first cycle have no number and no place. */
-static int32_t visit_all(const figure_case *of, size_t first, visitor *visit, dataset *rows)
+static int32_t visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
-    rwedge_contact *contact = course_begin(of->whole);
+    rwedge_contact *contact = contact_history_begin(inputs->history);
     int32_t status = contact != NULL ? RWEDGE_OK : RWEDGE_ENOMEM;
-    for (size_t step = 0; step < of->whole->steps && status == RWEDGE_OK; step++) {
-        const load to = course_load(of->whole, step);
+    for (size_t step = 0; step < inputs->history->steps && status == RWEDGE_OK; step++) {
+        const load to = contact_history_load(inputs->history, step);
         if (step > first)
-            status = visit_between(of, step, contact, visit, rows);
+            status = visit_between(inputs, step, contact, visit, rows);
         if (status == RWEDGE_OK)
             status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
         if (status == RWEDGE_OK && step >= first)
-            status = visit(of, (double)step + 1, contact, rows);
+            status = visit(inputs, (double)step + 1, contact, rows);
     }
     rwedge_contact_destroy(contact);
     return status;
@@ -99,27 +99,27 @@ static axis axis_over(const dataset *rows, int column, const char *text)
 
 enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
 
-static int32_t add_stress(const figure_case *of, double number, const rwedge_contact *contact,
+static int32_t add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
                           dataset *rows)
 {
-    const double x = of->at->x[0], y = of->at->y[0];
+    const double x = inputs->at->x[0], y = inputs->at->y[0];
     double sxx, syy, txy;
     const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
     if (status != RWEDGE_OK)
         return status;
-    const tensor at = tensor_of(sxx, syy, txy, of->whole->what.nu1);
+    const tensor at = tensor_of(sxx, syy, txy, inputs->history->setup.nu1);
     dataset_add(rows, (data_row){.number = {number, x, y, sxx, syy, at.value[TENSOR_SZZ], txy}});
     return RWEDGE_OK;
 }
 
 /* The last cycle, from the load before it. */
-static int32_t compute_history(const figure_case *of, dataset *rows)
+static int32_t compute_history(const figure_case *inputs, dataset *rows)
 {
-    const size_t loads = of->whole->loads.count, steps = of->whole->steps;
-    return visit_all(of, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
+    const size_t loads = inputs->history->loads.count, steps = inputs->history->steps;
+    return visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static const char *draw_history(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_history(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     static const char *const names[] = {"*σ*_x", "*σ*_y", "*τ*_x_y"};
     static const int columns[] = {H_SXX, H_SYY, H_TXY};
@@ -131,8 +131,8 @@ static const char *draw_history(const figure_case *of, const dataset *rows, draw
     }
     if (top == 0 && bottom == 0)
         return "there is no stress";
-    write_number(of->at->x[0], DRAWING_DIGITS, x);
-    write_number(of->at->y[0], DRAWING_DIGITS, y);
+    write_number(inputs->at->x[0], DRAWING_DIGITS, x);
+    write_number(inputs->at->y[0], DRAWING_DIGITS, y);
     snprintf(on->title, sizeof on->title, "Stresses at *x* = %s, *y* = %s", x, y);
     const double first = rows->row[0].number[H_LOAD],
                  last = rows->row[rows->count - 1].number[H_LOAD], room = 0.05 * (top + bottom);
@@ -142,10 +142,10 @@ static const char *draw_history(const figure_case *of, const dataset *rows, draw
     on->y = (axis){"stress", -bottom - room, top + room, drawing_tic(top + bottom), 0};
     on->height = 0.75;
     for (int i = 0; i < 3; i++) {
-        curve *one = drawing_curve(on, rows, 0, H_LOAD, columns[i]);
-        style_of_family(one, i);
-        one->width = 1.3;
-        snprintf(one->legend, sizeof one->legend, "%s", names[i]);
+        curve *line = drawing_curve(on, rows, 0, H_LOAD, columns[i]);
+        style_of_family(line, i);
+        line->width = 1.3;
+        snprintf(line->legend, sizeof line->legend, "%s", names[i]);
     }
     return NULL;
 }
@@ -154,7 +154,7 @@ static const char *const history_columns[] = {"load", "x", "y", "sxx", "syy", "s
 
 const figure figure_history = {.name = "history",
                                .summary = "stresses at a point, --at, in the last cycle of loads",
-                               .of_course = true,
+                               .has_history = true,
                                .needs_point = true,
                                .cycles = 1,
                                .column = history_columns,
@@ -165,25 +165,26 @@ const figure figure_history = {.name = "history",
 
 enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
 
-static int32_t add_displacement(const figure_case *of, double number, const rwedge_contact *contact,
-                                dataset *rows)
+static int32_t add_displacement(const figure_case *inputs, double number,
+                                const rwedge_contact *contact, dataset *rows)
 {
     load now;
     rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
-    dataset_add(rows, (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
-                                            rwedge_contact_displacement(contact, of->half_width),
-                                            rwedge_contact_dissipated_energy(contact)}});
+    dataset_add(rows,
+                (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
+                                      rwedge_contact_displacement(contact, inputs->half_width),
+                                      rwedge_contact_dissipated_energy(contact)}});
     return RWEDGE_OK;
 }
 
-static int32_t compute_any_loop(const figure_case *of, dataset *rows)
+static int32_t compute_any_loop(const figure_case *inputs, dataset *rows)
 {
-    return visit_all(of, 0, add_displacement, rows);
+    return visit_all(inputs, 0, add_displacement, rows);
 }
 
-static const char *draw_any_loop(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *on)
 {
-    (void)of;
+    (void)inputs;
     if (extreme(rows, L_DISPLACEMENT, 1) == 0 && extreme(rows, L_DISPLACEMENT, -1) == 0)
         return "nothing slips, or the slip has no closed form";
     snprintf(on->title, sizeof on->title, "*Q* through the history of loads");
@@ -200,7 +201,7 @@ static const char *const any_loop_columns[] = {"load",         "P",      "M", "Q
 
 const figure figure_any_loop = {.name = "loop",
                                 .summary = "Q over the displacement by slip",
-                                .of_course = true,
+                                .has_history = true,
                                 .cycles = 1,
                                 .column = any_loop_columns,
                                 .compute = compute_any_loop,
@@ -210,12 +211,12 @@ const figure figure_any_loop = {.name = "loop",
 
 enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
-static int32_t compute_fretting(const figure_case *of, dataset *rows)
+static int32_t compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
     measured all;
-    const criteria usual = criteria_usual(&of->whole->what);
-    last_cycle_begin(of->whole, &usual, &last);
+    const criteria usual = criteria_usual(&inputs->history->setup);
+    last_cycle_begin(inputs->history, &usual, &last);
     if (!surface_usual(&last, &all))
         return RWEDGE_EABSENT;
     const int32_t status = surface_measure(&last, &all);
@@ -242,9 +243,9 @@ static void draw_contact(const dataset *rows, double height, drawing *on)
         drawing_bar(on, left, right, 0, -height)->width = 0.8;
 }
 
-static const char *draw_fretting(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_fretting(const figure_case *inputs, const dataset *rows, drawing *on)
 {
-    (void)of;
+    (void)inputs;
     size_t best = 0;
     char x[NUMBER_SIZE];
     for (size_t i = 0; i < rows->count; i++)
@@ -272,7 +273,7 @@ static const char *const fretting_columns[] = {
 
 const figure figure_fretting = {.name = "fretting",
                                 .summary = "Smith-Watson-Topper along the surface, last cycle",
-                                .of_course = true,
+                                .has_history = true,
                                 .cycles = 3,
                                 .column = fretting_columns,
                                 .compute = compute_fretting,
@@ -282,24 +283,24 @@ const figure figure_fretting = {.name = "fretting",
 
 enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
 
-static int32_t measure_place(const figure_case *of, const last_cycle *last, double x, double y,
+static int32_t measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
                              dataset *rows)
 {
     measures at;
     const int32_t status = last_cycle_measure(last, 1, &x, &y, &at);
-    dataset_add(rows, (data_row){.number = {x, y, at.value[of->measure]}});
+    dataset_add(rows, (data_row){.number = {x, y, at.value[inputs->measure]}});
     return status;
 }
 
-static int32_t measure_surface(const figure_case *of, const last_cycle *last, dataset *rows)
+static int32_t measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     measured all;
     if (!surface_usual(last, &all))
         return RWEDGE_EABSENT;
     const int32_t status = surface_measure(last, &all);
     for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++)
-        dataset_add(rows,
-                    (data_row){.number = {all.place[i].x, 0, all.place[i].at.value[of->measure]}});
+        dataset_add(rows, (data_row){.number = {all.place[i].x, 0,
+                                                all.place[i].at.value[inputs->measure]}});
     free(all.place);
     return status;
 }
@@ -314,37 +315,38 @@ static const data_row *worst_row_of(const dataset *rows)
 }
 
 /* Down to the half-width, dense at the surface. */
-static int32_t measure_depth(const figure_case *of, const last_cycle *last, dataset *rows)
+static int32_t measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     dataset along = {0};
-    int32_t status = measure_surface(of, last, &along);
+    int32_t status = measure_surface(inputs, last, &along);
     const double x = along.count > 0 ? worst_row_of(&along)->number[0] : 0;
     free(along.row);
     for (int i = 0; i < DEPTHS && status == RWEDGE_OK; i++) {
         const double part = (double)i / (DEPTHS - 1);
-        status = measure_place(of, last, x, of->half_width * part * part, rows);
+        status = measure_place(inputs, last, x, inputs->half_width * part * part, rows);
     }
     return status;
 }
 
-static int32_t measure_field(const figure_case *of, const last_cycle *last, dataset *rows)
+static int32_t measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     int32_t status = RWEDGE_OK;
     const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
     for (int j = 0; j < ROWS; j++)
         for (int i = 0; i < COLUMNS && status == RWEDGE_OK; i++)
-            status = measure_place(of, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
-                                   half * pow((double)j / (ROWS - 1), 1.5), rows);
+            status =
+                measure_place(inputs, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
+                              half * pow((double)j / (ROWS - 1), 1.5), rows);
     return status;
 }
 
-static int32_t compute_measure(const figure_case *of, dataset *rows)
+static int32_t compute_measure(const figure_case *inputs, dataset *rows)
 {
     static int32_t (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
         measure_surface, measure_depth, measure_field};
     last_cycle last;
-    last_cycle_begin(of->whole, of->asked, &last);
-    return isnan(last.left) ? RWEDGE_EABSENT : ways[of->over](of, &last, rows);
+    last_cycle_begin(inputs->history, inputs->asked, &last);
+    return isnan(last.left) ? RWEDGE_EABSENT : ways[inputs->over](inputs, &last, rows);
 }
 
 static void draw_measure_field(const dataset *rows, double top, drawing *on)
@@ -361,28 +363,29 @@ static void draw_measure_field(const dataset *rows, double top, drawing *on)
 }
 
 /* A column in words: "_" would begin a subscript. */
-static void write_name(const figure_case *of, char name[DRAWING_TEXT])
+static void write_name(const figure_case *inputs, char name[DRAWING_TEXT])
 {
-    snprintf(name, DRAWING_TEXT, "%s", column_kind_of(of->measure)->column);
+    snprintf(name, DRAWING_TEXT, "%s", column_kind_of(inputs->measure)->column);
     for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_'))
         *at = ' ';
 }
 
-static void draw_measure_curve(const figure_case *of, const dataset *rows, double top, drawing *on)
+static void draw_measure_curve(const figure_case *inputs, const dataset *rows, double top,
+                               drawing *on)
 {
-    const int along = of->over == OVER_DEPTH ? 1 : 0;
+    const int along = inputs->over == OVER_DEPTH ? 1 : 0;
     const double from = rows->row[0].number[along], to = rows->row[rows->count - 1].number[along];
     on->x = (axis){"", from, to, tic_along_x(to - from), 0};
     snprintf(on->x.text, sizeof on->x.text, "%s", along == 1 ? "*y*" : "*x*");
     char name[DRAWING_TEXT];
-    write_name(of, name);
+    write_name(inputs, name);
     on->y = drawing_axis(1.05 * top, name);
     on->y.from = -1.05 * extreme(rows, 2, -1);
     on->height = 0.75;
     drawing_curve(on, rows, 0, along, 2)->width = 1.3;
 }
 
-static const char *draw_measure(const figure_case *of, const dataset *rows, drawing *on)
+static const char *draw_measure(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     const double *worst = worst_row_of(rows)->number;
     char x[NUMBER_SIZE], y[NUMBER_SIZE];
@@ -390,13 +393,13 @@ static const char *draw_measure(const figure_case *of, const dataset *rows, draw
         return "the measure is nowhere above 0";
     write_number(worst[0], 4, x);
     write_number(worst[1], 4, y);
-    write_name(of, on->title);
+    write_name(inputs, on->title);
     snprintf(on->caption, sizeof on->caption, "%s: %.4g at *x* = %s, *y* = %s",
-             of->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2], x, y);
-    if (of->over == OVER_FIELD)
+             inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2], x, y);
+    if (inputs->over == OVER_FIELD)
         draw_measure_field(rows, worst[2], on);
     else
-        draw_measure_curve(of, rows, worst[2], on);
+        draw_measure_curve(inputs, rows, worst[2], on);
     return NULL;
 }
 
@@ -404,7 +407,7 @@ static const char *const measure_columns[] = {"x", "y", "value", NULL};
 
 const figure figure_measure = {.name = "measure",
                                .summary = "any column of fretting, by --measure and --over",
-                               .of_course = true,
+                               .has_history = true,
                                .cycles = 3,
                                .column = measure_columns,
                                .compute = compute_measure,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "range.h"
 
-#include "message.h"
+#include "text/message.h"
 #include "number.h"
 
 #include <float.h>

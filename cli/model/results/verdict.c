@@ -2,7 +2,7 @@
 #include "verdict.h"
 
 #include "text/list.h"
-#include "text/number.h"
+#include "number/number.h"
 
 #include <stdio.h>
 

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact_history.h"
+
+#include "text/message.h"
+#include "number/number.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+struct poptOption history_option_table[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
+    {"cycles", '\0', POPT_ARG_STRING, NULL, OPTION_CYCLES,
+     "Go through the loads N times, one after the other (default: see below)", "N"},
+    {"until", '\0', POPT_ARG_NONE, NULL, OPTION_UNTIL,
+     "Where a load cannot be applied, go as far as the loads before it", NULL},
+    POPT_TABLEEND,
+};
+
+enum { CYCLES_MAX = 1000000 };
+
+const char *history_file(const arguments *line)
+{
+    return line->operand != NULL && line->operand[0] != NULL ? line->operand[0]
+                                                             : line->value[OPTION_HISTORY];
+}
+
+static void find_loads(const arguments *line, const input_texts *texts, history_source *from,
+                       history_source *before)
+{
+    *from = history_source_of(line);
+    *before = (history_source){0};
+    if (history_file(line) != NULL) {
+        before->list = from->list;
+        from->list = NULL;
+    }
+    const char *word = line->operand != NULL ? line->operand[0] : NULL;
+    if (word != NULL && line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
+    if (word != NULL && history_source_is_given(from))
+        usage_error("%s: given together with --history; allowed: one of the two", word);
+    if (word != NULL)
+        from->file = word;
+    if (!history_source_is_given(from))
+        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
+                    "sigma; or --load P,Q for each");
+    history_source_check_encoding(from);
+    history_source_check(from, texts);
+}
+
+static int64_t read_cycles(const arguments *line, int64_t usual)
+{
+    const char *text = line->value[OPTION_CYCLES];
+    int64_t cycles = usual;
+    if (text != NULL && !number_read_whole(text, 1, CYCLES_MAX, &cycles))
+        usage_error("--cycles %s: must be a whole number from 1 to %d", text, CYCLES_MAX);
+    return cycles;
+}
+
+size_t contact_history_row(const contact_history *history, size_t step)
+{
+    return step % history->loads.count;
+}
+
+load contact_history_load(const contact_history *history, size_t step)
+{
+    return history->loads.load[contact_history_row(history, step)];
+}
+
+rwedge_contact *contact_history_begin(const contact_history *history)
+{
+    rwedge_contact *contact;
+    const int32_t status = case_contact(&history->setup, &contact);
+    if (status != RWEDGE_OK)
+        failure("the contact: %s", rwedge_strerror(status));
+    load_history_apply_all(&history->before, history->setup.f, contact);
+    return contact;
+}
+
+/* Where there are several cycles, the word says in which it was. */
+static void refuse(const contact_history *history, size_t step, bool until, const char *complaint)
+{
+    char word[40] = "", place[LOAD_PLACE_SIZE];
+    const size_t row = contact_history_row(history, step);
+    if (step >= history->loads.count)
+        snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
+    if (!until || step == 0)
+        load_history_fail(&history->loads, row, word, complaint);
+    notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
+           word, complaint);
+}
+
+static bool try_load(const contact_history *history, size_t step, bool until,
+                     rwedge_contact *contact)
+{
+    char complaint[COMPLAINT_SIZE];
+    if (load_history_apply(&history->loads, contact_history_row(history, step), history->setup.f,
+                           contact, complaint))
+        return true;
+    refuse(history, step, until, complaint);
+    return false;
+}
+
+void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
+{
+    try_load(history, step, false, contact);
+}
+
+static void try_loads(contact_history *history, bool until)
+{
+    const size_t wanted = history->loads.count * (size_t)history->cycles;
+    rwedge_contact *contact = contact_history_begin(history);
+    while (history->steps < wanted && try_load(history, history->steps, until, contact)) {
+        history->steps++;
+        history->error = fmax(history->error, rwedge_contact_error(contact));
+    }
+    rwedge_contact_destroy(contact);
+}
+
+void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
+                          contact_history *history)
+{
+    input_texts texts;
+    history_source from, before;
+    char complaint[COMPLAINT_SIZE];
+    *history = (contact_history){0};
+    input_texts_from_options(line, &texts);
+    input_options_check_hull(line);
+    find_loads(line, &texts, &from, &before);
+    read_cycles(line, usage.cycles);
+    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
+        usage_error("%s", complaint);
+    load_history_read(&from, decimal_sign, &history->loads);
+    if (before.list != NULL)
+        load_history_read(&before, decimal_sign, &history->before);
+    const bool to_and_fro = usage.of_two > 0 && history->loads.count == 2;
+    history->cycles = read_cycles(line, to_and_fro ? usage.of_two : usage.cycles);
+    try_loads(history, line->value[OPTION_UNTIL] != NULL);
+}

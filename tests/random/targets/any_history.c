@@ -9,14 +9,16 @@
  *   steps under constant P and M; steps of P too, by a tenth; steps of P and M, by P b/10;
  *   a log: Q and tension swing, one after the other, and all four scatter by up to 3 %.
  * |Q| is up to 0.95 f P, in every sixteenth load f P; |sigma| up to 4 f P/(pi b). */
-#include "any_history.h"
-
 #include "input.h"
 #include "rwedge.h"
 
 #include <time.h>
 
-any_history_tally tally;
+/* What the loads have come to so far. */
+static struct {
+    long loads, computed, unsolved;
+    double slowest, worst; /* load, in seconds of the processor; error that was told */
+} tally;
 
 enum { LOADS_MAX = 24, POINTS = 41, LOG = 3 };
 static const double PI = 3.14159265358979323846;

@@ -370,10 +370,9 @@ RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, doubl
  *   R  radius of the edges, length, > 0, at most 1e60
  * Its slope is (|x| - a)/R beyond the flat, as far as |x| = a + R: a load that would bring the
  * contact farther is refused with RWEDGE_ERANGE. For theta stands 1 where a function below names
- * it. All functions serve it as they serve the wedge, but for two of a flat that is not 0 wide, and
- * of any profile: rwedge_contact_allow_error() refuses them with RWEDGE_EDOMAIN, and the energy of
- * a step that slips is NaN unless P and M are constant and it does not end in full sliding. The
- * errors are those of the wedge, over the root of 1 - a/b.
+ * it. All functions serve it as they serve the wedge, but for one of a flat that is not 0 wide, and
+ * of any profile: the energy of a step that slips in closed form is NaN unless P and M are constant
+ * and it does not end in full sliding. The errors are those of the wedge, over the root of 1 - a/b.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, double f,
                                               rwedge_contact **contact);
@@ -451,7 +450,7 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
  * What cannot be had to the tolerance is tried once more to ten times as much. A load whose shear
  * cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV, the contact
- * as before: smaller loads may go. Of a flat pad and a profile: RWEDGE_EDOMAIN unless it is 0.
+ * as before: smaller loads may go. A profile takes as many times longer as it has arcs in contact.
  * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 

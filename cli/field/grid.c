@@ -32,30 +32,26 @@ static tensor stress(const grid *points, double x, double y)
 static void write_point(const grid *points, records *rows, double x, double y)
 {
     const tensor point = stress(points, x, y);
-    rows->format->value(rows, "x", cell_number(x));
-    rows->format->value(rows, "y", cell_number(y));
+    records_value(rows, cell_number(x));
+    records_value(rows, cell_number(y));
     for (int i = 0; i < TENSOR_COUNT; i++)
-        rows->format->value(rows, tensor_names[i], cell_number(point.value[i]));
-    rows->format->end_row(rows);
+        records_value(rows, cell_number(point.value[i]));
+    records_end_row(rows);
     progress_step();
 }
 
-bool grid_write_rows(void *of_grid, records *rows, bool show_progress)
+void grid_write_rows(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
-    progress_start(show_progress, grid_size(points), "points");
-    rows->format->begin(rows);
-    rows->format->name(rows, "x");
-    rows->format->name(rows, "y");
+    progress_start(rows->show_progress, grid_size(points), "points");
+    records_name(rows, "x");
+    records_name(rows, "y");
     for (int i = 0; i < TENSOR_COUNT; i++)
-        rows->format->name(rows, tensor_names[i]);
-    rows->format->end_header(rows);
+        records_name(rows, tensor_names[i]);
+    records_end_header(rows);
     for (int64_t j = 0; j < points->y.count; j++)
         for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)
             write_point(points, rows, range_value(&points->x, i), range_value(&points->y, j));
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }
 
 /* ---- For ParaView ---- */
@@ -75,7 +71,7 @@ static tensor stress_at(const void *of_grid, int64_t column, int64_t row)
     return stress(of_grid, column_x(of_grid, column), row_y(of_grid, row));
 }
 
-bool grid_write_vtk(void *of_grid, records *rows, bool show_progress)
+void grid_write_vtk(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
     vtk_points file = {.title = "rwedge field: y is the depth below the surface",
@@ -86,5 +82,5 @@ bool grid_write_vtk(void *of_grid, records *rows, bool show_progress)
                        .y = row_y,
                        .stress = stress_at,
                        .source = points};
-    return vtk_write(&file, rows, show_progress);
+    vtk_write(&file, rows);
 }

@@ -16,9 +16,9 @@ typedef struct {
 int64_t grid_size(const grid *points);
 
 /* A row for every point, x fastest. */
-bool grid_write_rows(void *of_grid, records *rows, bool show_progress);
+void grid_write_rows(void *of_grid, records *rows);
 
 /* The same as a file for ParaView. */
-bool grid_write_vtk(void *of_grid, records *rows, bool show_progress);
+void grid_write_vtk(void *of_grid, records *rows);
 
 #endif

@@ -108,26 +108,18 @@ static void write_row(const plan *job, records *rows, double x)
 {
     cell row[COLUMN_COUNT];
     compute(&job->loaded, x, row);
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        rows->format->value(rows, columns[i], row[i]);
-    rows->format->end_row(rows);
+    records_row(rows, COLUMN_COUNT, row);
     progress_step();
 }
 
-static bool write_profile(void *of_plan, records *rows, bool show_progress)
+static void write_profile(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
     const int64_t count = job->points > 0 ? job->points : job->x.count;
-    progress_start(show_progress, count, "rows");
-    rows->format->begin(rows);
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        rows->format->name(rows, columns[i]);
-    rows->format->end_header(rows);
+    progress_start(rows->show_progress, count, "rows");
+    records_header(rows, COLUMN_COUNT, columns);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
         write_row(job, rows, x_of(job, i));
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }
 
 static void read_points(const arguments *line, plan *job)

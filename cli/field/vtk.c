@@ -119,12 +119,12 @@ static void put_stresses(records *rows, const vtk_points *points)
     put_quantity(rows, points, 0, put_tensor);
 }
 
-bool vtk_write(void *of_points, records *rows, bool show_progress)
+void vtk_write(void *of_points, records *rows)
 {
     const vtk_points *points = of_points;
     char line[80];
     const int quantities = points->numbers != NULL ? points->numbers->count : TENSOR_COUNT + 1;
-    progress_start(show_progress, quantities * points->columns * points->rows, "values");
+    progress_start(rows->show_progress, quantities * points->columns * points->rows, "values");
     output_text(rows->out, "# vtk DataFile Version 3.0\n");
     output_text(rows->out, points->title);
     output_text(rows->out, "\nASCII\n");
@@ -138,6 +138,4 @@ bool vtk_write(void *of_points, records *rows, bool show_progress)
         put_numbers(rows, points, points->numbers);
     else
         put_stresses(rows, points);
-    progress_erase();
-    return true;
 }

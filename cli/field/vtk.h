@@ -27,6 +27,6 @@ typedef struct {
 
 /* A rows_writer of output_options.h: legacy VTK, ASCII. The records say only where it goes, and
  * with how many digits. */
-bool vtk_write(void *of_points, records *rows, bool show_progress);
+void vtk_write(void *of_points, records *rows);
 
 #endif

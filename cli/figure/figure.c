@@ -364,14 +364,14 @@ static void draw(const work *to_do, output *out)
 }
 
 /* A rows_writer: a picture goes where rows would. */
-static bool write_figure(void *of_work, records *rows, bool show_progress)
+static void write_figure(void *of_work, records *rows)
 {
     work *to_do = of_work;
     compute(to_do);
     if (to_do->format == NULL)
-        return dataset_write(&to_do->rows, rows, show_progress);
-    draw(to_do, rows->out);
-    return true;
+        dataset_write(&to_do->rows, rows);
+    else
+        draw(to_do, rows->out);
 }
 
 static int write_command(const arguments *line)

@@ -145,7 +145,7 @@ static const char *draw_eccentric(const figure_case *inputs, const dataset *rows
     case_text(inputs, A_OVER_B, 0, alpha);
     case_text(inputs, Q_OVER_FP, 0, text);
     snprintf(on->title, sizeof on->title,
-             "Shear traction with bulk tension, *a*/*b* = %s, *Q*/(*fP*) = %s", alpha, text);
+             "Shear traction with bulk tension,\n*a*/*b* = %s, *Q*/(*fP*) = %s", alpha, text);
     snprintf(on->caption, sizeof on->caption, "bars: stick zones; thin line: friction's limit");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
     on->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");

@@ -167,12 +167,12 @@ static void write_title(const figure_case *inputs, drawing *on)
     if (inputs->value[slips].count > 0)
         case_text(inputs, slips, 0, slip);
     const bool normal = case_value(inputs, FRICTION) == 0;
-    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s%s%s, ν = %s",
+    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
              alpha, f,
              normal     ? ""
-             : by_force ? ", *Q*/(*fP*) = "
-                        : ", *c*/*b* = ",
-             normal ? "" : slip, nu);
+             : by_force ? "*Q*/(*fP*) = "
+                        : "*c*/*b* = ",
+             normal ? "" : slip, normal ? "" : ", ", nu);
 }
 
 static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
@@ -185,7 +185,7 @@ static void write_caption(const figure_case *inputs, double step, bool has_yield
     number_write(top, 3, '.', value);
     number_write(step, 3, '.', lines);
     snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %s%s%s", zones, lines,
-             has_yield ? "; circle: first yield, " : "", has_yield ? value : "");
+             has_yield ? ";\ncircle: first yield, " : "", has_yield ? value : "");
 }
 
 static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *on)

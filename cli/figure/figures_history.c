@@ -359,7 +359,7 @@ static void draw_measure_field(const dataset *rows, double top, drawing *on)
     on->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
     number_write(step, 3, '.', lines);
     const size_t used = strlen(on->caption);
-    snprintf(on->caption + used, sizeof on->caption - used, "; lines: every %s", lines);
+    snprintf(on->caption + used, sizeof on->caption - used, ";\nlines: every %s", lines);
 }
 
 /* A column in words: "_" would begin a subscript. */
@@ -394,8 +394,9 @@ static const char *draw_measure(const figure_case *inputs, const dataset *rows, 
     write_number(worst[0], 4, x);
     write_number(worst[1], 4, y);
     write_name(inputs, on->title);
-    snprintf(on->caption, sizeof on->caption, "%s: %.4g at *x* = %s, *y* = %s",
-             inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2], x, y);
+    snprintf(on->caption, sizeof on->caption, "%s: %.4g at%s*x* = %s, *y* = %s",
+             inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2],
+             inputs->over == OVER_FIELD ? "\n" : " ", x, y);
     if (inputs->over == OVER_FIELD)
         draw_measure_field(rows, worst[2], on);
     else

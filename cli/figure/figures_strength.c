@@ -300,7 +300,7 @@ static void draw_path(const figure_case *inputs, const dataset *rows, int n, boo
     end->count = 1;
     if (explain)
         snprintf(on->caption, sizeof on->caption,
-                 "crosses: every 0.0125 in *f*; circles: jump to the surface");
+                 "crosses: every 0.0125 in *f*;\ncircles: jump to the surface");
 }
 
 /* The deepest and the rightmost point. */
@@ -326,8 +326,12 @@ static void name_missing(const figure_case *inputs, const dataset *rows, drawing
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
         if (dataset_curve(rows, n, &first) == 0) {
             case_text(inputs, A_OVER_B, n, text);
-            list_add(on->caption, sizeof on->caption, ", ", "%s%s",
-                     missing++ == 0 ? "always at the surface: *a*/*b* = " : "", text);
+            list_add(on->caption, sizeof on->caption,
+                     missing == 0       ? ";\n"
+                     : missing % 3 == 0 ? ",\n"
+                                        : ", ",
+                     "%s%s", missing == 0 ? "always at the surface: *a*/*b* = " : "", text);
+            missing++;
         }
 }
 

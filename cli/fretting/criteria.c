@@ -126,9 +126,9 @@ static const struct {
 };
 
 /* NAN where it is not given. */
-static double read_constant(const arguments *given, int number, const char *name, double least)
+static double read_constant(const arguments *line, int number, const char *name, double least)
 {
-    const char *text = given->value[number];
+    const char *text = line->value[number];
     double value = NAN;
     if (text != NULL && !(number_read(text, &value) && value >= least && value <= 1e60 &&
                           (value == 0 || value >= 1e-60)))
@@ -143,14 +143,14 @@ static void need(const criteria *all, int criterion, double constant, const char
         usage_error("%s: needs --%s", criterion_kinds[criterion].name, option);
 }
 
-static void read_constants(const arguments *given, criteria *all)
+static void read_constants(const arguments *line, criteria *all)
 {
-    all->archard = read_constant(given, OPTION_ARCHARD, "archard", 1e-60);
-    all->su = read_constant(given, OPTION_SU, "su", 1e-60);
+    all->archard = read_constant(line, OPTION_ARCHARD, "archard", 1e-60);
+    all->su = read_constant(line, OPTION_SU, "su", 1e-60);
     for (int i = CRITERION_FINDLEY; i <= CRITERION_DANG_VAN; i++) {
         const char *name = constant_options[i].name;
         all->constant[i] =
-            read_constant(given, constant_options[i].number, name, constant_options[i].least);
+            read_constant(line, constant_options[i].number, name, constant_options[i].least);
         all->is_wanted[i] = all->is_listed ? all->is_wanted[i] : !isnan(all->constant[i]);
         need(all, i, all->constant[i], name);
     }
@@ -201,31 +201,31 @@ criteria criteria_usual(const contact_case *setup)
     return all;
 }
 
-static void read_plane_stress(arguments *given, criteria *all)
+static void read_plane_stress(arguments *line, criteria *all)
 {
     static char zero[] = "0";
     input_texts texts;
     char complaint[COMPLAINT_SIZE];
-    input_texts_from_options(given, &texts);
+    input_texts_from_options(line, &texts);
     if (!input_is_given(&texts, INPUT_NU1))
         return; /* it will be missed */
     if (!input_read(&texts, INPUT_NU1, &all->nu, complaint))
         usage_error("%s", complaint);
-    given->value[OPTION_INPUT + INPUT_NU1] = zero;
+    line->value[OPTION_INPUT + INPUT_NU1] = zero;
     if (input_is_given(&texts, INPUT_NU2))
-        given->value[OPTION_INPUT + INPUT_NU2] = zero;
+        line->value[OPTION_INPUT + INPUT_NU2] = zero;
 }
 
-void criteria_read(arguments *given, const material *constants, criteria *all)
+void criteria_read(arguments *line, const material *constants, criteria *all)
 {
     *all = criteria_usual(&(contact_case){.nu1 = NAN});
     all->constants = constants;
-    all->is_plane_stress = given->value[OPTION_PLANE_STRESS] != NULL;
+    all->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
     if (all->is_plane_stress)
-        read_plane_stress(given, all);
-    all->is_listed = given->value[OPTION_CRITERIA] != NULL;
-    read_names(given->value[OPTION_CRITERIA], all);
-    read_constants(given, all);
+        read_plane_stress(line, all);
+    all->is_listed = line->value[OPTION_CRITERIA] != NULL;
+    read_names(line->value[OPTION_CRITERIA], all);
+    read_constants(line, all);
 }
 
 /* Damage is written where its criterion is, or by itself. */
@@ -239,9 +239,9 @@ static void read_damage(int criterion, int damage, const char *needed, criteria 
     all->constant[damage] = all->is_wanted[damage] ? all->constant[criterion] : NAN;
 }
 
-void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all)
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all)
 {
-    const char *text = given->value[OPTION_FS_K];
+    const char *text = line->value[OPTION_FS_K];
     double k = 1;
     if (text != NULL && !(number_read(text, &k) && k >= 0 && k <= 1e6))
         usage_error("--fs-k %s: must be a number from 0 to 1000000", text);

@@ -99,9 +99,9 @@ criteria criteria_usual(const contact_case *setup);
 
 /* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
  * from then on. */
-void criteria_read(arguments *given, const material *constants, criteria *all);
+void criteria_read(arguments *line, const material *constants, criteria *all);
 
 /* When the contact is read: Fatemi and Socie's constant; then those of damage. */
-void criteria_read_strength(const arguments *given, const contact_case *setup, criteria *all);
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
 
 #endif

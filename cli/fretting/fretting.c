@@ -142,40 +142,36 @@ static void compute(plan *job)
 
 static void write_row(const criteria *asked, const measured_place *place, records *rows)
 {
-    rows->format->value(rows, "x", cell_number(place->x));
-    rows->format->value(rows, "y", cell_number(place->y));
+    records_value(rows, cell_number(place->x));
+    records_value(rows, cell_number(place->y));
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(asked, i))
-            rows->format->value(rows, column_kind_of(i)->column, cell_number(place->at.value[i]));
-    rows->format->end_row(rows);
+            records_value(rows, cell_number(place->at.value[i]));
+    records_end_row(rows);
     progress_step();
 }
 
-static bool write_rows(void *of_plan, records *rows, bool show_progress)
+static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(show_progress, (int64_t)job->all.count, "rows");
-    rows->format->begin(rows);
-    rows->format->name(rows, "x");
-    rows->format->name(rows, "y");
+    progress_start(rows->show_progress, (int64_t)job->all.count, "rows");
+    records_name(rows, "x");
+    records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
-            rows->format->name(rows, column_kind_of(i)->column);
-    rows->format->end_header(rows);
+            records_name(rows, column_kind_of(i)->column);
+    records_end_header(rows);
     for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
         if (job->all.place[i].is_shown)
             write_row(&job->last.asked, &job->all.place[i], rows);
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }
 
 /* ---- The command ---- */
 
-static distance read_distance(const arguments *given, const material *constants)
+static distance read_distance(const arguments *line, const material *constants)
 {
-    const char *text = given->value[OPTION_LENGTH], *method = given->value[OPTION_METHOD];
-    const char *angle = given->value[OPTION_ANGLE];
+    const char *text = line->value[OPTION_LENGTH], *method = line->value[OPTION_METHOD];
+    const char *angle = line->value[OPTION_ANGLE];
     distance below = {NAN, 0, method != NULL && strcmp(method, "line") == 0};
     if (method != NULL && !below.is_line && strcmp(method, "point") != 0)
         usage_error("--method %s: must be point or line", method);
@@ -190,8 +186,8 @@ static distance read_distance(const arguments *given, const material *constants)
         usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))
         usage_error("--method %s: needs --length, or dK_th and ds0 of --material", method);
-    if (!isnan(below.length) && given->value[OPTION_AT_WORST] == NULL &&
-        given->value[OPTION_WORST] == NULL)
+    if (!isnan(below.length) && line->value[OPTION_AT_WORST] == NULL &&
+        line->value[OPTION_WORST] == NULL)
         usage_error("--%s %s: needs --at-worst or --worst", text != NULL ? "length" : "method",
                     text != NULL ? text : method);
     return below;
@@ -204,33 +200,33 @@ static bool is_for_paraview(const output_options *how)
     return how->format == NULL;
 }
 
-static void read_plan(arguments *given, plan *job, output_options *how)
+static void read_plan(arguments *line, plan *job, output_options *how)
 {
     criteria asked;
-    output_options_read_of(given, formats, "", how);
-    if (is_for_paraview(how) && given->value[OPTION_AT_WORST] != NULL)
+    output_options_read_of(line, formats, "", how);
+    if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
-    places_spare_files(given, how);
-    job->threads = threads_read(given);
-    material_read(given->value[OPTION_MATERIAL], given, &job->constants);
-    criteria_read(given, &job->constants, &asked);
-    job->worst = (worst_table){.last = &job->last, .below = read_distance(given, &job->constants)};
-    contact_history_read(given, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
-    criteria_read_strength(given, &job->history.setup, &asked);
+    places_spare_files(line, how);
+    job->threads = threads_read(line);
+    material_read(line->value[OPTION_MATERIAL], line, &job->constants);
+    criteria_read(line, &job->constants, &asked);
+    job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
+    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
+    criteria_read_strength(line, &job->history.setup, &asked);
     last_cycle_begin(&job->history, &asked, &job->last);
-    surface_places(given, how->decimal_sign, &job->last, &job->all);
+    surface_places(line, how->decimal_sign, &job->last, &job->all);
 }
 
 /* The same as for the rows, but for the file and the format of its ending. */
-static void read_worst(const arguments *given, const output_options *how, output_options *worst)
+static void read_worst(const arguments *line, const output_options *how, output_options *worst)
 {
-    arguments its = *given;
-    if (given->value[OPTION_WORST] == NULL)
+    arguments its = *line;
+    if (line->value[OPTION_WORST] == NULL)
         return;
-    its.value[OPTION_OUTPUT] = given->value[OPTION_WORST];
+    its.value[OPTION_OUTPUT] = line->value[OPTION_WORST];
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);
-    places_spare_files(given, worst);
+    places_spare_files(line, worst);
     output_options_spare(worst, how->path);
 }
 
@@ -251,11 +247,11 @@ static bool is_deep(const measured *all)
     return false;
 }
 
-static void write_output(const arguments *given, const output_options *how, plan *job)
+static void write_output(const arguments *line, const output_options *how, plan *job)
 {
     worst_table verdict = job->worst;
     verdict.is_verdict = true;
-    if (given->value[OPTION_AT_WORST] != NULL)
+    if (line->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdict);
     else if (is_for_paraview(how))
         output_options_write(how, paraview_write, &(measured_columns){&job->all, &job->last.asked});
@@ -263,20 +259,20 @@ static void write_output(const arguments *given, const output_options *how, plan
         output_options_write(how, write_rows, job);
 }
 
-static int fretting(const arguments *line)
+static int fretting(const arguments *typed)
 {
     plan job = {.threads = 1};
-    arguments given = *line; /* plane stress changes them */
+    arguments line = *typed; /* a material and plane stress change it */
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
-    read_plan(&given, &job, &how);
-    read_worst(&given, &how, &how_worst);
+    read_plan(&line, &job, &how);
+    read_worst(&line, &how, &how_worst);
     compute(&job);
     worst_find(&job.all, &job.worst);
     worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
-    if (job.all.line > 0 && given.value[OPTION_X] == NULL && !is_for_paraview(&how))
+    if (job.all.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
         worst_add_places(&job.worst, &job.all);
-    write_output(&given, &how, &job);
+    write_output(&line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
     say_what_is_doubtful(&job);

@@ -135,9 +135,9 @@ static void need_group(const char *path, const material *all, int first, int las
 
 /* What the file has stands for options that are not given. k without a yield stress, and su without
  * t_A, say nothing. */
-static void hand_over(arguments *given)
+static void hand_over(arguments *line)
 {
-    char **value = given->value;
+    char **value = line->value;
     for (int i = 0; i < OF_OPTIONS; i++) {
         const int option = of_options[i].option;
         const bool is_idle =
@@ -149,7 +149,7 @@ static void hand_over(arguments *given)
     }
 }
 
-void material_read(const char *path, arguments *given, material *all)
+void material_read(const char *path, arguments *line, material *all)
 {
     for (int i = 0; i < MATERIAL_COUNT; i++)
         all->value[i] = NAN;
@@ -159,11 +159,11 @@ void material_read(const char *path, arguments *given, material *all)
     if (ending != NULL && strcasecmp(ending, ".json") == 0)
         read_json(path, all);
     else
-        read_csv(path, given->value[OPTION_ENCODING], all);
+        read_csv(path, line->value[OPTION_ENCODING], all);
     need_group(path, all, MATERIAL_SF, MATERIAL_C);
     need_group(path, all, MATERIAL_G, MATERIAL_C0);
     need_group(path, all, MATERIAL_DK_TH, MATERIAL_DS0);
-    hand_over(given);
+    hand_over(line);
 }
 
 double material_allowable(const material *all, int criterion)

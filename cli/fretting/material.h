@@ -35,7 +35,7 @@ typedef struct {
 
 /* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
  * stand for options that are not given. What is wrong ends the command. */
-void material_read(const char *path, arguments *given, material *all);
+void material_read(const char *path, arguments *line, material *all);
 
 /* What a criterion must not exceed; NAN where it is not known. */
 double material_allowable(const material *all, int criterion);

@@ -13,66 +13,65 @@ typedef struct {
     int column[COLUMN_COUNT], columns;
 } source;
 
-static const measured_place *place_at(const source *of, int64_t column, int64_t row)
+static const measured_place *place_at(const source *places, int64_t column, int64_t row)
 {
-    return &of->all->place[(size_t)row * of->line + of->shown[column]];
+    return &places->all->place[(size_t)row * places->line + places->shown[column]];
 }
 
-static double x_of(const void *of, int64_t column)
+static double x_of(const void *places, int64_t column)
 {
-    return place_at(of, column, 0)->x;
+    return place_at(places, column, 0)->x;
 }
 
 /* Of the row of a grid; else of the point. */
-static double y_of_row(const void *of, int64_t row)
+static double y_of_row(const void *places, int64_t row)
 {
-    return place_at(of, 0, row)->y;
+    return place_at(places, 0, row)->y;
 }
 
-static double y_of_point(const void *of, int64_t point)
+static double y_of_point(const void *places, int64_t point)
 {
-    return place_at(of, point, 0)->y;
+    return place_at(places, point, 0)->y;
 }
 
-static const char *name_of(const void *of, int which)
+static const char *name_of(const void *places, int which)
 {
-    return column_kind_of(((const source *)of)->column[which])->column;
+    return column_kind_of(((const source *)places)->column[which])->column;
 }
 
-static double value_of(const void *of, int64_t column, int64_t row, int which)
+static double value_of(const void *places, int64_t column, int64_t row, int which)
 {
-    return place_at(of, column, row)->at.value[((const source *)of)->column[which]];
+    return place_at(places, column, row)->at.value[((const source *)places)->column[which]];
 }
 
-static source source_of(const measured_columns *of)
+static source source_of(const measured_columns *columns)
 {
-    const bool is_grid = of->all->line > 0;
-    source s = {.all = of->all, .line = is_grid ? of->all->line : of->all->count};
+    const bool is_grid = columns->all->line > 0;
+    source s = {.all = columns->all, .line = is_grid ? columns->all->line : columns->all->count};
     s.shown = memory_resized(NULL, (s.line + 1) * sizeof *s.shown);
     for (size_t i = 0; i < s.line; i++)
-        if (of->all->place[i].is_shown)
+        if (columns->all->place[i].is_shown)
             s.shown[s.count++] = i;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(of->asked, i))
+        if (column_is_wanted(columns->asked, i))
             s.column[s.columns++] = i;
     return s;
 }
 
-bool paraview_write(void *of_columns, records *rows, bool show_progress)
+void paraview_write(void *of_columns, records *rows)
 {
-    const measured_columns *of = of_columns;
-    source s = source_of(of);
+    const measured_columns *columns = of_columns;
+    source s = source_of(columns);
     const vtk_numbers numbers = {s.columns, name_of, value_of};
-    const bool is_grid = of->all->line > 0;
+    const bool is_grid = columns->all->line > 0;
     vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
                          .is_grid = is_grid,
                          .columns = (int64_t)s.count,
-                         .rows = is_grid ? (int64_t)(of->all->count / s.line) : 1,
+                         .rows = is_grid ? (int64_t)(columns->all->count / s.line) : 1,
                          .x = x_of,
                          .y = is_grid ? y_of_row : y_of_point,
                          .numbers = &numbers,
                          .source = &s};
-    const bool is_sound = vtk_write(&points, rows, show_progress);
+    vtk_write(&points, rows);
     free(s.shown);
-    return is_sound;
 }

@@ -12,6 +12,6 @@ typedef struct {
 } measured_columns;
 
 /* A rows_writer of a measured_columns: a grid of lines along x, else points. */
-bool paraview_write(void *of_columns, records *rows, bool show_progress);
+void paraview_write(void *of_columns, records *rows);
 
 #endif

@@ -34,9 +34,9 @@ static void add(stops *to, double x, bool is_shown)
     to->stop[to->count++] = (stop){x, is_shown};
 }
 
-static int ascending(const void *one, const void *other)
+static int ascending(const void *left, const void *right)
 {
-    const stop *a = one, *b = other;
+    const stop *a = left, *b = right;
     if (a->x != b->x)
         return a->x < b->x ? -1 : 1;
     return (int)b->is_shown - (int)a->is_shown;
@@ -134,12 +134,12 @@ static void fill_lines(const stops *along, const range *depth, measured *all)
                                          .is_shown = along->stop[i % all->line].is_shown};
 }
 
-static void read_lines(const arguments *given, const last_cycle *cycle, measured *all)
+static void read_lines(const arguments *line, const last_cycle *cycle, measured *all)
 {
-    const char *x = given->value[OPTION_X];
+    const char *x = line->value[OPTION_X];
     range depth = {0};
     stops along = {0};
-    places_read_depth(given, &depth);
+    places_read_depth(line, &depth);
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
     if (x != NULL)
@@ -151,15 +151,15 @@ static void read_lines(const arguments *given, const last_cycle *cycle, measured
     range_free(&depth);
 }
 
-void surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
+void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
                     measured *all)
 {
     places points = {0};
-    if (given->value[OPTION_AT] == NULL && given->value[OPTION_POINTS] == NULL) {
-        read_lines(given, cycle, all);
+    if (line->value[OPTION_AT] == NULL && line->value[OPTION_POINTS] == NULL) {
+        read_lines(line, cycle, all);
         return;
     }
-    places_read(given, decimal_sign, &points);
+    places_read(line, decimal_sign, &points);
     begin(points.count, 0, all);
     for (size_t i = 0; i < points.count; i++)
         all->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};

@@ -22,7 +22,7 @@ typedef struct {
 
 /* The places of --x or, where it is not given, from one side of the contact to the other, at each
  * of the depths; of --at or --points as they are. */
-void surface_places(const arguments *given, char decimal_sign, const last_cycle *cycle,
+void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
                     measured *all);
 
 /* The places by default, on the surface. False where there are none. */

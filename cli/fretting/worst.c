@@ -75,9 +75,9 @@ void worst_find(const measured *all, worst_table *worst)
 
 /* ---- Among the places ---- */
 
-static int in_order(const void *one, const void *other)
+static int in_order(const void *left, const void *right)
 {
-    const measured_place *a = one, *b = other;
+    const measured_place *a = left, *b = right;
     if (a->y != b->y)
         return a->y < b->y ? -1 : 1;
     return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;
@@ -201,9 +201,7 @@ static void write_row(const worst_table *worst, int column, records *rows)
         cells[i] = cell_number(NAN);
     if (criterion >= 0)
         add_verdict(worst, criterion, row, cells);
-    for (int i = 0; i < COLUMNS; i++)
-        rows->format->value(rows, columns[i], cells[i]);
-    rows->format->end_row(rows);
+    records_row(rows, COLUMNS, cells);
 }
 
 static bool is_written(const worst_table *worst, int column)
@@ -215,17 +213,11 @@ static bool is_written(const worst_table *worst, int column)
             (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));
 }
 
-bool worst_write_rows(void *of_worst, records *rows, bool show_progress)
+void worst_write_rows(void *of_worst, records *rows)
 {
     const worst_table *worst = of_worst;
-    (void)show_progress;
-    rows->format->begin(rows);
-    for (int i = 0; i < COLUMNS; i++)
-        rows->format->name(rows, columns[i]);
-    rows->format->end_header(rows);
+    records_header(rows, COLUMNS, columns);
     for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++)
         if (is_written(worst, i))
             write_row(worst, i, rows);
-    rows->format->end(rows);
-    return records_are_sound(rows);
 }

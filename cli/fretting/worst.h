@@ -29,6 +29,6 @@ void worst_add_places(const worst_table *worst, measured *all);
 void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size);
 
 /* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */
-bool worst_write_rows(void *of_worst, records *rows, bool show_progress);
+void worst_write_rows(void *of_worst, records *rows);
 
 #endif

@@ -64,9 +64,7 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
                               row.warnings, sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
     passed_cells(&job->history.loads, contact_history_row(&job->history, step), rows);
-    for (int i = 0; i < AFTER_COUNT; i++)
-        rows->format->value(rows, after_load_kinds[i].column, row.value[i]);
-    rows->format->end_row(rows);
+    records_row(rows, AFTER_COUNT, row.value);
     if ((step + 1) % job->history.loads.count == 0) {
         job->energy[0] = job->energy[1];
         job->energy[1] = row.value[AFTER_ENERGY].number;
@@ -79,8 +77,8 @@ static void write_loads(plan *job, records *rows)
     rwedge_contact *contact = contact_history_begin(&job->history);
     passed_names(&job->history.loads, rows);
     for (int i = 0; i < AFTER_COUNT; i++)
-        rows->format->name(rows, after_load_kinds[i].column);
-    rows->format->end_header(rows);
+        records_name(rows, after_load_kinds[i].column);
+    records_end_header(rows);
     for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
         contact_history_go_on(&job->history, step, contact);
         write_load(job, step, contact, rows);
@@ -88,21 +86,17 @@ static void write_loads(plan *job, records *rows)
     rwedge_contact_destroy(contact);
 }
 
-static bool write_rows(void *of_plan, records *rows, bool show_progress)
+static void write_rows(void *of_plan, records *rows)
 {
     plan *job = of_plan;
     const point_rows points = {&job->history, &job->at};
     const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
-    progress_start(show_progress, (int64_t)count, "rows");
+    progress_start(rows->show_progress, (int64_t)count, "rows");
     rows->mark = job->history.loads.has_mark;
-    rows->format->begin(rows);
     if (job->at.count > 0)
         point_rows_write(&points, rows);
     else
         write_loads(job, rows);
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};

@@ -29,7 +29,7 @@ void passed_names(const load_history *loads, records *rows)
 {
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
-            rows->format->name(rows, loads->names.name[i]);
+            records_name(rows, loads->names.name[i]);
 }
 
 static cell passed_cell(const char *text, char decimal_sign)
@@ -43,8 +43,7 @@ void passed_cells(const load_history *loads, size_t row, records *rows)
 {
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
-            rows->format->value(rows, loads->names.name[i],
-                                passed_cell(loads->row[row].cell[i], rows->decimal_sign));
+            records_value(rows, passed_cell(loads->row[row].cell[i], rows->decimal_sign));
 }
 
 /* ---- Rows ---- */
@@ -73,8 +72,8 @@ static void write_row(const point_rows *points, const rwedge_contact *contact, s
                                          v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
     passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
     for (int c = 0; c < POINT_COLUMNS; c++)
-        rows->format->value(rows, point_columns[c], cell_number(value[c]));
-    rows->format->end_row(rows);
+        records_value(rows, cell_number(value[c]));
+    records_end_row(rows);
     progress_step();
 }
 
@@ -82,9 +81,7 @@ void point_rows_write(const point_rows *points, records *rows)
 {
     rwedge_contact *contact = contact_history_begin(points->history);
     passed_names(&points->history->loads, rows);
-    for (int c = 0; c < POINT_COLUMNS; c++)
-        rows->format->name(rows, point_columns[c]);
-    rows->format->end_header(rows);
+    records_header(rows, POINT_COLUMNS, point_columns);
     for (size_t step = 0; step < points->history->steps && records_go_on(rows); step++) {
         contact_history_go_on(points->history, step, contact);
         for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)

@@ -128,9 +128,8 @@ static char *quoted(const char *text)
     return json;
 }
 
-static bool write_list(void *of_list, records *rows, bool show_progress)
+static void write_list(void *of_list, records *rows)
 {
-    (void)show_progress;
     const list *series = of_list;
     const char *slash = strrchr(series->path, '/');
     const char *file = slash != NULL ? slash + 1 : series->path;
@@ -145,7 +144,6 @@ static bool write_list(void *of_list, records *rows, bool show_progress)
         free(name);
     }
     output_text(rows->out, "\n]}\n");
-    return true;
 }
 
 /* ---- All ---- */

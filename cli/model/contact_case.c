@@ -170,8 +170,8 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
         status = rwedge_contact_set_strain(*contact, own_strain(setup));
-    if (status == RWEDGE_OK) /* a pad of which nothing is computed refuses such loads as ever */
-        rwedge_contact_allow_error(*contact, setup->tolerance);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_allow_error(*contact, setup->tolerance);
     return status;
 }
 

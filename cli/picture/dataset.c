@@ -28,23 +28,19 @@ int dataset_curves(const dataset *data)
     return data->count > 0 ? data->row[data->count - 1].curve + 1 : 0;
 }
 
-bool dataset_write(void *of_dataset, records *rows, bool show_progress)
+void dataset_write(void *of_dataset, records *rows)
 {
-    (void)show_progress; /* all is computed already */
     const dataset *data = of_dataset;
-    rows->format->begin(rows);
     for (int i = 0; data->column[i] != NULL; i++)
-        rows->format->name(rows, data->column[i]);
+        records_name(rows, data->column[i]);
     if (data->text_column != NULL)
-        rows->format->name(rows, data->text_column);
-    rows->format->end_header(rows);
+        records_name(rows, data->text_column);
+    records_end_header(rows);
     for (size_t n = 0; n < data->count && records_go_on(rows); n++) {
         for (int i = 0; data->column[i] != NULL; i++)
-            rows->format->value(rows, data->column[i], cell_number(data->row[n].number[i]));
+            records_value(rows, cell_number(data->row[n].number[i]));
         if (data->text_column != NULL)
-            rows->format->value(rows, data->text_column, cell_text(data->row[n].text));
-        rows->format->end_row(rows);
+            records_value(rows, cell_text(data->row[n].text));
+        records_end_row(rows);
     }
-    rows->format->end(rows);
-    return records_are_sound(rows);
 }

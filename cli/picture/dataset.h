@@ -30,6 +30,6 @@ size_t dataset_curve(const dataset *data, int curve, size_t *first);
 int dataset_curves(const dataset *data);
 
 /* A rows_writer of output_options.h for a dataset. */
-bool dataset_write(void *of_dataset, records *rows, bool show_progress);
+void dataset_write(void *of_dataset, records *rows);
 
 #endif

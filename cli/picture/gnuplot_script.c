@@ -2,8 +2,6 @@
 /* Writes a drawing in the language of gnuplot 5. The data are in here-documents. */
 #include "gnuplot_script.h"
 
-#include "page.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -13,15 +11,15 @@
 const picture_format picture_formats[PICTURE_FORMATS] = {
     {"svg",
      "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt",
-     480, 480, "<?xml", "</svg>", 5, 6, true},
+     480, 0.043, "<?xml", "</svg>", 5, 6, true},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
      "3.5 dashlength 1.6 background '#ffffff' butt",
-     1004, 1004, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
+     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
      "pointscale 0.9 background '#ffffff' butt",
-     8.5, 8.5, "%PDF-", "%%EOF", 5, 5, false},
+     8.5, 0.034, "%PDF-", "%%EOF", 5, 5, false},
 };
 
 static const char *const colours[PALETTE_SIZE] = {
@@ -76,37 +74,67 @@ static void put_caption(FILE *script, const char *axis_text, const char *caption
     put_words(script, axis_text);
     fputs("\\n", script);
     put_words(script, caption);
-    fputs("\"\n", script);
+    fputs("\\n{/*0.4  }\"\n", script); /* a low line above the names of the curves */
 }
 
-/* Margins that do not depend on how wide a terminal takes its texts to be. */
-static void put_margins(FILE *script, const page *on)
+/* Of the height of the plot to its width; the scale of both axes is the same where it is free. */
+static double proportion(const drawing *plot)
 {
-    fprintf(script,
-            "set lmargin at screen %.6f\nset rmargin at screen %.6f\n"
-            "set bmargin at screen %.6f\nset tmargin at screen %.6f\n",
-            on->left / on->width, on->right / on->width, on->bottom / on->height,
-            on->top / on->height);
+    return plot->height > 0 ? plot->height
+                            : fabs((plot->y.to - plot->y.from) / (plot->x.to - plot->x.from));
 }
 
-static void put_frame(FILE *script, const drawing *plot, const page *on)
+static int lines_of(const char *text)
+{
+    int lines = text[0] != '\0';
+    for (const char *c = text; *c != '\0'; c++)
+        lines += *c == '\n';
+    return lines;
+}
+
+/* About how many the names of the curves take: gnuplot arranges them. */
+static int lines_of_legend(const drawing *plot)
+{
+    static const double LETTERS = 36, SAMPLE = 7;
+    size_t longest = 0;
+    int entries = 0;
+    for (int i = 0; i < plot->curve_count; i++) {
+        const size_t length = strlen(plot->curve[i].legend);
+        longest = length > longest ? length : longest;
+        entries += length > 0;
+    }
+    return (int)ceil(entries * ((double)longest + SAMPLE) / LETTERS);
+}
+
+/* Over its width. Paper that is too high or too low costs some white: gnuplot keeps the plot's
+ * proportion. */
+static double height_of_paper(const drawing *plot, double line)
+{
+    static const double PLOT = 0.82;
+    enum { LINES_OF_AXIS = 6 };
+    const int lines =
+        LINES_OF_AXIS + lines_of(plot->title) + lines_of(plot->caption) + lines_of_legend(plot);
+    return PLOT * proportion(plot) + line * lines;
+}
+
+static void put_frame(FILE *script, const drawing *plot)
 {
     put_axis(script, "x", &plot->x);
     put_axis(script, "y", &plot->y);
-    put_caption(script, plot->x.text, on->caption);
+    put_caption(script, plot->x.text, plot->caption);
     fputs("set xtics nomirror\nset ytics nomirror\n", script);
     if (plot->second.text[0] != '\0') {
         put_axis(script, "y2", &plot->second);
         fputs("set border 11\n", script);
     } else
-        fputs("set border 3\n", script);
+        fputs("set border 3\nset rmargin 2\n", script);
     fputs("set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
-          "set title offset 0,-0.5\nset tics scale 0.6\n",
+          "set title offset 0,-0.5\nset tics scale 0.6\n"
+          "set key below center horizontal reverse Left samplen 2.2 width 1\nset title ",
           script);
-    put_margins(script, on);
-    fputs("set title ", script);
-    put_text(script, on->title);
-    fputs("\n", script);
+    put_text(script, plot->title);
+    fprintf(script, "\nset tmargin %d\nset size ratio %.7g\n", 1 + lines_of(plot->title),
+            proportion(plot));
 }
 
 static void put_label(FILE *script, const label *note)
@@ -174,7 +202,8 @@ static void put_curve(FILE *script, const curve *line, int number, const char *b
 {
     fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", before, number, line->second_axis ? 2 : 1);
     put_style(script, line);
-    fputs(" notitle", script);
+    fputs(" title ", script);
+    put_text(script, line->legend);
 }
 
 /* gnuplot finds the lines, in a table, which is drawn. What is infinite is high. */
@@ -192,37 +221,6 @@ static void put_contours(FILE *script, const contours *field)
         "set table $lines\nsplot $field using 1:2:3 with lines\nunset table\n"
         "set palette defined (0 '#9ecae1', 0.5 '#2171b5', 1 '#08306b')\nunset colorbox\n",
         field->step, field->step, field->top);
-}
-
-/* A sample, and the name to its right. */
-static void put_entry(FILE *script, const curve *line, const page *on, double x, double y)
-{
-    const double start = (x - PAGE_GAP - PAGE_SAMPLE) / on->width, end = (x - PAGE_GAP) / on->width,
-                 height = y / on->height;
-    if (line->style == STYLE_LINE) {
-        fprintf(script, "set arrow from screen %.6f,%.6f to screen %.6f,%.6f nohead ", start,
-                height, end, height);
-        put_line(script, line);
-    } else {
-        fprintf(script, "set label \"\" at screen %.6f,%.6f point ", 0.5 * (start + end), height);
-        put_point(script, line);
-    }
-    fputs("\nset label ", script);
-    put_text(script, line->legend);
-    fprintf(script, " at screen %.6f,%.6f left\n", x / on->width, height);
-}
-
-static void put_legend(FILE *script, const drawing *plot, const page *on)
-{
-    int entries = 0, next = 0;
-    for (int i = 0; i < plot->curve_count; i++)
-        entries += plot->curve[i].legend[0] != '\0';
-    for (int i = 0; i < plot->curve_count; i++)
-        if (plot->curve[i].legend[0] != '\0') {
-            put_entry(script, &plot->curve[i], on, page_legend_x(on, next),
-                      page_legend_y(on, next, entries));
-            next++;
-        }
 }
 
 /* A level at a time: a line of one colour has no joints. */
@@ -247,13 +245,12 @@ static void put_plot(FILE *script, const drawing *plot)
 
 void gnuplot_script(const drawing *plot, const picture_format *format, FILE *script)
 {
-    const page on = page_of(plot);
     fputs("set terminal ", script);
-    fprintf(script, format->terminal, format->width, format->height * on.height / on.width);
+    fprintf(script, format->terminal, format->width,
+            format->width * height_of_paper(plot, format->line));
     fputs("\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n",
           script);
-    put_frame(script, plot, &on);
-    put_legend(script, plot, &on);
+    put_frame(script, plot);
     for (int i = 0; i < plot->label_count; i++)
         put_label(script, &plot->label[i]);
     for (int i = 0; i < plot->curve_count; i++)

@@ -12,8 +12,8 @@ typedef struct {
     const char *name; /* of the format, and of the file's extension */
     /* what gnuplot is told, with the picture's height over its width as %g */
     const char *terminal;
-    /* per unit of width and of height over width, in the terminal's unit */
-    double width, height;
+    double width;              /* in the terminal's unit */
+    double line;               /* the height of a line of text over that */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
     size_t begins_length, ends_length;
     bool needs_spaces; /* its viewers have to be told to keep them */

@@ -51,9 +51,8 @@ static void put_name(records *rows, const char *name)
     put_text(rows, name);
 }
 
-static void put_value(records *rows, const char *name, cell value)
+static void put_value(records *rows, cell value)
 {
-    (void)name;
     separate(rows);
     char text[NUMBER_SIZE];
     if (value.text != NULL)

@@ -71,9 +71,9 @@ static void put_key(records *rows, const char *name)
     output_text(rows->out, ": ");
 }
 
-static void put_value(records *rows, const char *name, cell value)
+static void put_value(records *rows, cell value)
 {
-    put_key(rows, rows->next_key < rows->key_count ? rows->key[rows->next_key++] : name);
+    put_key(rows, rows->key[rows->next_key++]);
     char text[NUMBER_SIZE];
     const int digits = value.text != NULL ? NUMBER_DIGITS : rows->digits;
     if (isfinite(value.number))

@@ -180,7 +180,9 @@ void output_options_write(const output_options *how, rows_writer *write_rows, vo
     output out;
     output_open(&out, how->path);
     records rows = records_for(how, &out);
-    const bool show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
-    (void)write_rows(context, &rows, show_progress);
+    rows.show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
+    write_rows(context, &rows);
+    records_end(&rows);
+    progress_erase();
     output_finish(&out);
 }

@@ -46,8 +46,8 @@ const char *output_format_choose(const arguments *line, const char *const format
 /* Refuses an output that is the input, NULL for none. */
 void output_options_spare(const output_options *how, const char *input);
 
-/* Writes rows; false, with the reason said, where they cannot be computed or read. */
-typedef bool rows_writer(void *context, records *rows, bool show_progress);
+/* Writes rows. */
+typedef void rows_writer(void *context, records *rows);
 
 /* Opens the output, has the rows written, and makes them appear. */
 void output_options_write(const output_options *how, rows_writer *write_rows, void *context);

@@ -8,9 +8,48 @@ bool records_go_on(const records *rows)
     return rows->out->error == 0 && rows->problem == NULL;
 }
 
-bool records_are_sound(const records *rows)
+void records_name(records *rows, const char *name)
 {
+    if (!rows->is_begun)
+        rows->format->begin(rows);
+    rows->is_begun = true;
+    rows->format->name(rows, name);
+}
+
+void records_end_header(records *rows)
+{
+    rows->format->end_header(rows);
+}
+
+void records_header(records *rows, size_t count, const char *const names[])
+{
+    for (size_t i = 0; i < count; i++)
+        records_name(rows, names[i]);
+    records_end_header(rows);
+}
+
+void records_value(records *rows, cell value)
+{
+    rows->format->value(rows, value);
+}
+
+void records_end_row(records *rows)
+{
+    rows->format->end_row(rows);
+}
+
+void records_row(records *rows, size_t count, const cell values[])
+{
+    for (size_t i = 0; i < count; i++)
+        records_value(rows, values[i]);
+    records_end_row(rows);
+}
+
+void records_end(records *rows)
+{
+    if (rows->is_begun)
+        rows->format->end(rows);
+    rows->is_begun = false;
     if (rows->problem != NULL)
         failure("%s: %s", rows->out->name, rows->problem);
-    return rows->problem == NULL;
 }

@@ -15,7 +15,7 @@ typedef struct {
     void (*begin)(records *rows);
     void (*name)(records *rows, const char *name); /* of a column, in the header */
     void (*end_header)(records *rows);
-    void (*value)(records *rows, const char *name, cell value);
+    void (*value)(records *rows, cell value);
     void (*end_row)(records *rows);
     void (*end)(records *rows);
 } record_format;
@@ -26,7 +26,7 @@ struct records {
     int digits; /* significant ones; NUMBER_DIGITS to read back the same */
     char decimal_sign, separator;
     bool mark; /* of Unicode, in front of a text file */
-    bool no_formulas;
+    bool no_formulas, show_progress, is_begun;
     const column_kind *kinds; /* for a format that has room to say it; NULL for none */
     int kind_count;
     bool row_begun, any_row;
@@ -46,11 +46,21 @@ static inline void records_describe(records *rows, const column_kind kinds[], in
     rows->kind_count = count;
 }
 
+/* The header: names one by one, and its end; or whole. The first name begins the file. */
+void records_name(records *rows, const char *name);
+void records_end_header(records *rows);
+void records_header(records *rows, size_t count, const char *const names[]);
+
+/* A row: cells one by one, and its end; or whole. */
+void records_value(records *rows, cell value);
+void records_end_row(records *rows);
+void records_row(records *rows, size_t count, const cell values[]);
+
 /* Whether to write on: an output that fails is given up at the next row. */
 bool records_go_on(const records *rows);
 
-/* False, with the reason said, where a format could not write a text; what an output could not,
- * output_finish() says. */
-bool records_are_sound(const records *rows);
+/* Ends the file, where it has begun, and the command where a format could not write a text; what an
+ * output could not, output_finish() says. */
+void records_end(records *rows);
 
 #endif

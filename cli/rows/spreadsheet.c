@@ -145,9 +145,8 @@ static xlsx_style style_for(double value)
     return size < 0.1 ? XLSX_SMALL : size < 100 ? XLSX_NUMBER : XLSX_LARGE;
 }
 
-static void put_value(records *rows, const char *name, cell value)
+static void put_value(records *rows, cell value)
 {
-    (void)name;
     if (!has_room(rows))
         return;
     if (isfinite(value.number))

@@ -51,17 +51,15 @@ static void check_constants(const run *r)
 
 static void write_header(run *r)
 {
-    const record_format *format = r->rows->format;
     r->rows->mark = csv_input_has_mark(r->in);
     records_describe(r->rows, result_kinds, RESULT_COUNT);
-    format->begin(r->rows);
     for (size_t i = 0; i < r->table.names.count; i++)
-        format->name(r->rows, r->table.names.name[i]);
+        records_name(r->rows, r->table.names.name[i]);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
-            format->name(r->rows, result_kinds[i].name);
-    format->name(r->rows, case_table_error);
-    format->end_header(r->rows);
+            records_name(r->rows, result_kinds[i].name);
+    records_name(r->rows, case_table_error);
+    records_end_header(r->rows);
 }
 
 /* ---- A row is solved: by several threads at a time ---- */
@@ -111,20 +109,19 @@ static void write_error(run *r, const csv_row *row, const char *complaint)
         snprintf(text, size, "%s: %s", complaint, row->whole);
     else
         snprintf(text, size, "%s", complaint);
-    r->rows->format->value(r->rows, case_table_error, cell_text(text));
+    records_value(r->rows, cell_text(text));
     free(text);
 }
 
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)
-        r->rows->format->value(r->rows, r->table.names.name[i], cell_of(r, row, i));
+        records_value(r->rows, cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
-            r->rows->format->value(r->rows, result_kinds[i].name,
-                                   solution->solved ? solution->results.value[i] : cell_empty());
+            records_value(r->rows, solution->solved ? solution->results.value[i] : cell_empty());
     write_error(r, row, solution->complaint);
-    r->rows->format->end_row(r->rows);
+    records_end_row(r->rows);
     if (row->count == r->table.names.count)
         header_note_unused(&r->table.names, row->cell, r->unused);
     r->count++;
@@ -139,14 +136,9 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 /* Behind rows that have gone to standard output: who reads them may not see the exit status. */
 static void write_broken_end(run *r)
 {
-    for (size_t i = 0; i < r->table.names.count; i++)
-        r->rows->format->value(r->rows, r->table.names.name[i], cell_empty());
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (r->table.shown[i])
-            r->rows->format->value(r->rows, result_kinds[i].name, cell_empty());
-    r->rows->format->value(r->rows, case_table_error,
-                           cell_text("the file could not be read beyond this row"));
-    r->rows->format->end_row(r->rows);
+    const csv_row none = {.whole = ""};
+    const answer broken = {.complaint = "the file could not be read beyond this row"};
+    write_row(r, &none, &broken);
 }
 
 /* A quote that is left open may close in a later row, and take the rows between. */
@@ -205,24 +197,23 @@ static void write_held(run *r)
 }
 
 /* Ends where the file or the format cannot go on. */
-static bool write_rows(void *of_run, records *rows, bool show_progress)
+static void write_rows(void *of_run, records *rows)
 {
     run *r = of_run;
     csv_event event = CSV_ROW;
     r->rows = rows;
-    progress_start(show_progress, PROGRESS_NO_TOTAL, "rows");
+    progress_start(rows->show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
     while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
         event = hold_rows(r);
         write_held(r);
     }
-    if (event == CSV_FAILED)
-        write_broken_end(r);
-    r->rows->format->end(r->rows);
+    if (event != CSV_FAILED)
+        return;
+    write_broken_end(r);
+    records_end(r->rows);
     progress_erase();
-    if (event == CSV_FAILED)
-        csv_input_fail(r->in);
-    return records_are_sound(r->rows);
+    csv_input_fail(r->in);
 }
 
 static void say_doubts(const run *r)

@@ -77,58 +77,47 @@ static bool shows_input(const job *task)
     return task->looked_for == INPUT_P || task->looked_for == INPUT_F;
 }
 
-static void write_line(records *rows, const char *const columns[3], const char *name, cell value,
-                       const char *meaning)
+static void write_line(records *rows, const char *name, cell value, const char *meaning)
 {
-    rows->format->value(rows, columns[0], cell_text(name));
-    rows->format->value(rows, columns[1], value);
-    rows->format->value(rows, columns[2], cell_text(meaning));
-    rows->format->end_row(rows);
+    records_row(rows, 3, (cell[]){cell_text(name), value, cell_text(meaning)});
 }
 
 static void write_list(const job *task, records *rows)
 {
     static const char *const columns[] = {"quantity", "value", "meaning"};
-    for (int i = 0; i < 3; i++)
-        rows->format->name(rows, columns[i]);
-    rows->format->end_header(rows);
+    records_header(rows, 3, columns);
     if (shows_input(task)) {
         const input_kind *input = &input_kinds[task->looked_for];
-        write_line(rows, columns, input->option, cell_number(task->answer_for), input->meaning);
+        write_line(rows, input->option, cell_number(task->answer_for), input->meaning);
     }
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(task->wanted, i))
-            write_line(rows, columns, result_kinds[i].name, task->answer.value[i],
-                       result_kinds[i].meaning);
+            write_line(rows, result_kinds[i].name, task->answer.value[i], result_kinds[i].meaning);
 }
 
 static void write_row(const job *task, records *rows)
 {
     const char *input = shows_input(task) ? input_kinds[task->looked_for].option : NULL;
     if (input != NULL)
-        rows->format->name(rows, input);
+        records_name(rows, input);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(task->wanted, i))
-            rows->format->name(rows, result_kinds[i].name);
-    rows->format->end_header(rows);
+            records_name(rows, result_kinds[i].name);
+    records_end_header(rows);
     if (input != NULL)
-        rows->format->value(rows, input, cell_number(task->answer_for));
+        records_value(rows, cell_number(task->answer_for));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (results_include(task->wanted, i))
-            rows->format->value(rows, result_kinds[i].name, task->answer.value[i]);
-    rows->format->end_row(rows);
+            records_value(rows, task->answer.value[i]);
+    records_end_row(rows);
 }
 
-static bool write_rows(void *of_job, records *rows, bool show_progress)
+static void write_rows(void *of_job, records *rows)
 {
-    (void)show_progress;
     const job *task = of_job;
     if (task->as_row)
         records_describe(rows, result_kinds, RESULT_COUNT);
-    rows->format->begin(rows);
     (task->as_row ? write_row : write_list)(task, rows);
-    rows->format->end(rows);
-    return records_are_sound(rows);
 }
 
 static void write_answer_to(const contact_case *setup, job *task, const output_options *how)

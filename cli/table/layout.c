@@ -83,17 +83,13 @@ static void write_long(const plan *job, records *rows, ahead *work)
     const int64_t size = plan_size(job);
     for (int64_t i = 0; i < size && records_go_on(rows); i++) {
         const cell *row = next_row(job, work);
-        for (int k = 0; k < job->table->column_count; k++)
-            rows->format->value(rows, job->table->column[k], row[k]);
-        rows->format->end_row(rows);
+        records_row(rows, (size_t)job->table->column_count, row);
     }
 }
 
 static void write_long_header(const plan *job, records *rows)
 {
-    for (int i = 0; i < job->table->column_count; i++)
-        rows->format->name(rows, job->table->column[i]);
-    rows->format->end_header(rows);
+    records_header(rows, (size_t)job->table->column_count, job->table->column);
 }
 
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
@@ -105,24 +101,24 @@ static void name_across(const plan *job, const records *rows, int64_t i, char na
 
 static void write_grid_header(const plan *job, records *rows)
 {
-    rows->format->name(rows, job->table->column[job->quantity]);
+    records_name(rows, job->table->column[job->quantity]);
     for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
         name_across(job, rows, i, name);
-        rows->format->name(rows, name);
+        records_name(rows, name);
     }
-    rows->format->end_header(rows);
+    records_end_header(rows);
 }
 
 static void write_grid_row(const plan *job, records *rows, double a_over_b, ahead *work)
 {
-    rows->format->value(rows, job->table->column[job->quantity], cell_number(a_over_b));
+    records_value(rows, cell_number(a_over_b));
     for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
         name_across(job, rows, i, name);
-        rows->format->value(rows, name, next_row(job, work)[job->quantity]);
+        records_value(rows, next_row(job, work)[job->quantity]);
     }
-    rows->format->end_row(rows);
+    records_end_row(rows);
 }
 
 static void write_grid(const plan *job, records *rows, ahead *work)
@@ -131,17 +127,13 @@ static void write_grid(const plan *job, records *rows, ahead *work)
         write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i), work);
 }
 
-bool plan_write(void *plan_to_write, records *rows, bool show_progress)
+void plan_write(void *plan_to_write, records *rows)
 {
     const plan *job = plan_to_write;
     ahead *work = ahead_start(job->threads, plan_size(job), sizeof(computed), compute, job);
-    progress_start(show_progress, plan_size(job), job->grid ? "values" : "rows");
+    progress_start(rows->show_progress, plan_size(job), job->grid ? "values" : "rows");
     records_describe(rows, table_columns, COLUMN_KINDS);
-    rows->format->begin(rows);
     (job->grid ? write_grid_header : write_long_header)(job, rows);
     (job->grid ? write_grid : write_long)(job, rows, work);
     ahead_stop(work);
-    rows->format->end(rows);
-    progress_erase();
-    return records_are_sound(rows);
 }

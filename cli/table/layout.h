@@ -19,6 +19,6 @@ int64_t plan_size(const plan *job);
 
 /* Writes it, with progress. Ends the command where a value cannot be computed, or written as the
  * format needs it; the output holds what went wrong with writing. */
-bool plan_write(void *plan_to_write, records *rows, bool show_progress);
+void plan_write(void *plan_to_write, records *rows);
 
 #endif

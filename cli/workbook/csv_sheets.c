@@ -120,9 +120,7 @@ static void write_header(sheet *from, records *rows)
     const char *hint = header_separator_hint(cells, from->columns);
     if (hint[0] != '\0')
         failure("%s: one column%s", csv_input_name(from->in), hint);
-    for (size_t i = 0; i < from->columns; i++)
-        rows->format->name(rows, cells[i]);
-    rows->format->end_header(rows);
+    records_header(rows, from->columns, cells);
 }
 
 static void write_row(const sheet *from, records *rows)
@@ -132,8 +130,8 @@ static void write_row(const sheet *from, records *rows)
     if (!header_fits(from->columns, count, csv_input_separator(from->in), complaint))
         refuse(from, complaint);
     for (size_t i = 0; i < count; i++)
-        rows->format->value(rows, NULL, cell_of(from, csv_input_cells(from->in)[i]));
-    rows->format->end_row(rows);
+        records_value(rows, cell_of(from, csv_input_cells(from->in)[i]));
+    records_end_row(rows);
 }
 
 static void write_rows(sheet *from, records *rows)
@@ -157,24 +155,20 @@ static void write_file(const char *path, char decimal_sign, records *rows)
     csv_input_close(from.in);
 }
 
-bool csv_sheets_write(void *of_files, records *rows, bool show_progress)
+void csv_sheets_write(void *of_files, records *rows)
 {
     const csv_files *files = of_files;
     char text[CSV_SHEETS_MAX][NAME_SIZE];
     const char *names[CSV_SHEETS_MAX + 1] = {NULL};
-    (void)show_progress;
     for (int i = 0; files->path[i] != NULL; i++) {
         name_sheet(files->path[i], names, i, text[i]);
         names[i] = text[i];
     }
     records_describe(rows, table_columns, COLUMN_KINDS);
     rows->sheets = names;
-    rows->format->begin(rows);
     for (int i = 0; files->path[i] != NULL && records_go_on(rows); i++) {
         if (i > 0)
             spreadsheet_next_sheet(rows);
         write_file(files->path[i], files->decimal_sign, rows);
     }
-    rows->format->end(rows);
-    return records_are_sound(rows);
 }

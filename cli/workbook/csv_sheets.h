@@ -16,6 +16,6 @@ typedef struct {
 
 /* Writes a sheet for each file. It is named as the file, or what is nearest to that, which is said.
  * Ends where a file cannot be read. */
-bool csv_sheets_write(void *of_files, records *rows, bool show_progress);
+void csv_sheets_write(void *of_files, records *rows);
 
 #endif

@@ -4,6 +4,7 @@
 #include "contact/contact.h"
 #include "numerical/transform.h"
 #include "stress/batch.h"
+#include "stress/pad_potential.h"
 #include "stress/stress.h"
 
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
@@ -25,26 +26,14 @@ static const rw_traction *shear_of(const rwedge_contact *contact)
 
 /* ---- Tractions ---- */
 
-static double arc_pressure(rw_arc arc, rw_patch patch, double x)
-{
-    rw_eccentric potential;
-    rw_eccentric_init_arc(&potential, arc, patch);
-    return rw_eccentric_at(&potential, x, 0).G_im;
-}
-
 static double patch_pressure(rw_patch patch, const rw_geometry *g, double x)
 {
     if (!g->pad && rw_patch_middle(patch) == 0)
         return rw_patch_pressure(g->a, patch.right, x);
-    if (x <= patch.left || x >= patch.right)
-        return 0;
-    if (!g->pad)
-        return arc_pressure(rw_rounding(g->a), patch, x);
-    double sum = 0;
-    for (size_t i = 0; i < g->pad->count; i++)
-        if (rw_arc_is_inside(g->pad->arcs[i], patch))
-            sum += g->pad->weights[i] * arc_pressure(g->pad->arcs[i], patch, x);
-    return sum;
+    const rw_arcs arcs = rw_arcs_of(g);
+    double pressure;
+    rw_pad_pressures(&arcs, patch, 1, &x, &pressure);
+    return 0 - pressure;
 }
 
 double rw_contact_pressure(const rwedge_contact *contact, double x)

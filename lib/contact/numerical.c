@@ -8,12 +8,13 @@
  * contact sticks, or slides, as it grows. */
 static const double FIRST_TOUCH = 0x1p-16;
 
-/* Before the bodies separate, the work of what is left of the load is nothing. */
-static const double LAST_TOUCH = 0.01;
+/* Before the bodies separate, the work of what is left of the load is nothing; and little where
+ * nothing sticks any more under a tension. */
+static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
 
 static rw_frame frame_of(const rwedge_contact *c)
 {
-    return (rw_frame){c->geometry.a, c->f, c->tolerance};
+    return rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
 }
 
 static rw_course course_of(const rwedge_contact *c, double P, double M, double shear,
@@ -31,8 +32,7 @@ typedef struct {
     double f;
     size_t count;
     double *weight;
-    rw_eccentric *potential;
-    rw_patch *patch;
+    rw_pad_potential *potential;
 } patches;
 
 static double traction_at(double x, const void *context)
@@ -40,16 +40,16 @@ static double traction_at(double x, const void *context)
     const patches *p = context;
     double sum = 0;
     for (size_t i = 0; i < p->count; i++)
-        if (x > p->patch[i].left && x < p->patch[i].right)
-            sum -= p->weight[i] * rw_eccentric_at(&p->potential[i], x, 0).G_im;
+        sum += p->weight[i] * rw_pad_pressure(&p->potential[i], x);
     return p->f * sum;
 }
 
 static void free_patches(patches *p)
 {
+    for (size_t i = 0; i < p->count; i++)
+        rw_pad_potential_destroy(&p->potential[i]);
     free(p->weight);
     free(p->potential);
-    free(p->patch);
 }
 
 static bool make_patches(const rwedge_contact *c, patches *p)
@@ -57,21 +57,21 @@ static bool make_patches(const rwedge_contact *c, patches *p)
     const size_t most = c->memory.count;
     *p = (patches){.f = c->f,
                    .weight = malloc(most * sizeof *p->weight),
-                   .potential = malloc(most * sizeof *p->potential),
-                   .patch = malloc(most * sizeof *p->patch)};
-    if (!p->weight || !p->potential || !p->patch) {
-        free_patches(p);
-        return false;
-    }
-    for (size_t i = 1; i < most; i++) {
+                   .potential = malloc(most * sizeof *p->potential)};
+    const rw_arcs arcs = rw_arcs_of(&c->geometry);
+    bool is_made = p->weight && p->potential;
+    for (size_t i = 1; is_made && i < most; i++) {
         const double weight = rw_patch_weight(&c->memory, i);
         if (weight == 0)
             continue;
         p->weight[p->count] = weight;
-        p->patch[p->count] = c->memory.corners[i].patch;
-        rw_eccentric_init(&p->potential[p->count++], c->geometry.a, c->memory.corners[i].patch);
+        is_made =
+            rw_pad_potential_create(&p->potential[p->count], &arcs, c->memory.corners[i].patch);
+        p->count += is_made;
     }
-    return true;
+    if (!is_made)
+        free_patches(p);
+    return is_made;
 }
 
 static int by_size(const void *a, const void *b)
@@ -85,7 +85,7 @@ static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
 {
     s->kinks = 0;
     for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS / 2;) {
-        const double edge[2] = {p->patch[i].left, p->patch[i].right};
+        const double edge[2] = {p->potential[i].patch.left, p->potential[i].patch.right};
         for (int k = 0; k < 2; k++)
             if (edge[k] > contact.left && edge[k] < contact.right)
                 s->kink[s->kinks++] = edge[k];
@@ -137,15 +137,13 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_stan
     if (!make_patches(c, &p))
         return false;
     note_kinks(&p, now->contact, &now->shear);
-    double at[RW_MOST_KINKS + 4];
+    double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
     size_t n = 0;
     at[n++] = now->contact.left;
     at[n++] = now->contact.right;
     for (int i = 0; i < now->shear.kinks; i++)
         at[n++] = now->shear.kink[i];
-    for (int side = -1; side <= 1; side += 2)
-        if (side * frame->a > now->contact.left && side * frame->a < now->contact.right)
-            at[n++] = side * frame->a;
+    n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
     qsort(at, n, sizeof *at, by_size);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
     const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
@@ -182,14 +180,29 @@ static double no_slip(double x, const void *context)
 }
 
 typedef struct {
-    rw_eccentric potential;
+    rw_pad_potential potential;
     double ratio;
 } first_contact;
 
 static double first_traction(double x, const void *context)
 {
     const first_contact *c = context;
-    return -c->ratio * rw_eccentric_at(&c->potential, x, 0).G_im;
+    return c->ratio * rw_pad_pressure(&c->potential, x);
+}
+
+static bool fit_first(const rw_frame *frame, first_contact *first, rw_stance *now)
+{
+    const rw_patch patch = now->contact;
+    if (!rw_pad_potential_create(&first->potential, &frame->arcs, patch))
+        return false;
+    double at[RW_MOST_BENDS + 2] = {patch.left};
+    const int bends = rw_bends_between(frame, patch.left, patch.right, at + 1);
+    at[bends + 1] = patch.right;
+    const bool is_done =
+        rw_traction_fit(&now->shear.traction, first_traction, first, (size_t)bends + 2, at,
+                        0.01 * frame->tolerance * rw_peak_friction(frame, patch));
+    rw_pad_potential_destroy(&first->potential);
+    return is_done;
 }
 
 /* The bodies have touched a little, under a shear in proportion. */
@@ -198,13 +211,10 @@ static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical
     const rw_frame frame = frame_of(c);
     const rw_course from = {0, 0, 0, -c->f * c->memory.corners[0].stretch};
     rw_stance now = {.at = part_of(from, to, FIRST_TOUCH)};
-    now.contact = rw_patch_of_moment(frame.a, now.at.P, now.at.M);
+    now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     first_contact first = {.ratio = to.shear / to.P};
-    rw_eccentric_init(&first.potential, frame.a, now.contact);
-    const double at[2] = {now.contact.left, now.contact.right};
-    if (rw_traction_fit(&now.shear.traction, first_traction, &first, 2, at,
-                        0.01 * frame.tolerance * rw_peak_friction(&frame, now.contact)) &&
+    if (fit_first(&frame, &first, &now) &&
         rw_numerical_begin(numerical, &frame, &now, no_slip, NULL))
         return true;
     rw_shear_state_destroy(&now.shear);
@@ -313,12 +323,14 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
     if (!rw_numerical_copy(c->numerical, &n))
         return NAN;
     const double before = n.now.energy;
-    const rw_course away = {0, 0, 0, n.now.at.stretch};
-    const bool is_done =
-        rw_numerical_step(&n, &frame, part_of(n.now.at, away, 1 - LAST_TOUCH)) == RW_STEP_DONE;
+    const rw_course away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
+    double left = 1;
+    while (left > LAST_TOUCH &&
+           rw_numerical_step(&n, &frame, part_of(away, from, left / 2)) == RW_STEP_DONE)
+        left /= 2;
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);
-    return is_done ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
+    return left <= LAST_STICK ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
 }
 
 bool rw_numerical_is_passed(const rwedge_contact *c)
@@ -371,8 +383,7 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
 {
     if (!contact)
         return RWEDGE_ENULL;
-    if (tolerance != 0 && (contact->geometry.pad ||
-                           !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2))))
+    if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
         return RWEDGE_EDOMAIN;
     contact->tolerance = tolerance;
     return RWEDGE_OK;

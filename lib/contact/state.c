@@ -156,8 +156,6 @@ static bool is_shear_sound(const rwedge_contact *c)
         return false;
     if (!c->numerical)
         return true;
-    if (c->geometry.pad)
-        return false;
     const rw_stance *s = &c->numerical->now;
     const rw_patch contact = rw_memory_end(&c->memory)->patch;
     const rw_zones *z = &s->shear.zones;

@@ -17,6 +17,23 @@ typedef struct {
     double *weights;
 } rw_pad;
 
+/* The arcs of a pad, or the wedge's one. */
+typedef struct {
+    size_t count;
+    rw_arc rounding;
+    const rw_pad *pad;
+} rw_arcs;
+
+static inline rw_arc rw_arc_at(const rw_arcs *arcs, size_t i)
+{
+    return arcs->pad ? arcs->pad->arcs[i] : arcs->rounding;
+}
+
+static inline double rw_arc_weight(const rw_arcs *arcs, size_t i)
+{
+    return arcs->pad ? arcs->pad->weights[i] : 1;
+}
+
 rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch);
 rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch);
 
@@ -35,5 +52,18 @@ double rw_pad_half_width(const rw_pad *pad, double P);
 /* As rw_patch_of_moment() and rw_patch_of_tilt(); P may be 0 in the middle of a symmetric pad. */
 rw_patch rw_pad_patch_of_moment(const rw_pad *pad, double P, double M);
 rw_patch rw_pad_patch_of_tilt(const rw_pad *pad, double P, double tilt);
+
+/* What a patch carries of the arcs, and the patch of a load P > 0 and a moment. */
+static inline rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch)
+{
+    return arcs->pad ? rw_pad_pressing(arcs->pad, patch)
+                     : rw_patch_pressing(arcs->rounding.right, patch);
+}
+
+static inline rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M)
+{
+    return arcs->pad ? rw_pad_patch_of_moment(arcs->pad, P, M)
+                     : rw_patch_of_moment(arcs->rounding.right, P, M);
+}
 
 #endif

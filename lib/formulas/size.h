@@ -51,21 +51,9 @@ double rw_normal_load(const rw_geometry *geometry, double b);
 rw_patch rw_patch_under_moment(const rw_geometry *geometry, double P, double M);
 rw_patch rw_patch_under_tilt(const rw_geometry *geometry, double P, double tilt);
 
-/* The arcs of a pad, and the wedge's one. */
-typedef struct {
-    size_t count;
-    rw_arc rounding;
-    const rw_pad *pad;
-} rw_arcs;
-
 static inline rw_arcs rw_arcs_of(const rw_geometry *g)
 {
     return (rw_arcs){g->pad ? g->pad->count : 1, rw_rounding(g->a), g->pad};
-}
-
-static inline rw_arc rw_arc_at(const rw_arcs *arcs, size_t i)
-{
-    return arcs->pad ? arcs->pad->arcs[i] : arcs->rounding;
 }
 
 /* Whether a patch without moment is in the middle. */
@@ -83,7 +71,8 @@ static inline bool rw_is_kink(const rw_geometry *g, double x)
 /* What a patch carries, and how fast its edges move. */
 static inline rw_pressing rw_pressing_of(const rw_geometry *g, rw_patch patch)
 {
-    return g->pad ? rw_pad_pressing(g->pad, patch) : rw_patch_pressing(g->a, patch);
+    const rw_arcs arcs = rw_arcs_of(g);
+    return rw_arcs_pressing(&arcs, patch);
 }
 
 rw_edge_rates rw_edge_rates_of(const rw_geometry *geometry, rw_patch patch);

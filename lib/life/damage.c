@@ -20,10 +20,14 @@ enum { ACROSS_EQUATOR = 36, UP = 19, ACROSS = 12, STARTS = 4 };
 static const double PSI_STEP = 0.087488663525924007, BETA_STEP = 0.043660942908512059,
                     ACROSS_STEP = 0.13165249758739585, LAST = 2e-5, APART = 0.9659258262890683;
 
-/* A plane is left out where as many cycles as can be, each as bad as the worst that is possible
- * there, give less than this part of the largest damage so far. So are starts: no plane of the grid
- * is doubled by steps of half of the grid's. */
-static const double HOPELESS = 0.5;
+/* A plane is left out where the most cycles that can be, each as bad as is possible there, give
+ * less than this part of the largest damage so far. So are starts: no plane of the grid is doubled
+ * by steps of half of the grid's. After these, no start catches up from BEHIND. */
+static const double HOPELESS = 0.5, BEHIND = 0.95;
+
+/* Of the largest range of a component: cycles above it are bounded by the worst one, others by a
+ * cycle of this range. */
+static const double LARGE = 0.7;
 
 /* Cycles this small, relative to the largest, are rounding and are not counted. */
 static const double ROUNDING = 1e-9;
@@ -41,6 +45,8 @@ typedef struct {
 typedef struct {
     const rw_criterion *criterion;
     const rw_life_curve *curve;
+    rw_life_table *table; /* of the curve */
+    bool is_exact;        /* by the curve itself, where the worst plane is known */
     rw_severity severity;
     double unit;
     rw_plane_cycle *cycle;
@@ -95,15 +101,19 @@ static double damage_of(miner *m, double amplitude, double peak)
     const double value = m->criterion->value(m->criterion, &at, m->unit);
     if (value < RW_SMALLEST)
         return 0;
-    const double life = rw_life(m->curve, value);
+    const double life = m->is_exact ? rw_life(m->curve, value) : rw_life_by_table(m->table, value);
     m->leaves_domain = m->leaves_domain || isnan(life);
     return isnan(life) ? 0 : 1 / life;
 }
 
-static bool may_be_worse(miner *m, double amplitude, double peak)
+static bool may_be_worse(miner *m, double most)
 {
-    const double most = (double)(m->cycle->loads / 2) * damage_of(m, amplitude, peak);
     return most > HOPELESS * m->best[0].damage;
+}
+
+static double most_cycles(const miner *m)
+{
+    return (double)(m->cycle->loads / 2);
 }
 
 /* The half range of the path in a direction. */
@@ -116,6 +126,32 @@ static double resolve(miner *m, rw_direction across)
         high = rw_larger(high, m->along[i]);
     }
     return (high - low) / 2;
+}
+
+/* Cycles of the component whose range is not smaller, or one more: half of the ways from turn to
+ * turn when smaller ones are passed over. */
+static double larger_cycles(const miner *m, double range)
+{
+    size_t ways = 0;
+    double turn = m->along[0], sign = 1;
+    for (size_t i = 1; i < m->cycle->loads; i++) {
+        const double beyond = sign * (m->along[i] - turn);
+        if (beyond > 0 || -beyond >= range)
+            turn = m->along[i];
+        if (-beyond >= range)
+            sign = -sign, ways++;
+    }
+    return (double)(ways / 2 + 1);
+}
+
+static bool may_component_be_worse(miner *m, double amplitude, double peak)
+{
+    const double many = most_cycles(m), worst = damage_of(m, amplitude, peak);
+    if (!may_be_worse(m, many * worst))
+        return false;
+    const double large = larger_cycles(m, 2 * LARGE * amplitude);
+    return may_be_worse(m, large * worst +
+                               rw_larger(0, many - large) * damage_of(m, LARGE * amplitude, peak));
 }
 
 static verdict count(miner *m, const plane *p)
@@ -166,7 +202,8 @@ static void look_at_all_directions(miner *m, plane p, double peak)
     const bool is_line = m->severity.is_strain || p.beta.sine == 0;
     p.across = (rw_direction){1, 0};
     for (int k = 0; k < (is_line ? 1 : ACROSS); k++) {
-        if (may_be_worse(m, resolve(m, p.across), peak)) {
+        const double amplitude = resolve(m, p.across);
+        if (may_component_be_worse(m, amplitude, peak)) {
             const verdict v = count(m, &p);
             note(m, &v);
         }
@@ -180,7 +217,7 @@ static void look_at_grid(miner *m)
     for (int row = 0; row < UP; row++) {
         for (int k = 0; k < ACROSS_EQUATOR; k++) {
             const extent e = go_through(m, &p);
-            if (may_be_worse(m, half_diagonal(&e), e.peak))
+            if (may_be_worse(m, most_cycles(m) * damage_of(m, half_diagonal(&e), e.peak)))
                 look_at_all_directions(m, p, e.peak);
             p.psi = rw_turned_by(p.psi, PSI_STEP);
         }
@@ -214,11 +251,28 @@ static bool step_around(miner *m, verdict *v, double t)
     return is_worse;
 }
 
-static void refine(miner *m, verdict *v)
+static void refine(miner *m, verdict *v, double from, double to)
 {
-    for (double t = BETA_STEP / 2; t > LAST;)
+    for (double t = from; t > to;)
         if (!step_around(m, v, t))
             t /= 2;
+}
+
+/* Those that are left behind after a few steps are not refined further. */
+static verdict worst_of_starts(miner *m)
+{
+    verdict best = m->best[0];
+    for (int i = 0; i < STARTS && m->best[i].damage > HOPELESS * m->best[0].damage; i++) {
+        refine(m, &m->best[i], BETA_STEP / 2, BETA_STEP / 8);
+        best = m->best[i].damage > best.damage ? m->best[i] : best;
+    }
+    const double promising = BEHIND * best.damage;
+    for (int i = 0; i < STARTS; i++) {
+        if (m->best[i].damage > promising)
+            refine(m, &m->best[i], BETA_STEP / 8, LAST);
+        best = m->best[i].damage > best.damage ? m->best[i] : best;
+    }
+    return best;
 }
 
 /* ---- A point ---- */
@@ -259,6 +313,15 @@ static void look_at(miner *m, const rw_worst_plane *worst)
     note(m, &v);
 }
 
+static verdict exactly(miner *m, const plane *p)
+{
+    go_through(m, p);
+    m->is_exact = true;
+    const verdict v = count(m, p);
+    m->is_exact = false;
+    return v;
+}
+
 static verdict worst_of(miner *m, const rw_field *f, size_t point)
 {
     for (int i = 0; i < STARTS; i++)
@@ -270,13 +333,8 @@ static verdict worst_of(miner *m, const rw_field *f, size_t point)
     rw_set_loads(f, point, m->criterion, m->unit, m->cycle); /* their order counts */
     look_at(m, &worst);
     look_at_grid(m);
-    verdict best = m->best[0];
-    for (int i = 0; i < STARTS && m->best[i].damage > HOPELESS * m->best[0].damage; i++) {
-        verdict v = m->best[i];
-        refine(m, &v);
-        best = v.damage > best.damage ? v : best;
-    }
-    return best;
+    const verdict best = worst_of_starts(m);
+    return exactly(m, &best.at);
 }
 
 /* ---- A field ---- */
@@ -288,6 +346,7 @@ typedef struct {
 static void free_miner(miner *m)
 {
     rw_plane_cycle_destroy(m->cycle);
+    free(m->table);
     free(m->path);
     free(m->along);
     free(m->other);
@@ -298,12 +357,13 @@ static void free_miner(miner *m)
 static bool take_room(miner *m, size_t loads)
 {
     m->cycle = rw_plane_cycle_create(loads);
+    m->table = malloc(sizeof *m->table);
     m->path = calloc(loads, sizeof *m->path);
     m->along = calloc(loads, sizeof *m->along);
     m->other = calloc(loads, sizeof *m->other);
     m->stack = calloc(loads + 1, sizeof *m->stack);
     m->counted = calloc(loads, sizeof *m->counted);
-    return m->cycle && m->path && m->along && m->other && m->stack && m->counted;
+    return m->cycle && m->table && m->path && m->along && m->other && m->stack && m->counted;
 }
 
 static void give(const verdict *v, size_t n, const results *r)
@@ -320,6 +380,8 @@ static int32_t sum_up(const rw_field *f, miner *m, const results *r)
 {
     verdict *all = calloc(f->points + 1, sizeof *all);
     int32_t status = all && take_room(m, f->loads) ? RWEDGE_OK : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK)
+        rw_life_table_begin(m->curve, m->table);
     for (size_t j = 0; j < f->points && status == RWEDGE_OK; j++) {
         all[j] = worst_of(m, f, j);
         status = m->leaves_domain ? RWEDGE_EDOMAIN : RWEDGE_OK;

@@ -5,40 +5,80 @@
 #include "life/life.h"
 
 #include "base/domain.h"
-#include "base/root.h"
 #include "rwedge.h"
 
-/* log(value) = log(sum of exp(height + slope u)), less the value that is wanted; u = log(2 N). */
-static double excess(double u, const void *context)
+/* u = log(2 N) of a logarithm of the value, and how u changes with it. Newton's steps begin where
+ * the larger power alone has the value. The sum of both is convex over u: so they go one way, and
+ * never beyond. */
+static double reversals_of(const rw_life_curve *c, double wanted, double *rate)
 {
-    const rw_life_curve *c = context;
-    const double one = c->height[0] + c->slope[0] * u, other = c->height[1] + c->slope[1] * u;
-    return fmax(one, other) + log1p(exp(-fabs(one - other)));
+    enum { STEPS = 64 }; /* 10 are taken at the most */
+    static const double LAST = 1e-9;
+    const double *height = c->height, *slope = c->slope;
+    double u = fmax((wanted - height[0]) / slope[0], (wanted - height[1]) / slope[1]);
+    for (int i = 0; i < STEPS; i++) {
+        const double first = height[0] + slope[0] * u, second = height[1] + slope[1] * u;
+        const int larger = second > first;
+        const double ratio = exp(-fabs(first - second));
+        *rate = (1 + ratio) / (slope[larger] + ratio * slope[1 - larger]);
+        const double step = (wanted - fmax(first, second) - log1p(ratio)) * *rate;
+        u += step;
+        if (step < LAST)
+            break;
+    }
+    return u;
 }
 
-/* At its life one power has between half of the value and all of it. */
-static double root_of(const rw_life_curve *c)
+static double cycles_of(double u)
 {
-    double least = -HUGE_VAL, most = -HUGE_VAL;
-    for (int i = 0; i < 2; i++) {
-        least = fmax(least, -c->height[i] / c->slope[i]);
-        most = fmax(most, -(c->height[i] + log(2.0)) / c->slope[i]);
-    }
-    const double cycles = least > log(4 * RW_LARGEST)
-                              ? HUGE_VAL
-                              : exp(rw_root(excess, c, least - 1e-9, most + 1e-9, 1e-15)) / 2;
+    const double cycles = u > log(4 * RW_LARGEST) ? HUGE_VAL : exp(u) / 2;
     return cycles > RW_LARGEST ? HUGE_VAL : cycles >= RW_SMALLEST ? cycles : NAN;
+}
+
+static bool is_run_out(const rw_life_curve *curve, double value)
+{
+    return value == 0 || value < curve->limit;
 }
 
 double rw_life(const rw_life_curve *curve, double value)
 {
-    if (value == 0 || value < curve->limit)
+    double rate;
+    return is_run_out(curve, value) ? HUGE_VAL : cycles_of(reversals_of(curve, log(value), &rate));
+}
+
+/* ---- By a table ---- */
+
+/* Lines a unit of the logarithm of the value. */
+static const double DENSITY = 64;
+
+void rw_life_table_begin(const rw_life_curve *curve, rw_life_table *table)
+{
+    table->curve = curve;
+    for (size_t i = 0; i < RW_LIFE_LINES; i++)
+        table->line[i].place = NAN;
+}
+
+static const rw_life_line *line_at(rw_life_table *table, double place)
+{
+    rw_life_line *line = &table->line[(size_t)(int64_t)place % RW_LIFE_LINES];
+    if (line->place != place) {
+        line->u = reversals_of(table->curve, place / DENSITY, &line->rate);
+        line->rate /= DENSITY;
+        line->place = place;
+    }
+    return line;
+}
+
+/* A polynomial between two lines that has their u and their rates. */
+double rw_life_by_table(rw_life_table *table, double value)
+{
+    if (is_run_out(table->curve, value))
         return HUGE_VAL;
-    const double wanted = log(value);
-    rw_life_curve less = *curve;
-    for (int i = 0; i < 2; i++)
-        less.height[i] -= wanted;
-    return root_of(&less);
+    const double place = DENSITY * log(value), below = floor(place), t = place - below;
+    const rw_life_line *from = line_at(table, below), *to = line_at(table, below + 1);
+    const double rise = to->u - from->u,
+                 bend = (1 - t) * (from->rate - rise) - t * (to->rate - rise);
+    return cycles_of(from->u + t * (rise + (1 - t) * bend));
 }
 
 static bool is_slope(double v)

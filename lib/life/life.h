@@ -20,4 +20,20 @@ bool rw_fatemi_socie_curve(double G, double tf, double b, double gf, double c, d
  * below 1e-60. */
 double rw_life(const rw_life_curve *curve, double value);
 
+/* Lines of a table of u = log(2N), and its rate from line to line, over the logarithm of the value.
+ * Each is filled when it is first asked for; lines that are far apart share a room. */
+enum { RW_LIFE_LINES = 1024 };
+typedef struct {
+    double place, u, rate;
+} rw_life_line;
+typedef struct {
+    const rw_life_curve *curve;
+    rw_life_line line[RW_LIFE_LINES];
+} rw_life_table;
+void rw_life_table_begin(const rw_life_curve *curve, rw_life_table *table);
+
+/* The same, where lives are many: to 1e-5 for constants of metals, whose slopes are steeper than
+ * -0.04; to 1e-2 for any. */
+double rw_life_by_table(rw_life_table *table, double value);
+
 #endif

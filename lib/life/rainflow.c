@@ -16,6 +16,12 @@ typedef struct {
     bool repeats;
 } rainflow;
 
+/* A branch in place of a call: fmax() has to look for NaN. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 static double range_of(const rw_turn *turn)
 {
     return fabs(turn[1].value - turn[0].value);
@@ -33,12 +39,12 @@ static void drop_last(rainflow *r)
 {
     const rw_turn *last = &r->turn[--r->count];
     if (r->count > 0)
-        r->turn[r->count - 1].highest = fmax(r->turn[r->count - 1].highest, last->highest);
+        r->turn[r->count - 1].highest = larger(r->turn[r->count - 1].highest, last->highest);
 }
 
 static void add_half(rainflow *r)
 {
-    add_cycle(r, r->turn, 0.5, fmax(r->turn[0].highest, r->turn[1].own));
+    add_cycle(r, r->turn, 0.5, larger(r->turn[0].highest, r->turn[1].own));
     r->turn++;
     r->count--;
 }
@@ -46,7 +52,7 @@ static void add_half(rainflow *r)
 static void close_last(rainflow *r)
 {
     const rw_turn *from = &r->turn[r->count - 2];
-    add_cycle(r, from, 1, fmax(from[0].highest, from[1].highest));
+    add_cycle(r, from, 1, larger(from[0].highest, from[1].highest));
     drop_last(r);
     drop_last(r);
 }
@@ -62,7 +68,7 @@ static bool goes_on(const rainflow *r, double value)
 static void lay(rainflow *r, rw_turn next)
 {
     if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
-        r->turn[r->count - 1].highest = fmax(r->turn[r->count - 1].highest, next.own);
+        r->turn[r->count - 1].highest = larger(r->turn[r->count - 1].highest, next.own);
         return;
     }
     if (goes_on(r, next.value))

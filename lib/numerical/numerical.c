@@ -24,17 +24,13 @@ static double origin_at_first(double x, const void *context)
     return b->slip(x, b->context) - displacement(&b->numerical->now, x);
 }
 
-/* The contact's edges, the rounding's, and kinks. */
+/* The contact's edges, and bends. */
 static size_t breaks_of(const rw_frame *frame, const rw_stance *s, double at[])
 {
-    size_t n = 0;
-    const double inner[] = {-frame->a, frame->a};
-    at[n++] = s->contact.left;
-    for (int i = 0; i < 2; i++)
-        if (inner[i] > at[n - 1] && inner[i] < s->contact.right)
-            at[n++] = inner[i];
-    at[n++] = s->contact.right;
-    return n;
+    const int bends = rw_bends_between(frame, s->contact.left, s->contact.right, at + 1);
+    at[0] = s->contact.left;
+    at[bends + 1] = s->contact.right;
+    return (size_t)bends + 2;
 }
 
 /* To this part of what is asked for. */
@@ -54,7 +50,7 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_stance 
     n->now.unslipped = now->contact;
     if (!slip)
         return true;
-    double at[4];
+    double at[RW_MOST_BENDS + 2];
     const beginning b = {n, slip, context};
     const size_t breaks = breaks_of(frame, now, at);
     if (rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now)))
@@ -346,7 +342,8 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
 rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
     static const double LOOSEST = 1e-2;
-    const rw_frame looser = {frame->a, frame->f, fmin(10 * frame->tolerance, LOOSEST)};
+    const rw_frame looser =
+        rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
     const rw_step_result result = try_load(n, frame, to);
     return result == RW_STEP_FAILED && looser.tolerance > frame->tolerance
                ? try_load(n, &looser, to)

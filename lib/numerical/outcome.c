@@ -9,6 +9,9 @@
 /* Points between neighbouring breaks, for Coulomb's condition and for slip. */
 enum { CHECKS = 24, SLIPS = 10 };
 
+/* Kinks, bends and the edges. */
+enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
+
 /* Of the width: breaks that are closer are one. */
 static const double SAME_BREAK = 1e-8;
 
@@ -91,14 +94,12 @@ static void note_kinks(const rw_problem *p, rw_shear_state *s)
 
 static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 {
-    double all[RW_MOST_KINKS + 4];
+    double all[MOST_BREAKS];
     int n = 0, kept = 0;
     all[n++] = p->to.left;
     for (int i = 0; i < s->kinks; i++)
         all[n++] = s->kink[i];
-    for (int side = -1; side <= 1; side += 2)
-        if (side * p->a > p->to.left && side * p->a < p->to.right)
-            all[n++] = side * p->a;
+    n += rw_bends_between(p->frame, p->to.left, p->to.right, all + n);
     all[n++] = p->to.right;
     qsort(all, (size_t)n, sizeof *all, by_size);
     for (int i = 0; i < n; i++)
@@ -166,17 +167,14 @@ static double attached_displacement(const rw_problem *p, const attached *a, doub
 
 static bool attach(const rw_problem *p, attached *a, double origin)
 {
-    const double inner[] = {p->both.left, p->from.left,  p->to.left,  -p->a,
-                            p->a,         p->from.right, p->to.right, p->both.right};
-    double at[8];
+    double all[4 + RW_MOST_BENDS] = {p->from.left, p->to.left, p->from.right, p->to.right},
+                   at[4 + RW_MOST_BENDS];
+    const int count = 4 + rw_bends_between(p->frame, p->both.left, p->both.right, all + 4);
     int n = 0;
-    double sorted[8];
-    for (int i = 0; i < 8; i++)
-        sorted[i] = fmax(p->both.left, fmin(p->both.right, inner[i]));
-    qsort(sorted, 8, sizeof *sorted, by_size);
-    for (int i = 0; i < 8; i++)
-        if (n == 0 || sorted[i] > at[n - 1])
-            at[n++] = sorted[i];
+    qsort(all, (size_t)count, sizeof *all, by_size);
+    for (int i = 0; i < count; i++)
+        if (n == 0 || all[i] > at[n - 1])
+            at[n++] = all[i];
     *a = (attached){{0}, 0};
     if (!rw_traction_fit(&a->layer, layer_at, p, (size_t)n, at, FIT * p->tolerance))
         return false;
@@ -292,7 +290,7 @@ static bool is_finite(const rw_outcome *o)
 static bool complete(const after *n, rw_outcome *o)
 {
     const rw_problem *p = n->problem;
-    double at[RW_MOST_KINKS + 4];
+    double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
     if (rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
@@ -324,7 +322,7 @@ bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, rw_layers layers,
 
 bool rw_outcome_of_state(const rw_problem *p, const rw_shear_state *state, rw_outcome *o)
 {
-    double at[RW_MOST_KINKS + 4];
+    double at[MOST_BREAKS];
     *o = (rw_outcome){.state = *state};
     return check(p, o, breaks_of(p, state, at), at);
 }

@@ -3,22 +3,97 @@
 
 #include "base/domain.h"
 
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
 /* Edges that differ by less, over the width, do not. */
 static const double SAME_EDGE = 1e-12;
 
-static double pressure(const rw_eccentric *potential, rw_patch patch, double x)
+/* ---- Bends ---- */
+
+/* Jumps of the curvature, over its larger value, that are a bend: the error of a pressure that is
+ * taken for smooth is below 1e-3 of it. */
+static double least_jump(double tolerance)
 {
-    return x > patch.left && x < patch.right ? -rw_eccentric_at(potential, x, 0).G_im : 0;
+    return fmin(20 * tolerance, 0.02);
 }
+
+/* A place of the profile, and the curvatures beside it. */
+typedef struct {
+    double x, before, after;
+} place;
+
+/* The largest jumps, in order of size. */
+typedef struct {
+    rw_frame *frame;
+    double jump[RW_MOST_BENDS];
+} bends;
+
+static void note_bend(bends *b, place at)
+{
+    rw_frame *f = b->frame;
+    const double jump = fabs(at.after - at.before);
+    int i = f->bends;
+    if (!(jump > least_jump(f->tolerance) * fmax(at.before, at.after)))
+        return;
+    while (i > 0 && jump > b->jump[i - 1])
+        i--;
+    if (i == RW_MOST_BENDS)
+        return;
+    f->bends += f->bends < RW_MOST_BENDS;
+    const size_t moved = (size_t)(f->bends - 1 - i) * sizeof *f->bend;
+    memmove(f->bend + i + 1, f->bend + i, moved);
+    memmove(b->jump + i + 1, b->jump + i, moved);
+    f->bend[i] = at.x;
+    b->jump[i] = jump;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double one = *(const double *)a, other = *(const double *)b;
+    return (one > other) - (one < other);
+}
+
+rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
+{
+    rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
+    bends all = {.frame = &frame};
+    place last = {.x = rw_arc_at(&arcs, 0).left};
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        if (arc.left > last.x) {
+            note_bend(&all, last);
+            last = (place){.x = arc.left};
+        }
+        last.after = fmin(rw_arc_weight(&arcs, i) / rw_arc_half_length(arc), DBL_MAX);
+        note_bend(&all, last);
+        last = (place){arc.right, last.after, 0};
+    }
+    note_bend(&all, last);
+    qsort(frame.bend, (size_t)frame.bends, sizeof *frame.bend, by_size);
+    return frame;
+}
+
+int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
+{
+    int n = 0;
+    for (int i = 0; i < frame->bends; i++)
+        if (frame->bend[i] > from && frame->bend[i] < to)
+            at[n++] = frame->bend[i];
+    return n;
+}
+
+/* ---- One step ---- */
 
 double rw_friction_after(const rw_problem *p, double x)
 {
-    return p->f * pressure(&p->to_pressure, p->to, x);
+    return p->f * rw_pad_pressure(&p->to_pressure, x);
 }
 
 double rw_friction_before(const rw_problem *p, double x)
 {
-    return p->f * pressure(&p->from_pressure, p->from, x);
+    return p->f * rw_pad_pressure(&p->from_pressure, x);
 }
 
 /* Of the profile whose slope is ((x - x_0)/half)^2. */
@@ -67,18 +142,23 @@ static void second_pressing(const rw_problem *p, rw_patch patch, double *load, d
     *tilt = (m * m + s * s / 2) / unit;
 }
 
-void rw_problem_init(rw_problem *p, double a, double f, rw_patch from, rw_patch to,
-                     const rw_shear_state *old, double shear, double stretch)
+bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
+                       const rw_shear_state *old, double shear, double stretch)
 {
     const double slack = SAME_EDGE * (to.right - to.left);
-    *p = (rw_problem){.a = a, .f = f, .from = from, .to = to, .old = old};
+    *p = (rw_problem){.frame = frame, .f = frame->f, .from = from, .to = to, .old = old};
+    if (!rw_pad_potential_create(&p->from_pressure, &frame->arcs, from))
+        return false;
+    if (!rw_pad_potential_create(&p->to_pressure, &frame->arcs, to)) {
+        rw_pad_potential_destroy(&p->from_pressure);
+        return false;
+    }
     p->both = (rw_patch){fmin(from.left, to.left), fmax(from.right, to.right)};
-    rw_eccentric_init(&p->from_pressure, a, from);
-    rw_eccentric_init(&p->to_pressure, a, to);
     p->is_still = from.left == to.left && from.right == to.right;
     p->grows[0] = to.left < from.left - slack;
     p->grows[1] = to.right > from.right + slack;
-    const rw_pressing before = rw_patch_pressing(a, from), after = rw_patch_pressing(a, to);
+    const rw_pressing before = rw_arcs_pressing(&frame->arcs, from);
+    const rw_pressing after = rw_arcs_pressing(&frame->arcs, to);
     p->load = after.load - before.load;
     p->tilt = after.tilt - before.tilt;
     p->middle = rw_patch_middle(to);
@@ -90,4 +170,11 @@ void rw_problem_init(rw_problem *p, double a, double f, rw_patch from, rw_patch 
     p->layer_tilt -= tilt;
     p->shear = shear;
     p->stretch = stretch;
+    return true;
+}
+
+void rw_problem_destroy(rw_problem *p)
+{
+    rw_pad_potential_destroy(&p->from_pressure);
+    rw_pad_potential_destroy(&p->to_pressure);
 }

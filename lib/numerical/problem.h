@@ -13,9 +13,24 @@
 #define RW_PROBLEM_H
 
 #include "numerical/traction.h"
-#include "stress/eccentric.h"
+#include "stress/pad_potential.h"
 
-enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48 };
+enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48, RW_MOST_BENDS = 24 };
+
+/* What does not change: the profile, friction, and the error of q over f times the peak pressure
+ * that is asked for. Bends are where the curvature of the profile jumps so much that a pressure is
+ * not smooth there. */
+typedef struct {
+    rw_arcs arcs;
+    double f, tolerance;
+    int bends;
+    double bend[RW_MOST_BENDS];
+} rw_frame;
+
+rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
+
+/* The bends between two places, in order; at has room for all. */
+int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
 
 /* Neighbours share their ends; 0 sticks, +-1 is the sign of t. */
 typedef struct {
@@ -42,12 +57,13 @@ typedef struct {
 } rw_layers;
 
 typedef struct {
-    double a, f;
+    const rw_frame *frame;
+    double f;
     double scale;            /* f times the peak pressure */
     double tolerance;        /* of tractions */
     double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
-    rw_eccentric from_pressure, to_pressure;
+    rw_pad_potential from_pressure, to_pressure;
     bool is_still;                 /* the contact is as it was */
     bool grows[2];                 /* at the left, right edge */
     double load, tilt;             /* by which the contact changes: lengths, theta */
@@ -57,9 +73,11 @@ typedef struct {
     const rw_shear_state *old;
 } rw_problem;
 
-/* loads are lengths: P A/theta, and what the old traction carries is its total. */
-void rw_problem_init(rw_problem *p, double a, double f, rw_patch from, rw_patch to,
-                     const rw_shear_state *old, double shear, double stretch);
+/* loads are lengths: P A/theta, and what the old traction carries is its total. false where memory
+ * is short; then there is nothing to destroy. */
+bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
+                       const rw_shear_state *old, double shear, double stretch);
+void rw_problem_destroy(rw_problem *p);
 
 /* F after the step, and before it. */
 double rw_friction_after(const rw_problem *p, double x);

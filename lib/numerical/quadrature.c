@@ -174,10 +174,10 @@ static int by_size(const void *a, const void *b)
 /* All places where the change is not smooth, between two others. */
 static int breaks_of(const rw_problem *p, double from, double to, double at[])
 {
-    const double other[] = {-p->a, p->a, p->to.left, p->to.right, p->from.left, p->from.right};
-    int n = 0;
-    at[n++] = from;
-    for (int i = 0; i < 6; i++)
+    const double other[] = {p->to.left, p->to.right, p->from.left, p->from.right};
+    int n = 1 + rw_bends_between(p->frame, from, to, at + 1);
+    at[0] = from;
+    for (int i = 0; i < 4; i++)
         if (other[i] > from && other[i] < to)
             at[n++] = other[i];
     for (int i = 0; i < p->old->kinks; i++)
@@ -191,7 +191,7 @@ static int breaks_of(const rw_problem *p, double from, double to, double at[])
 static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, rw_zone zone,
                      int finest)
 {
-    double at[RW_MOST_KINKS + 8];
+    double at[RW_MOST_KINKS + RW_MOST_BENDS + 6];
     const int n = breaks_of(f->problem, zone.left, zone.right, at);
     for (int i = 0; i + 1 < n; i++)
         if (at[i + 1] > at[i] && !is_spent(f->problem, zone.label, at[i], at[i + 1]) &&

@@ -227,30 +227,35 @@ static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best
 
 static rw_patch contact_of(const rw_frame *frame, rw_course at)
 {
-    return rw_patch_of_moment(frame->a, at.P, at.M);
+    return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
 double rw_peak_friction(const rw_frame *frame, rw_patch contact)
 {
-    rw_eccentric potential;
-    rw_eccentric_init(&potential, frame->a, contact);
-    double peak = 0;
-    for (int i = 1; i < 32; i++) {
-        const double x = contact.left + (contact.right - contact.left) * (i + 0.3) / 32.6;
-        peak = fmax(peak, -rw_eccentric_at(&potential, x, 0).G_im);
-    }
+    enum { PLACES = 31 };
+    double x[PLACES], p[PLACES], peak = 0;
+    for (int i = 0; i < PLACES; i++)
+        x[i] = contact.left + (contact.right - contact.left) * (i + 1.3) / 32.6;
+    rw_pad_pressures(&frame->arcs, contact, PLACES, x, p);
+    for (int i = 0; i < PLACES; i++)
+        peak = fmax(peak, p[i]);
     return frame->f * peak;
 }
 
-static void set_problem(const rw_frame *frame, const rw_stance *from, rw_course to,
-                        rw_patch contact, rw_problem *p)
+static bool set_problem(rw_work *w, const rw_stance *from, rw_course to, rw_patch contact,
+                        rw_problem *p)
 {
-    rw_problem_init(p, frame->a, frame->f, from->contact, contact, &from->shear,
-                    to.shear - rw_traction_total(&from->shear.traction),
-                    to.stretch - from->at.stretch);
+    const rw_frame *frame = w->frame;
+    if (!rw_problem_create(p, frame, from->contact, contact, &from->shear,
+                           to.shear - rw_traction_total(&from->shear.traction),
+                           to.stretch - from->at.stretch)) {
+        w->is_short = true;
+        return false;
+    }
     p->scale = rw_peak_friction(frame, contact);
     p->tolerance = frame->tolerance * p->scale;
     p->allowed = ALLOWED * frame->tolerance;
+    return true;
 }
 
 /* What is left of a patch, of several parts the widest. */
@@ -283,30 +288,38 @@ static double haste(const rw_problem *p, const rw_stance *from, const rw_stance 
     return most;
 }
 
+static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_course to,
+                    bool coarse, rw_stance *there)
+{
+    rw_outcome outcome;
+    if (!solve(w, p, coarse || w->effort > RW_MOST_EFFORT, &outcome))
+        return false;
+    *there = (rw_stance){.shear = outcome.state,
+                         .contact = p->to,
+                         .at = to,
+                         .is_still = from->is_still && p->is_still,
+                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
+                         .move = from->move + outcome.move,
+                         .energy = from->energy + outcome.energy,
+                         .error = outcome.violation,
+                         .uncertain = p->to};
+    if (p->is_still)
+        there->haste = haste(p, from, there);
+    return true;
+}
+
 bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
                       rw_stance *there)
 {
     const bool is_still = to.P == from->at.P && to.M == from->at.M;
     const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
     rw_problem p;
-    rw_outcome outcome;
-    set_problem(w->frame, from, to, contact, &p);
-    if (!solve(w, &p, coarse || w->effort > RW_MOST_EFFORT, &outcome))
+    if (!set_problem(w, from, to, contact, &p))
         return false;
-    *there = (rw_stance){.shear = outcome.state,
-                         .contact = contact,
-                         .at = to,
-                         .is_still = from->is_still && p.is_still,
-                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
-                         .move = from->move + outcome.move,
-                         .energy = from->energy + outcome.energy,
-                         .error = outcome.violation,
-                         .uncertain = contact};
-    if (p.is_still)
-        there->haste = haste(&p, from, there);
-    return true;
+    const bool is_done = step_to(w, &p, from, to, coarse, there);
+    rw_problem_destroy(&p);
+    return is_done;
 }
-
 /* Whether all that sticks is inside of what stuck. */
 static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
 {
@@ -325,14 +338,18 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
 {
     rw_problem p;
     rw_outcome outcome;
-    set_problem(w->frame, from, there->at, there->contact, &p);
-    if (!p.is_still || fmax(from->haste, there->haste) > p.allowed ||
-        !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
-        !rw_outcome_of_state(&p, &there->shear, &outcome) || outcome.violation > p.allowed)
+    if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
-    there->energy = from->energy + outcome.energy;
-    there->error = fmax(from->error, fmax(there->error, outcome.violation));
-    return true;
+    const bool goes_on = p.is_still && fmax(from->haste, there->haste) <= p.allowed &&
+                         is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) &&
+                         rw_outcome_of_state(&p, &there->shear, &outcome) &&
+                         outcome.violation <= p.allowed;
+    if (goes_on) {
+        there->energy = from->energy + outcome.energy;
+        there->error = fmax(from->error, fmax(there->error, outcome.violation));
+    }
+    rw_problem_destroy(&p);
+    return goes_on;
 }
 
 bool rw_work_create(rw_work *w, const rw_frame *frame)

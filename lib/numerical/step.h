@@ -11,12 +11,6 @@ typedef struct {
     double P, M, shear, stretch;
 } rw_course;
 
-/* What does not change: rounding, friction, and the error of q over f times the peak pressure that
- * is asked for. */
-typedef struct {
-    double a, f, tolerance;
-} rw_frame;
-
 /* How it stands with the shear of a contact. */
 typedef struct {
     rw_shear_state shear;

@@ -34,26 +34,37 @@ static const boundary_loads LOADS[] = {{0.08, 0.006, 0, 0},
                                        {0.08, 0.006, -0.02, -0.01},
                                        {0.08, 0.006, 0.01, 0.005},
                                        {0.1, 0.0075, 0.01, 0.005}};
+
+/* The tension lags behind Q, and the contact rocks: there is no closed form. */
+static const boundary_loads LAGGING[] = {{0.08, 0.006, 0, 0},
+                                         {0.08, 0.006, 0.01, 0.05},
+                                         {0.08, 0.006, 0.03, 0.02},
+                                         {0.09, 0.002, 0.01, -0.04},
+                                         {0.08, 0.006, -0.02, -0.02}};
 enum { LEGS = sizeof LOADS / sizeof *LOADS };
 
 typedef struct {
     double pressure, shear, slip, energy;
     int legs;
+    rw_patch settled; /* what has been in contact ever since: elsewhere slip is newer */
 } difference;
 
 static void compare(const rwedge_contact *contact, const boundary_element *solver,
                     difference *worst)
 {
     double off[2] = {0}, slipped = 0, limit = 0;
+    const rw_patch edges = edges_of(contact);
+    worst->settled.left = fmax(worst->settled.left, edges.left);
+    worst->settled.right = fmin(worst->settled.right, edges.right);
     for (size_t i = 0; i < solver->n; i++) {
         const double x = solver->x[i];
-        const bool is_at_a_jump = fabs(x - contact->settled.left) < solver->width ||
-                                  fabs(x - contact->settled.right) < solver->width;
+        const bool is_settled =
+            x > worst->settled.left + solver->width && x < worst->settled.right - solver->width;
         double w;
         off[0] += fabs(pressure(contact, x) - solver->p[i]);
         off[1] += fabs(shear(contact, x) - solver->q[i]);
         limit += fabs(pressure(contact, x));
-        if (i > solver->first + 1 && i + 2 < solver->end && !is_at_a_jump &&
+        if (i > solver->first + 1 && i + 2 < solver->end && is_settled &&
             rwedge_contact_slip(contact, 1, &x, &w) == RWEDGE_OK)
             slipped = fmax(slipped, fabs(w - solver->slip[i]));
     }
@@ -66,14 +77,15 @@ static void compare(const rwedge_contact *contact, const boundary_element *solve
     worst->legs++;
 }
 
-static difference along_the_history(rwedge_contact *contact, double (*height)(double), size_t n)
+static difference along(const boundary_loads loads[LEGS], rwedge_contact *contact,
+                        double (*height)(double), size_t n)
 {
     static boundary_element solver;
-    difference worst = {0};
+    difference worst = {.settled = {-1, 1}};
     boundary_element_start(&solver, THETA, 1, A, F, n, 1);
     solver.height = height;
     for (int leg = 0; leg < LEGS; leg++) {
-        const boundary_loads to = LOADS[leg];
+        const boundary_loads to = loads[leg];
         apply(contact, to.P, to.M, to.Q, to.sigma);
         assert_int_equal(boundary_element_go(&solver, leg == 0 ? 1 : 20, to), 0);
         compare(contact, &solver, &worst);
@@ -107,12 +119,24 @@ static rwedge_contact *worn(void)
 
 CLAIM(a_flat_pad_is_the_limit_of_boundary_elements)
 {
-    assert_limit(along_the_history(flat(), flat_height, 60),
-                 along_the_history(flat(), flat_height, 180));
+    assert_limit(along(LOADS, flat(), flat_height, 60), along(LOADS, flat(), flat_height, 180));
 }
 
 CLAIM(a_worn_pad_is_the_limit_of_boundary_elements)
 {
-    assert_limit(along_the_history(worn(), worn_height, 60),
-                 along_the_history(worn(), worn_height, 180));
+    assert_limit(along(LOADS, worn(), worn_height, 60), along(LOADS, worn(), worn_height, 180));
+}
+
+static rwedge_contact *computed(rwedge_contact *contact)
+{
+    assert_ok(rwedge_contact_allow_error(contact, 1e-4));
+    return contact;
+}
+
+CLAIM(what_is_computed_is_the_limit_of_boundary_elements)
+{
+    assert_limit(along(LAGGING, computed(flat()), flat_height, 60),
+                 along(LAGGING, computed(flat()), flat_height, 180));
+    assert_limit(along(LAGGING, computed(worn()), worn_height, 60),
+                 along(LAGGING, computed(worn()), worn_height, 180));
 }

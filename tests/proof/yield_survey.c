@@ -17,7 +17,6 @@
 enum { ANGLES = 25, RADII = 190, MARKS_MAX = 40 };
 static const double FALL = 0.83, COARSE = 0.04, FINE = 1e-8, WORTH = 0.8;
 
-static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.1;
 
 typedef struct {

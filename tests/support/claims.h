@@ -13,6 +13,8 @@
 
 #include <cmocka.h>
 
+static const double PI = 3.14159265358979323846;
+
 /* A test: CLAIM(what_holds) { ... }. Those of a program run in the order of their file. */
 #define CLAIM(name)                                                                                \
     static void name(void);                                                                        \

@@ -120,7 +120,7 @@ above "displacement by slip / (fθb)" "0.1: W = 0.000855"
 draws loop --q-over-fp 0.05:0.6:0.05
 same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
 draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
-shows "a/b = 0.123456"
+shows "Cycles of Q under constant P, a/b = 0.123456"
 
 draws eccentric
 above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"

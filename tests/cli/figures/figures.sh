@@ -147,7 +147,7 @@ draws svg 3 --nu 0.2
 has a/b "P/(bk)" y/b "ν = 0.2" "jump at 0.5542"
 draws svg 4
 has f "P/(bk)" 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "ν = 0.3"
-same "curves of Fig. 4" 10 "$(grep -c '<title>gnuplot_plot_' drawn.svg)"
+same "curves of Fig. 4" 10 "$(grep -c 'id="gnuplot_plot_' drawn.svg)"
 draws svg 5
 has "every 0.0125 in f" "jump to the surface"
 draws svg 6

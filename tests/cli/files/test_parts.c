@@ -34,11 +34,12 @@ static const char *written(const record_format *format, char separator, const ch
                            cell value)
 {
     static output out;
-    out.used = 0;
     records rows = {
         .format = format, .out = &out, .digits = 17, .decimal_sign = '.', .separator = separator};
-    format->value(&rows, name, value);
-    format->end_row(&rows);
+    format->name(&rows, name);
+    format->end_header(&rows);
+    out.used = 0;
+    records_row(&rows, 1, &value);
     out.buffer[out.used] = '\0';
     return rows.problem != NULL ? rows.problem : out.buffer;
 }

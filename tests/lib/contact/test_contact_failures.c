@@ -156,21 +156,6 @@ CLAIM(a_ring_that_grows_by_roundings_does_not_slip)
     assert_true(rwedge_contact_stick_half_width(contact) == rwedge_contact_half_width(contact));
 }
 
-CLAIM(far_points_have_no_stress)
-{
-    rwedge_contact *contact = create(1e-3, 0.3);
-    load(contact, 1e-4, 0);
-    load(contact, 1e-4, 1e-5);
-    const double far[3] = {1e56, -1e56, 1e50}, deep[3] = {0, 1e56, 1e50};
-    double s[3][3];
-    assert_ok(rwedge_contact_stresses(contact, 3, far, deep, s[0], s[1], s[2]));
-    for (int i = 0; i < 9; i++)
-        assert_true(fabs(s[i / 3][i % 3]) < 1e-45);
-    const double beyond = 1.1e60;
-    assert_int_equal(rwedge_contact_stresses(contact, 1, &beyond, deep, s[0], s[1], s[2]),
-                     RWEDGE_EDOMAIN);
-}
-
 CLAIM(without_friction_there_is_no_tangential_load)
 {
     rwedge_contact *contact = create(0.1, 0);
@@ -250,12 +235,10 @@ CLAIM(results_scale_with_the_units)
                 const double x = 0.1 * (i - 9.3), y = 0.01 * i * i, x_scaled = L * x,
                              y_scaled = L * y;
                 double s[3], expected[3];
-                assert_int_equal(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0],
-                                                         &expected[1], &expected[2]),
-                                 0);
-                assert_int_equal(
-                    rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]),
-                    0);
+                assert_ok(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0], &expected[1],
+                                                  &expected[2]));
+                assert_ok(
+                    rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]));
                 for (int j = 0; j < 3; j++)
                     assert_within(s[j] / S, expected[j], 1e-14);
             }

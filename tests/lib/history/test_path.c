@@ -185,59 +185,6 @@ CLAIM(opposite_loads_give_the_mirror_image)
     }
 }
 
-/* div sigma = 0, by central differences. */
-CLAIM(stresses_are_in_equilibrium)
-{
-    uint64_t seed = 8;
-    for (int i = 0; i < 20; i++) {
-        cycle c = random_cycle(&seed);
-        for (int k = 0; k < 3; k++)
-            random_step(&c, &seed);
-        const double x = 2 * random_fraction(&seed) - 1, y = 0.4 + random_fraction(&seed), h = 1e-4;
-        const stresses right = stress_at(c.contact, x + h, y),
-                       left = stress_at(c.contact, x - h, y);
-        const stresses below = stress_at(c.contact, x, y + h),
-                       above = stress_at(c.contact, x, y - h);
-        assert_within((right.xx - left.xx + below.xy - above.xy) / (2 * h), 0, 1e-6);
-        assert_within((right.xy - left.xy + below.yy - above.yy) / (2 * h), 0, 1e-6);
-    }
-}
-
-/* A tiny moment or tension changes as little. */
-CLAIM(results_are_continuous_in_moment_and_tension)
-{
-    rwedge_contact *plain = create(0.4, F), *other = create(0.4, F);
-    apply(plain, 0.5, 0, 0, 0);
-    apply(plain, 0.5, 0, 0.15, 0);
-    apply(other, 0.5, 1e-9, 0, 0);
-    apply(other, 0.5, 1e-9, 0.15, 1e-9);
-    for (double x = -2; x < 2; x += 0.13)
-        assert_within(apart(stress_at(plain, x, 0.3), stress_at(other, x, 0.3)), 0, 1e-7);
-}
-
-/* An edge of the contact, or of what sticks, that passes an end of the rounding. */
-CLAIM(results_are_continuous_where_an_edge_passes_the_rounding)
-{
-    const double a = 1.2, P = 0.1;
-    double inside = 0, outside = 3 * P; /* moments with the right edge there */
-    while (outside - inside > 1e-9) {
-        const double M = (inside + outside) / 2;
-        rwedge_contact *contact = create(a, F);
-        apply(contact, P, M, 0, 0);
-        *(edges_of(contact).right < a ? &inside : &outside) = M;
-    }
-    rwedge_contact *below = create(a, F), *above = create(a, F);
-    apply(below, P, inside, 0, 0);
-    apply(above, P, outside, 0, 0);
-    assert_true(edges_of(below).right < a && edges_of(above).right >= a);
-    for (int i = 0; i < 2; i++) {
-        for (double x = -2; x < 2; x += 0.13)
-            assert_within(apart(stress_at(below, x, 0.1), stress_at(above, x, 0.1)), 0, 1e-7);
-        apply(below, P, inside, 0.03, 0.005);
-        apply(above, P, outside, 0.03, 0.005);
-    }
-}
-
 /* A tension that is there before the contact only adds. */
 CLAIM(tension_before_contact_only_adds)
 {
@@ -542,25 +489,6 @@ CLAIM(random_loads_are_finite_or_change_nothing)
 
 /* ---- Edges ---- */
 
-/* The edge's pressure like the root of the distance. */
-CLAIM(the_pressure_rises_as_its_asymptote_says)
-{
-    uint64_t seed = 21;
-    for (int i = 0; i < 20; i++) {
-        cycle c = random_cycle(&seed);
-        double left, right, shear_left, shear_right;
-        assert_ok(
-            rwedge_contact_edge_asymptotes(c.contact, &left, &right, &shear_left, &shear_right));
-        assert_true(shear_left == 0 && shear_right == 0);
-        const rw_patch whole = edges_of(c.contact);
-        const double r = 1e-10 * (whole.right - whole.left);
-        const double inner = whole.right - r; /* and its rounding */
-        assert_close(-pressure(c.contact, inner) / sqrt(whole.right - inner), right, 1e-3);
-        assert_close(-pressure(c.contact, whole.left + r) / sqrt(whole.left + r - whole.left), left,
-                     1e-3);
-    }
-}
-
 /* The slip length 2 K_T/(f K_N) of a small Q: to 0.1 % at Q/(fP) = 0.001, 9 % at 0.1. */
 CLAIM(the_slip_length_is_that_of_the_asymptotes)
 {
@@ -724,22 +652,6 @@ CLAIM(slip_may_leave_an_inner_ring_alone)
     const size_t n = marks(contact, points);
     assert_close(rwedge_contact_dissipated_energy(contact),
                  integral(friction_times_slip, contact, n, points), 1e-10);
-}
-
-/* Its two halves are those of the histories of P and Q. */
-CLAIM(slip_is_continuous_in_the_moment)
-{
-    rwedge_contact *plain = create(0.4, F), *other = create(0.4, F);
-    static const double shears[] = {0, 0.2, -0.15, 0.1};
-    for (size_t i = 0; i < sizeof shears / sizeof *shears; i++) {
-        apply(plain, 0.5, 0, shears[i], 0);
-        apply(other, 0.5, 1e-10, shears[i], 0);
-    }
-    const double b = 0.999 * edges_of(plain).right;
-    for (double x = -b; x < b; x += 0.05)
-        assert_within(slip(other, x), slip(plain, x), 1e-9 * THETA);
-    assert_close(rwedge_contact_dissipated_energy(other), rwedge_contact_dissipated_energy(plain),
-                 1e-7);
 }
 
 /* For the same Q/f and sigma/f. */

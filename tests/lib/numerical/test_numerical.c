@@ -2,6 +2,7 @@
 /* Steps of the shear computed numerically where the contact has a closed form, which is not
  * used. */
 #include "claims.h"
+#include "contact/contact.h"
 #include "numerical/numerical.h"
 #include "rwedge.h"
 
@@ -21,15 +22,22 @@ static double no_slip(double x, const void *context)
     return 0;
 }
 
-static pair begin(double P, double M, double tolerance)
+/* The contact is taken over. */
+static pair begin_with(rwedge_contact *contact, double P, double M, double tolerance)
 {
-    pair c = {.frame = {1, F, tolerance}};
-    rw_stance now = {.contact = rw_patch_of_moment(1, P, M), .at = {P, M, 0, 0}};
+    pair c = {.frame = rw_frame_of(rw_arcs_of(&contact->geometry), F, tolerance), .exact = contact};
+    rw_stance now = {.contact = rw_arcs_patch_of_moment(&c.frame.arcs, P, M), .at = {P, M, 0, 0}};
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     assert_true(rw_numerical_begin(&c.numerical, &c.frame, &now, no_slip, NULL));
-    assert_ok(rwedge_contact_create(1, 1, 1, F, &c.exact));
     assert_ok(rwedge_contact_apply(c.exact, P, M, 0, 0));
     return c;
+}
+
+static pair begin(double P, double M, double tolerance)
+{
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create(1, 1, 1, F, &contact));
+    return begin_with(contact, P, M, tolerance);
 }
 
 static void end(pair *c)
@@ -110,6 +118,26 @@ CLAIM(tension_in_phase_with_a_moment)
         go(&c, 4, 1.2, 1, 0.3);
         go(&c, 4, 1.2, -0.5, -0.15);
         go(&c, 4, 1.2, 0.8, 0.24);
+        end(&c);
+    }
+}
+
+/* Cattaneo's and Mindlin's partial slip holds on any pad. */
+CLAIM(mindlin_on_other_pads)
+{
+    const double x[] = {-1.5, -0.6, 0.2, 0.2, 0.7, 1.8}, slope[] = {-1, -0.2, 0, 0.05, 0.3, 1};
+    for (int i = 0; i < 6; i++) {
+        rwedge_contact *pad;
+        assert_ok(i < 3 ? rwedge_contact_create_flat(0.8, 3, 1, F, &pad)
+                        : rwedge_contact_create_profile(6, x, slope, 1, F, &pad));
+        pair c = begin_with(pad, 0.5, 0.02, TOLERANCES[i % 3]);
+        const double Q[] = {0.2, -0.1, 0.15};
+        for (int k = 0; k < 3; k++) {
+            go(&c, 0.5, 0.02, Q[k], 0.05 * Q[k]);
+            slip_is_that_of_the_closed_form(&c);
+        }
+        assert_close(c.numerical.now.energy * pad->geometry.theta * pad->geometry.theta,
+                     rwedge_contact_dissipated_energy(pad), 2e-4 + TOLERANCES[i % 3]);
         end(&c);
     }
 }

@@ -200,11 +200,6 @@ ball relative_error(double result, const ball &exact)
     return error_over(result, exact, exact);
 }
 
-ball judge_difference(const probe &call)
-{
-    return fabs(call.result[0]);
-}
-
 static bool is_told(const ball &error)
 {
     return is_finite(error) && radius(error) <= NEGLIGIBLE * fmax(DBL_EPSILON, fabs(middle(error)));

@@ -75,7 +75,4 @@ ball error_over(const double result[3], const tensor &exact, const ball &scale);
 /* The relative error; 0 where both are 0. */
 ball relative_error(double result, const ball &exact);
 
-/* Of a row whose result is a difference that should be 0. */
-ball judge_difference(const probe &call);
-
 #endif

@@ -122,8 +122,8 @@ static void write_and_read(input *in, char separator)
                     .separator = separator};
     for (size_t i = 0; i < t.rows; i++) {
         for (size_t j = 0; j < t.columns; j++)
-            delimited_format.value(&rows, "", cell_text(t.cell[i][j]));
-        delimited_format.end_row(&rows);
+            records_value(&rows, cell_text(t.cell[i][j]));
+        records_end_row(&rows);
     }
     csv_input *file = csv_input_open(file_of(out.buffer, out.used), separator, NULL);
     CLAIM(file != NULL, "open");

@@ -305,57 +305,10 @@ bool draw_smith_watson_topper(probe *call)
     return true;
 }
 
-/* The cycle at the second of two points. */
-typedef struct {
-    double sxx[2 * LOADS], syy[2 * LOADS], txy[2 * LOADS], value[2], angle[2];
-} pair_of_points;
-
-pair_of_points beside_another(double s[3][LOADS])
-{
-    pair_of_points p;
-    for (int i = 0; i < LOADS; i++) {
-        p.sxx[2 * i] = s[1][i] / 3, p.syy[2 * i] = s[2][i], p.txy[2 * i] = s[0][i];
-        p.sxx[2 * i + 1] = s[0][i], p.syy[2 * i + 1] = s[1][i], p.txy[2 * i + 1] = s[2][i];
-    }
-    return p;
-}
-
-void give_second(probe *call, const pair_of_points *p, int32_t status)
-{
-    call->result[0] = status == RWEDGE_OK ? p->value[1] : NAN;
-    call->result[1] = status == RWEDGE_OK ? p->angle[1] : NAN;
-}
-
-bool draw_smith_watson_topper_field(probe *call)
-{
-    double s[3][LOADS];
-    draw_cycle(call, s);
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
-                 nu = argument(call, "nu", some_poisson(call));
-    pair_of_points p = beside_another(s);
-    give_second(
-        call, &p,
-        rwedge_smith_watson_topper_field(LOADS, 2, p.sxx, p.syy, p.txy, E, nu, p.value, p.angle));
-    return true;
-}
-
 double some_k_over_sy(probe *call, double s[3][LOADS])
 {
     const double k = log_between(call, 1e-3, 1e3) / fmax(fabs(s[0][0]), 1e-56);
     return argument(call, "k_over_sy", chance(call, 0.1) ? 0 : k);
-}
-
-bool draw_fatemi_socie_field(probe *call)
-{
-    double s[3][LOADS];
-    draw_cycle(call, s);
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
-                 nu = argument(call, "nu", some_poisson(call)), k = some_k_over_sy(call, s);
-    pair_of_points p = beside_another(s);
-    give_second(
-        call, &p,
-        rwedge_fatemi_socie_field(LOADS, 2, p.sxx, p.syy, p.txy, E, nu, k, p.value, p.angle));
-    return true;
 }
 
 bool draw_fatemi_socie(probe *call)
@@ -387,10 +340,6 @@ const row MEASURE_ROWS[] = {
      judge_angle},
     {"smith_watson_topper", "three loads, often equal or opposite", "of s^2 (1+nu)/E", 1e-14,
      "1e-14", 0.1, draw_smith_watson_topper, judge_plane},
-    {"smith_watson_topper_field", "the same, at two points", "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper_field, judge_plane},
-    {"fatemi_socie_field", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie_field, judge_plane},
     {"fatemi_socie", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
      draw_fatemi_socie, judge_plane},
     {},

@@ -10,7 +10,7 @@
 namespace
 {
 
-enum { FIELD = 2, LOADS = 2 };
+enum { LOADS = 2 };
 
 /* ---- Opposite loads ---- */
 
@@ -246,89 +246,23 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
                       (1 + alpha) * at.s);
 }
 
-/* ---- Fields ---- */
-
-/* The difference of a field's second point from the value of that point alone. */
-template <int criterion> bool draw_field(probe *call)
-{
-    cycle c;
-    double nu, own, v[FIELD], a[FIELD], o[FIELD], at[3][LOADS * FIELD];
-    draw_cycle(call, &c, &nu);
-    for (int i = 0; i < LOADS; i++)
-        for (int j = 0; j < FIELD; j++) {
-            at[0][i * FIELD + j] = c.sxx[i] * (j == 0 ? 0.5 : 1);
-            at[1][i * FIELD + j] = c.syy[i];
-            at[2][i * FIELD + j] = c.txy[i];
-        }
-    const double *x = at[0], *y = at[1], *t = at[2];
-    int32_t status = RWEDGE_OK, alone = RWEDGE_OK;
-#define BOTH(name, ...)                                                                            \
-    status = rwedge_##name##_field(LOADS, FIELD, x, y, t, __VA_ARGS__, v, a, o);                   \
-    alone = rwedge_##name(LOADS, c.sxx, c.syy, c.txy, __VA_ARGS__, &own, a, o)
-    if (criterion == 0) {
-        BOTH(smith_watson_topper_planes, 1, nu, 1);
-    } else if (criterion == 1) {
-        BOTH(fatemi_socie_planes, 1, nu, 1, 0);
-    } else if (criterion == 2) {
-        BOTH(findley, nu, 0.3);
-    } else if (criterion == 3) {
-        BOTH(modified_wohler, nu, 1);
-    } else {
-        BOTH(mcdiarmid, nu, 1, 2);
-    }
-#undef BOTH
-    give(call, status | alone, v[1] - own);
-    return true;
-}
-
-template <bool is_dang_van> bool draw_sphere_field(probe *call)
-{
-    cycle c;
-    double nu, own = NAN, v[FIELD];
-    draw_cycle(call, &c, &nu);
-    double at[3][LOADS * FIELD];
-    for (int i = 0; i < LOADS * FIELD; i++)
-        at[0][i] = c.sxx[i / FIELD], at[1][i] = c.syy[i / FIELD], at[2][i] = c.txy[i / FIELD];
-    const int32_t status = (is_dang_van ? rwedge_dang_van_field : rwedge_crossland_field)(
-        LOADS, FIELD, at[0], at[1], at[2], nu, 0.3, v);
-    const int32_t alone = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy,
-                                                                             c.txy, nu, 0.3, &own);
-    give(call, status | alone, v[1] - own);
-    return true;
-}
-
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
-#define SAME "from one point alone"
 
 } // namespace
 
 const row PLANE_ROWS[] = {
     {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
      draw_smith_watson_topper, judge_smith_watson_topper},
-    {"smith_watson_topper_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_field<0>, judge_difference},
     {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
      draw_fatemi_socie, judge_fatemi_socie},
-    {"fatemi_socie_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_field<1>, judge_difference},
     {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
-    {"findley_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<2>,
-     judge_difference},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
      judge_modified_wohler},
-    {"modified_wohler_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<3>,
-     judge_difference},
     {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
      judge_mcdiarmid},
-    {"mcdiarmid_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<4>,
-     judge_difference},
     {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
      judge_sphere<false>},
-    {"crossland_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<false>,
-     judge_difference},
     {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<true>,
      judge_sphere<true>},
-    {"dang_van_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<true>,
-     judge_difference},
     {},
 };

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Loads without a closed form, of other pads than the wedge. */
+#include "histories.h"
+
+static const double F = 0.5;
+
+static rwedge_contact *allowing(rwedge_contact *contact, double tolerance)
+{
+    assert_ok(rwedge_contact_allow_error(contact, tolerance));
+    return contact;
+}
+
+static rwedge_contact *profile(size_t n, const double x[], const double slope[])
+{
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create_profile(n, x, slope, A, F, &contact));
+    return allowing(owned(contact), 1e-4);
+}
+
+static rwedge_contact *flat(double a)
+{
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create_flat(a, 10, A, F, &contact));
+    return allowing(owned(contact), 1e-4);
+}
+
+static void lag(rwedge_contact *contact)
+{
+    const double loads[][4] = {
+        {0.5, 0, 0, 0}, {0.5, 0, 0.02, 0.06}, {0.5, 0, 0.12, 0.02}, {0.45, 0.02, 0.05, -0.05}};
+    for (int i = 0; i < 4; i++)
+        apply(contact, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
+    assert_true(rwedge_contact_error(contact) > 0);
+    assert_true(rwedge_contact_error(contact) < 1e-2);
+}
+
+static void assert_same(rwedge_contact *one, rwedge_contact *other, double tolerance)
+{
+    const rw_patch edges = edges_of(one);
+    const double peak = fabs(pressure(one, edges.left / 2 + edges.right / 2));
+    for (int i = 1; i < 40; i++) {
+        const double x = edges.left + (edges.right - edges.left) * (i + 0.01) / 40;
+        assert_within(shear(one, x), shear(other, x), tolerance * peak);
+        assert_within(slip(one, x), slip(other, x), tolerance * THETA);
+    }
+    assert_close(rwedge_contact_dissipated_energy(one), rwedge_contact_dissipated_energy(other),
+                 tolerance);
+    assert_int_equal(rwedge_contact_zone_count(one), rwedge_contact_zone_count(other));
+}
+
+CLAIM(the_rounded_wedge_is_computed_as_a_profile)
+{
+    const double x[] = {-0.4, 0.1, 0.4}, slope[] = {-THETA, THETA / 4, THETA};
+    rwedge_contact *wedge = allowing(create(0.4, F), 1e-4), *other = profile(3, x, slope);
+    lag(wedge);
+    lag(other);
+    assert_same(wedge, other, 1e-9);
+}
+
+CLAIM(the_sharp_wedge_is_computed_as_a_kink)
+{
+    const double x[] = {0, 0}, slope[] = {-THETA, THETA};
+    rwedge_contact *wedge = allowing(create(0, F), 1e-4), *other = profile(2, x, slope);
+    lag(wedge);
+    lag(other);
+    assert_same(wedge, other, 1e-9);
+}
+
+CLAIM(a_mirrored_pad_has_the_mirror_image)
+{
+    const double x[] = {-1.2, -0.4, 0.1, 0.5, 1}, slope[] = {-0.12, -0.02, -0.01, 0.05, 0.15};
+    double back[5], falling[5];
+    for (int i = 0; i < 5; i++) {
+        back[i] = -x[4 - i];
+        falling[i] = -slope[4 - i];
+    }
+    rwedge_contact *one = profile(5, x, slope), *other = profile(5, back, falling);
+    const double loads[][4] = {
+        {0.1, 0, 0, 0}, {0.1, 0, 0.01, 0.06}, {0.1, 0, 0.04, 0.02}, {0.09, 0.01, 0.02, -0.04}};
+    for (int i = 0; i < 4; i++) { /* seen in a mirror, Q turns and the tension does not */
+        apply(one, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
+        apply(other, loads[i][0], -loads[i][1], -loads[i][2], loads[i][3]);
+    }
+    assert_true(rwedge_contact_error(one) > 0 && rwedge_contact_error(one) < 1e-2);
+    const double limit = 2e-4 * F * fabs(pressure(one, 0.1));
+    for (int i = -9; i <= 9; i++)
+        assert_within(shear(one, i / 10.0), -shear(other, -i / 10.0), limit);
+}
+
+/* Many arcs of one circle are one arc. */
+CLAIM(a_sampled_circle_is_computed_as_a_cylinder)
+{
+    enum { PLACES = 13 };
+    double x[PLACES], slope[PLACES];
+    for (int i = 0; i < PLACES; i++) {
+        x[i] = 4.0 * (2 * i - PLACES + 1) / (PLACES - 1);
+        slope[i] = x[i] / 10;
+    }
+    rwedge_contact *cylinder = flat(0), *other = profile(PLACES, x, slope);
+    lag(cylinder);
+    lag(other);
+    assert_same(cylinder, other, 1e-9);
+}
+
+CLAIM(a_flat_pad_is_copied_and_restored)
+{
+    rwedge_contact *contact = flat(0.7);
+    lag(contact);
+    rwedge_contact *copy = copy_of(contact), *twin = restored(state_of(contact));
+    apply(contact, 0.5, 0.01, -0.03, 0.04);
+    apply(copy, 0.5, 0.01, -0.03, 0.04);
+    apply(twin, 0.5, 0.01, -0.03, 0.04);
+    assert_state(copy, state_of(contact));
+    assert_state(twin, state_of(contact));
+}
+
+CLAIM(a_flat_pad_ends_it_by_sliding_and_separation)
+{
+    rwedge_contact *contact = flat(0.7);
+    lag(contact);
+    apply(contact, 0.5, 0, F * 0.5, 0.02);
+    assert_true(rwedge_contact_error(contact) == 0);
+    assert_close(shear(contact, 0.3), -F * fabs(pressure(contact, 0.3)), 1e-14);
+    contact = flat(0.7);
+    lag(contact);
+    const double before = rwedge_contact_dissipated_energy(contact);
+    apply(contact, 0, 0, 0, 0);
+    assert_true(rwedge_contact_error(contact) == 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) > before);
+}

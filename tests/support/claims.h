@@ -66,5 +66,6 @@ bool reference_next(reference *table);      /* closes the file at its end */
 
 /* Uniform in [0, 1), the same sequence on every machine; *state is any seed. */
 double random_fraction(uint64_t *state);
+double random_between(uint64_t *state, double low, double high);
 
 #endif

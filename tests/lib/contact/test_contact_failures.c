@@ -3,38 +3,6 @@
 #include "histories.h"
 
 #include <float.h>
-#include <string.h>
-
-/* All that can be seen of a contact. */
-typedef struct {
-    double half_width, stick, energy, memory;
-    double p[9], q[9], slip[9], sxx[9], syy[9], txy[9];
-} appearance;
-
-static appearance look(const rwedge_contact *contact)
-{
-    appearance seen;
-    memset(&seen, 0, sizeof seen);
-    seen.half_width = rwedge_contact_half_width(contact);
-    seen.stick = rwedge_contact_stick_half_width(contact);
-    seen.energy = rwedge_contact_dissipated_energy(contact);
-    seen.memory = (double)rwedge_contact_memory(contact);
-    double x[9], y[9];
-    for (int i = 0; i < 9; i++) {
-        x[i] = seen.half_width * (i - 4.1) / 5;
-        y[i] = 0.1 * i;
-    }
-    assert_ok(rwedge_contact_tractions(contact, 9, x, seen.p, seen.q));
-    assert_ok(rwedge_contact_slip(contact, 9, x, seen.slip));
-    assert_ok(rwedge_contact_stresses(contact, 9, x, y, seen.sxx, seen.syy, seen.txy));
-    return seen;
-}
-
-static void assert_looks(const rwedge_contact *contact, const appearance *before)
-{
-    const appearance now = look(contact);
-    assert_memory_equal(&now, before, sizeof now);
-}
 
 /* ---- Copies ---- */
 
@@ -45,18 +13,18 @@ CLAIM(a_copy_is_independent)
     for (int step = 0; step < 10; step++)
         go_on(&h, contact);
     assert_ok(rwedge_contact_copy(contact, &copy));
-    const appearance before = look(contact);
-    assert_looks(copy, &before);
+    const contact_state before = state_of(contact);
+    assert_state(copy, before);
     random_history other = h;
     for (int step = 0; step < 10; step++)
         go_on(&other, copy);
-    assert_looks(contact, &before);
-    const appearance after = look(copy);
+    assert_state(contact, before);
+    const contact_state after = state_of(copy);
     for (int step = 0; step < 10; step++)
         go_on(&h, contact);
-    assert_looks(contact, &after); /* the same loads give the same bits */
+    assert_state(contact, after); /* the same loads give the same bits */
     rwedge_contact_destroy(copy);
-    assert_looks(contact, &after);
+    assert_state(contact, after);
 }
 
 /* ---- Refusals ---- */
@@ -67,7 +35,7 @@ CLAIM(a_refused_load_changes_nothing)
     rwedge_contact *contact = create(0.1, f);
     load(contact, P, 0);
     load(contact, P, 0.05);
-    const appearance before = look(contact);
+    const contact_state before = state_of(contact);
     const struct {
         double P, Q;
         int32_t status;
@@ -88,7 +56,7 @@ CLAIM(a_refused_load_changes_nothing)
     };
     for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
         assert_int_equal(rwedge_contact_load(contact, loads[i].P, loads[i].Q), loads[i].status);
-        assert_looks(contact, &before);
+        assert_state(contact, before);
     }
 }
 

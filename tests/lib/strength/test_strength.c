@@ -153,6 +153,12 @@ CLAIM(flat_maxima_of_tiny_tips_are_found)
             assert_true(rwedge_elastic_limit(alpha, f, 0.5) > PI * (1 - 15 * f));
 }
 
+CLAIM(incompressible_surface_is_safe_without_friction)
+{
+    double limit, x;
+    assert_int_equal(rwedge_surface_yield(0.3, 0, 0.5, &limit, &x), RWEDGE_EABSENT);
+}
+
 CLAIM(max_tension_matches_reference)
 {
     reference table = reference_open("contact_law.csv");

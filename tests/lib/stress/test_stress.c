@@ -159,21 +159,6 @@ CLAIM(derivatives_are_difference_quotients)
     assert_int_equal(table.row, 67);
 }
 
-CLAIM(stresses_are_in_equilibrium)
-{
-    uint64_t seed = 5;
-    for (int i = 0; i < 1000; i++) {
-        const double v[5] = {pow(10, 3 * random_fraction(&seed) - 2), random_fraction(&seed),
-                             random_fraction(&seed), 3 * random_fraction(&seed) - 1.5,
-                             random_fraction(&seed)};
-        double d[6];
-        assert_ok(gradient(v, d));
-        const double scale = fabs(d[0]) + fabs(d[1]) + fabs(d[2]) + 1;
-        assert_within(d[0] + d[5], 0, 1e-13 * scale); /* dsxx/dx + dtxy/dy */
-        assert_within(d[2] + d[4], 0, 1e-13 * scale);
-    }
-}
-
 CLAIM(derivatives_end_at_the_edges)
 {
     const double singular[][5] = {

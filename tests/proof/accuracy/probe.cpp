@@ -45,6 +45,24 @@ double either_sign(probe *call, double value)
     return chance(call, 0.5) ? value : -value;
 }
 
+/* ---- Results ---- */
+
+bool gives(probe *call, double value)
+{
+    call->result[0] = value;
+    return true;
+}
+
+bool gives_if(probe *call, int32_t status)
+{
+    return status == 0 || gives(call, NAN);
+}
+
+bool gives_if(probe *call, int32_t status, const double &value)
+{
+    return gives(call, status == 0 ? value : NAN);
+}
+
 /* ---- Arguments ---- */
 
 double argument(probe *call, const char *name, double value)

@@ -121,9 +121,7 @@ bool draw_subsurface(probe *call)
     const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
     if (status == RWEDGE_EABSENT && !has_maximum_below(v[0], v[1], v[2]))
         return false;
-    if (status != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call, status);
 }
 
 bool draw_surface(probe *call)

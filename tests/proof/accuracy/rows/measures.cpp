@@ -53,8 +53,8 @@ bool draw_von_mises(probe *call)
 {
     double s[3];
     draw_stress(call, s);
-    call->result[0] = rwedge_von_mises(s[0], s[1], s[2], argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_von_mises(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
 }
 
 ball judge_von_mises(const probe &call)
@@ -67,9 +67,8 @@ bool draw_largest_shear(probe *call)
 {
     double s[3];
     draw_stress(call, s);
-    call->result[0] =
-        rwedge_largest_shear(s[0], s[1], s[2], argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_largest_shear(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
 }
 
 /* The largest of |s1-s2|/2 and |s1-szz|/2, |s2-szz|/2, the larger of which is (R + |s-szz|)/2. */
@@ -83,9 +82,8 @@ bool draw_out_of_plane(probe *call)
 {
     const double sxx = argument(call, "sxx", some_stress(call, 1)),
                  syy = argument(call, "syy", some_stress(call, sxx));
-    call->result[0] =
-        rwedge_out_of_plane_stress(sxx, syy, argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_out_of_plane_stress(sxx, syy, argument(call, "nu", some_poisson(call))));
 }
 
 ball judge_out_of_plane(const probe &call)
@@ -98,9 +96,7 @@ bool draw_principal(probe *call)
 {
     double s[3], *r = call->result;
     draw_stress(call, s);
-    if (rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]));
 }
 
 /* Of the larger of |s1|, |s2|. */
@@ -299,10 +295,8 @@ bool draw_smith_watson_topper(probe *call)
     draw_cycle(call, s);
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
                  nu = argument(call, "nu", some_poisson(call));
-    if (rwedge_smith_watson_topper(LOADS, s[0], s[1], s[2], E, nu, &call->result[0],
-                                   &call->result[1]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_smith_watson_topper(LOADS, s[0], s[1], s[2], E, nu,
+                                                     &call->result[0], &call->result[1]));
 }
 
 double some_k_over_sy(probe *call, double s[3][LOADS])
@@ -317,10 +311,8 @@ bool draw_fatemi_socie(probe *call)
     draw_cycle(call, s);
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
                  nu = argument(call, "nu", some_poisson(call)), k = some_k_over_sy(call, s);
-    if (rwedge_fatemi_socie(LOADS, s[0], s[1], s[2], E, nu, k, &call->result[0],
-                            &call->result[1]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_fatemi_socie(LOADS, s[0], s[1], s[2], E, nu, k, &call->result[0],
+                                              &call->result[1]));
 }
 
 #define STRESS "1e-60 to 1e60, 0, dense where equal"

@@ -15,7 +15,7 @@ enum { LOADS = 2 };
 /* ---- Opposite loads ---- */
 
 typedef struct {
-    double sxx[LOADS], syy[LOADS], txy[LOADS];
+    double sxx[LOADS], syy[LOADS], txy[LOADS], nu;
 } cycle;
 
 /* Whether the principal stresses are apart: where they are nearly equal a curve of planes is nearly
@@ -28,16 +28,16 @@ bool are_apart(const double s[3], double nu)
 }
 
 /* Stresses of one load, and nu; the other load is the opposite one. */
-bool draw_cycle(probe *call, cycle *c, double *nu)
+bool draw_cycle(probe *call, cycle *c)
 {
     static const char *const NAMES[] = {"sxx", "syy", "txy"};
     const double size = log_between(call, 1e-50, 1e50);
     double s[3];
     for (int i = 0; i < 3; i++)
         s[i] = argument(call, NAMES[i], size * between(call, -1, 1));
-    *nu = argument(call, "nu", some_poisson(call));
-    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}};
-    return are_apart(s, *nu);
+    const double nu = argument(call, "nu", some_poisson(call));
+    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}, nu};
+    return are_apart(s, nu);
 }
 
 /* The largest principal stress of the load that was drawn, the one between, the smallest. */
@@ -45,7 +45,6 @@ struct principals {
     ball largest, between, smallest, szz;
 };
 
-/* The principal stresses of the load that was drawn, and the one out of the plane. */
 principals principals_of(const probe &call)
 {
     const ball sxx = call.value[0], syy = call.value[1], txy = call.value[2];
@@ -60,7 +59,6 @@ struct outermost {
     ball mean, half, s;
 };
 
-/* |s1+s3|/2 and (s1-s3)/2, of the outermost; and the largest magnitude. */
 outermost outermost_of(const principals &s)
 {
     const ball mean = abs(s.largest + s.smallest) / 2, half = (s.largest - s.smallest) / 2;
@@ -78,23 +76,17 @@ ball per_modulus(const probe &call)
     return (1 + ball(call.value[3])) / call.value[4];
 }
 
-void give(probe *call, int32_t status, double value)
-{
-    call->result[0] = status == RWEDGE_OK ? value : NAN;
-}
-
 /* ---- Findley, Fatemi and Socie ---- */
 
 bool draw_findley(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double k = argument(call, "k", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    const int32_t status = rwedge_findley(LOADS, c.sxx, c.syy, c.txy, nu, k, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(call, rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, k, &value, &angle, &out),
+                    value);
 }
 
 /* k |s1+s3|/2 + sqrt(1+k^2) (s1-s3)/2 */
@@ -108,17 +100,17 @@ ball judge_findley(const probe &call)
 bool draw_fatemi_socie(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    const int32_t status =
-        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0, 0, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call,
+        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0, 0, &value, &angle, &out),
+        value);
 }
 
-/* (1+nu)/E (s1-s3) */
+/* (1+c.nu)/E (s1-s3) */
 ball judge_fatemi_socie(const probe &call)
 {
     const outermost at = outermost_of(call);
@@ -130,19 +122,16 @@ ball judge_fatemi_socie(const probe &call)
 bool draw_smith_watson_topper(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    const int32_t status = rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0,
-                                                             &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(call,
+                    rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0,
+                                                      &value, &angle, &out),
+                    value);
 }
 
-/* A plane's normal stress and strain are means of the principal ones, with the squares of the
- * normal's cosines as weights: two linear functions on a triangle, whose product is largest on an
- * edge. */
 struct weights {
     ball stress, strain;
 };
@@ -179,14 +168,13 @@ ball judge_smith_watson_topper(const probe &call)
 bool draw_modified_wohler(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double kappa = argument(call, "kappa", fabs(c.sxx[0]) * between(call, 0, 1));
-    const int32_t status =
-        rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, nu, kappa, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call, rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, kappa, &value, &angle, &out),
+        value);
 }
 
 /* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
@@ -201,15 +189,14 @@ ball judge_modified_wohler(const probe &call)
 bool draw_mcdiarmid(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double t_A = argument(call, "t_A", 1e-50 + fabs(c.sxx[0]) * between(call, 0.1, 10)),
                  su = argument(call, "su", t_A * between(call, 1, 10));
-    const int32_t status =
-        rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, nu, t_A, su, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call, rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, t_A, su, &value, &angle, &out),
+        value);
 }
 
 ball judge_mcdiarmid(const probe &call)
@@ -224,13 +211,13 @@ ball judge_mcdiarmid(const probe &call)
 template <bool is_dang_van> bool draw_sphere(probe *call)
 {
     cycle c;
-    double nu, value;
-    draw_cycle(call, &c, &nu);
+    double value;
+    draw_cycle(call, &c);
     const double alpha = argument(call, "alpha", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    const int32_t status = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(
-        LOADS, c.sxx, c.syy, c.txy, nu, alpha, &value);
-    give(call, status, value);
-    return true;
+    return gives_if(call,
+                    (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy, c.txy,
+                                                                       c.nu, alpha, &value),
+                    value);
 }
 
 /* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
@@ -251,9 +238,9 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
 } // namespace
 
 const row PLANE_ROWS[] = {
-    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
+    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+c.nu)/E", 1e-14, "1e-14", 0.1,
      draw_smith_watson_topper, judge_smith_watson_topper},
-    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
+    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+c.nu)/E", 1e-14, "1e-14", 0.1,
      draw_fatemi_socie, judge_fatemi_socie},
     {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,

@@ -28,9 +28,7 @@ template <bool slides> bool draw_stress(probe *call)
     some_case(call, slides, v);
     if (is_apex(v))
         return false;
-    if (rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]) != RWEDGE_OK)
-        s[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]));
 }
 
 /* The largest of the components' errors, over the larger of the norm and max(1, f)/(1+|z|). */

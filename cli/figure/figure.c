@@ -192,6 +192,19 @@ static void read_case(const arguments *line, const figure *chosen, figure_case *
             line->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
 }
 
+/* What is to be drawn, or written. */
+typedef struct {
+    const figure *chosen;
+    figure_case inputs;
+    const picture_format *format; /* NULL for the numbers */
+    bool no_title;
+    contact_history history;
+    places at;
+    criteria asked;
+    material constants;
+    dataset rows;
+} work;
+
 /* ---- A contact and its loads ---- */
 
 static bool has_loads(const arguments *line)
@@ -248,11 +261,6 @@ static int read_measure(const char *text, const criteria *asked)
     return column;
 }
 
-typedef struct {
-    criteria asked;
-    material constants;
-} measure_options;
-
 static double largest_half_width(const contact_history *history)
 {
     const contact_case *setup = &history->setup;
@@ -265,41 +273,36 @@ static double largest_half_width(const contact_history *history)
 /* Friction and Poisson's ratio are variables of other figures. */
 static arguments with_bodies(const arguments *line)
 {
-    arguments as = *line;
-    as.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
-    as.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
-    as.operand = NULL;
-    return as;
+    arguments bodies = *line;
+    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
+    return bodies;
 }
 
-static void read_history(const arguments *line, const figure *chosen, char decimal_sign,
-                         contact_history *history, places *at, measure_options *options_of,
-                         figure_case *inputs)
+static void refuse_other_variables(const arguments *line, const figure *chosen)
 {
-    arguments as = with_bodies(line);
-    const bool has_measure = chosen == &figure_measure;
-    if (has_measure) {
-        material_read(as.value[OPTION_MATERIAL], &as, &options_of->constants);
-        criteria_read(&as, &options_of->constants, &options_of->asked);
-    } else
-        refuse_criteria(line, chosen);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
             refuse_variable(chosen, i, line->value[OPTION_FIGURE_VARIABLE + i]);
-    if (chosen->needs_point && as.value[OPTION_AT] == NULL)
-        usage_error("--at: missing; figure %s needs a point x,y", chosen->name);
-    places_read(&as, decimal_sign, at);
-    if (at->count > 1)
-        usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    contact_history_read(
-        &as, decimal_sign,
-        (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2}, history);
-    *inputs =
-        (figure_case){.history = history, .at = at, .half_width = largest_half_width(history)};
-    if (!has_measure)
-        return;
-    criteria_read_strength(&as, &history->setup, &options_of->asked);
-    inputs->asked = &options_of->asked;
+}
+
+static void read_point(const arguments *line, char decimal_sign, work *to_do)
+{
+    const char *text = line->value[OPTION_AT];
+    if (to_do->chosen->needs_point && text == NULL)
+        usage_error("--at: missing; figure %s needs a point x,y", to_do->chosen->name);
+    places_read(line, decimal_sign, &to_do->at);
+    if (to_do->at.count > 1)
+        usage_error("--at %s: must be one point", text);
+}
+
+/* When the contact is read. */
+static void read_measure_and_place(const arguments *line, work *to_do)
+{
+    figure_case *inputs = &to_do->inputs;
+    criteria_read_strength(line, &to_do->history.setup, &to_do->asked);
+    inputs->asked = &to_do->asked;
     inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
     inputs->over = read_over(line->value[OPTION_OVER]);
     const bool is_of_friction =
@@ -308,6 +311,29 @@ static void read_history(const arguments *line, const figure *chosen, char decim
     if (is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
                     column_kind_of(inputs->measure)->column);
+}
+
+static void read_history(const arguments *line, char decimal_sign, work *to_do)
+{
+    const figure *chosen = to_do->chosen;
+    const bool has_measure = chosen == &figure_measure;
+    arguments bodies = with_bodies(line);
+    if (has_measure) {
+        material_read(bodies.value[OPTION_MATERIAL], &bodies, &to_do->constants);
+        criteria_read(&bodies, &to_do->constants, &to_do->asked);
+    } else
+        refuse_criteria(line, chosen);
+    refuse_other_variables(line, chosen);
+    read_point(&bodies, decimal_sign, to_do);
+    contact_history_read(
+        &bodies, decimal_sign,
+        (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2},
+        &to_do->history);
+    to_do->inputs = (figure_case){.history = &to_do->history,
+                                  .at = &to_do->at,
+                                  .half_width = largest_half_width(&to_do->history)};
+    if (has_measure)
+        read_measure_and_place(&bodies, to_do);
 }
 
 static const picture_format *format_named(const char *name)
@@ -331,17 +357,6 @@ static const picture_format *read_picture_format(const arguments *line, output_o
 }
 
 /* ---- What is written ---- */
-
-typedef struct {
-    const figure *chosen;
-    figure_case inputs;
-    const picture_format *format; /* NULL for the numbers */
-    bool no_title;
-    contact_history history;
-    places at;
-    measure_options measure;
-    dataset rows;
-} work;
 
 static void compute(work *to_do)
 {
@@ -384,8 +399,7 @@ static int write_command(const arguments *line)
     else
         to_do.format = read_picture_format(line, &how);
     if (to_do.chosen->has_history)
-        read_history(line, to_do.chosen, how.decimal_sign, &to_do.history, &to_do.at,
-                     &to_do.measure, &to_do.inputs);
+        read_history(line, how.decimal_sign, &to_do);
     else {
         refuse_history(line, to_do.chosen);
         refuse_criteria(line, to_do.chosen);

@@ -103,8 +103,8 @@ static bool begins_with(const text_input *in, const char *mark, size_t length)
     return in->end >= length && memcmp(in->block, mark, length) == 0;
 }
 
-/* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. For iconv a
- * mark is a character where the encoding says the order of the bytes. */
+/* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. For iconv
+ * a mark is a character where the encoding says the order of the bytes. */
 static bool take_mark(text_input *in)
 {
     static const char utf8[] = "\xef\xbb\xbf", little[] = "\xff\xfe", big[] = "\xfe\xff";

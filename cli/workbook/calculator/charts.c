@@ -2,7 +2,6 @@
 #include "charts.h"
 
 #include "sheet/chart.h"
-#include "text/memory.h"
 #include "workbook/case/formula.h"
 #include "workbook/tables/table_sheets.h"
 #include "working.h"
@@ -15,12 +14,8 @@ enum { FIGURE_WIDTH = 400, FAMILY = 10 };
 /* A column of a sheet, "='Working'!$A$1:$A$9". */
 static const char *range_of(const char *sheet, int column, int first_row, int rows)
 {
-    enum { SIZE = 80 };
-    char letters[4], *text = memory_zeroed(SIZE, 1);
-    column_letters(column, letters);
-    snprintf(text, SIZE, "='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters,
-             first_row + rows);
-    return text;
+    const char *letters = column_letters(column);
+    return compose("='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters, first_row + rows);
 }
 
 static const char *curve(int column, int rows)
@@ -35,8 +30,7 @@ static const char *mark(int column)
 
 static const char *legend(int place)
 {
-    char letters[4], *text = memory_zeroed(FORMULA_SIZE, 1);
-    return compose(text, "='%s'!$%s$%d", WORKING_SHEET, column_letters(LEGEND_COLUMN, letters),
+    return compose("='%s'!$%s$%d", WORKING_SHEET, column_letters(LEGEND_COLUMN),
                    CURVE_ROW + place + 1);
 }
 

@@ -45,11 +45,11 @@ def is_ufunc(f: Function) -> bool:
 
 def is_gufunc(f: Function) -> bool:
     """Is it of a cycle: arrays of one size, then numbers, which give numbers?"""
-    found = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
+    of_cycle = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
     arrays = len(f.of("in array"))
-    if found and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
+    if of_cycle and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
         sys.exit(f"write_python.py: rwedge_{f.name}() takes a number before an array: src/loops.c has no loop for that")
-    return found
+    return of_cycle
 
 
 def is_formula(f: Function) -> bool:
@@ -116,14 +116,14 @@ def refused(f: Function) -> list[str]:
 
 def raised(f: Function) -> list[str]:
     """The section on exceptions, of what is not a formula."""
-    found: dict[str, list[str]] = {}
+    causes: dict[str, list[str]] = {}
     general = {"RWEDGE_EDOMAIN": "outside the domain", "RWEDGE_ERANGE": "where a size is out of range", "RWEDGE_ESLIDING": "where |Q| > f P",
                "RWEDGE_EPATH": "where there is no closed form", "RWEDGE_EABSENT": ""}
     for status in f.errors if f.result == "status" else []:
         if status in general:
             why = f.reasons.get(status) or general[status]
-            found.setdefault(EXCEPTIONS.get(status, "ValueError"), []).append(replaced(why, IN_PYTHON))
-    lines = [line for name, reasons in found.items() for line in (name, *indented("; ".join(dict.fromkeys(reasons))))]
+            causes.setdefault(EXCEPTIONS.get(status, "ValueError"), []).append(replaced(why, IN_PYTHON))
+    lines = [line for name, reasons in causes.items() for line in (name, *indented("; ".join(dict.fromkeys(reasons))))]
     return ["", "Raises", "------", *lines] if lines else []
 
 
@@ -189,7 +189,7 @@ def header_py(interface: Interface) -> str:
 
 def formula_loops(interface: Interface) -> list[str]:
     """One loop for every signature of functions with a value: doubles first, integers after them."""
-    found = {}
+    loops = {}
     for f in interface.functions:
         if is_ufunc(f) and f.result == "value":
             kinds = [p.kind for p in f.parameters]
@@ -198,8 +198,8 @@ def formula_loops(interface: Interface) -> list[str]:
                 sys.exit(f"write_python.py: rwedge_{f.name}() takes an integer before a double: src/loops.c has no loop for that")
             arguments = [f"IN({k})" if kind == "double" else f"narrow(AT(const int64_t, {k}))" for k, kind in enumerate(kinds)]
             name = "".join(kind[0] for kind in kinds)
-            found[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
-    return list(found.values())
+            loops[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
+    return list(loops.values())
 
 
 def points(f: Function, many: Function) -> tuple[int, int, int, str]:
@@ -276,13 +276,13 @@ __all__: list[str] = {names}
 
 
 class _Object:
-    def _call(self, name: str, *given: Any) -> Any:
+    def _call(self, name: str, *arguments: Any) -> Any:
         raise NotImplementedError
 
     def _read(self, read: Any) -> Any:
         raise NotImplementedError
 
-    def _at(self, points: Points, *given: Any) -> Any:
+    def _at(self, points: Points, *arguments: Any) -> Any:
         raise NotImplementedError
 
 '''

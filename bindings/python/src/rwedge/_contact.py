@@ -27,7 +27,6 @@ from ._ufuncs import Points
 from ._validity import warn
 
 _create, _copy, _destroy = (function("contact_" + name) for name in ("create", "copy", "destroy"))
-_create_flat, _create_profile = function("contact_create_flat"), function("contact_create_profile")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
 _loads = function("contact_loads")
@@ -171,12 +170,8 @@ class Contact(ContactMethods, Handle):
         Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
         refused. Source: new.
         """
-        given = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
-        handle = ctypes.c_void_p()
-        check("contact_create_flat", _create_flat(*given.values(), ctypes.byref(handle)), given)
-        contact = cls._of_handle(handle)
-        contact.allow_error(tolerance)
-        return contact
+        numbers = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
+        return cls._made("contact_create_flat", tolerance, numbers)
 
     @classmethod
     def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat,
@@ -199,7 +194,7 @@ class Contact(ContactMethods, Handle):
         Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
         that where it is curved most. Source: new.
         """
-        places, slopes = (np.ascontiguousarray(np.asarray(given).astype(float, casting="safe")).ravel() for given in (x, slope))
+        places, slopes = (np.ascontiguousarray(np.asarray(column).astype(float, casting="safe")).ravel() for column in (x, slope))
         if places.size != slopes.size:
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
         if not 2 <= places.size <= 1000 or slopes[0] == slopes[-1]:
@@ -207,9 +202,14 @@ class Contact(ContactMethods, Handle):
         for i in range(1, places.size):
             if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
                 raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
-        given, handle = {"A": real("A", A), "f": real("f", f)}, ctypes.c_void_p()
-        status = _create_profile(places.size, places.ctypes.data, slopes.ctypes.data, *given.values(), ctypes.byref(handle))
-        check("contact_create_profile", status, given)
+        numbers = {"A": real("A", A), "f": real("f", f)}
+        return cls._made("contact_create_profile", tolerance, numbers, places.size, places.ctypes.data, slopes.ctypes.data)
+
+    @classmethod
+    def _made(cls: type[Self], name: str, tolerance: SupportsFloat, numbers: dict[str, float], *arrays: Any) -> Self:
+        """By the function of that name, which takes the arrays first."""
+        handle = ctypes.c_void_p()
+        check(name, function(name)(*arrays, *numbers.values(), ctypes.byref(handle)), numbers)
         contact = cls._of_handle(handle)
         contact.allow_error(tolerance)
         return contact
@@ -343,9 +343,9 @@ class Contact(ContactMethods, Handle):
         """Loads the contact, this one or a copy; or says which load is refused, and why."""
         status = _apply(address, *loads)
         if status == EPATH:
-            given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
+            refused = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
             computed = "or have it computed: Contact(..., tolerance=1e-4)"
-            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}; {computed}", status)
+            raise PathError(f"{refused}: no closed form: {_obstacle(address, *loads).decode()}; {computed}", status)
         check("contact_apply", status, loads._asdict(), place)
 
     def _load_all(self, loads: dict[str, Any]) -> None:
@@ -482,19 +482,19 @@ class Contact(ContactMethods, Handle):
         with self._lock:
             return read(self._address)
 
-    def _at(self, points: Points, *given: Any) -> Any:
+    def _at(self, points: Points, *arguments: Any) -> Any:
         with self._lock:
             if EPATH in FUNCTIONS[points.name]["reasons"]:  # of the contact, not of a point: it is asked first
                 check(points.name, function(points.name)(self._address, 0, *[None] * (len(FUNCTIONS[points.name]["roles"]) - 2)))
-            return points(self._address, *given)
+            return points(self._address, *arguments)
 
-    def _call(self, name: str, *given: Any) -> Any:
+    def _call(self, name: str, *arguments: Any) -> Any:
         with self._lock:
             try:
-                return call(name, self._address, *given)
+                return call(name, self._address, *arguments)
             except Error as error:
                 if name == "contact_stress_history" and error.status != ERANGE:  # arrays of one size
-                    self._find_fault(tuple(map(np.asarray, given[:4])), given[4], given[5])
+                    self._find_fault(tuple(map(np.asarray, arguments[:4])), arguments[4], arguments[5])
                 raise
 
     @property

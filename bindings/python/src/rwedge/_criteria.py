@@ -50,13 +50,13 @@ class Criteria:
 
     def _measured(self, name: str, material: Material, plane_stress: bool, constants: tuple[Any, ...]) -> Any:
         """rwedge_name() at every point; constants: numbers, or names of the material's."""
-        numbers = [self._constant(material, one) if isinstance(one, str) else one for one in constants]
+        numbers = [self._constant(material, value) if isinstance(value, str) else value for value in constants]
         if plane_stress and "E" not in constants:
             numbers[0] = 0.0  # nu counts for the stress across the plane alone
         if "E" in constants:
             numbers.insert(2, int(plane_stress))
-        known = not np.isnan(self.stress).any()
-        with np.errstate(**{} if known else {"invalid": "ignore"}):
+        errors: Any = {"invalid": "ignore"} if np.isnan(self.stress).any() else {}
+        with np.errstate(**errors):
             return Formula(UFUNCS[name])(*np.moveaxis(self.stress, -1, 0), *numbers, axis=0)
 
     @staticmethod

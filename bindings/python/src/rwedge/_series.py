@@ -99,14 +99,14 @@ class Series(SeriesMethods, Handle):
     def __repr__(self) -> str:
         return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"
 
-    def _call(self, name: str, *given: Any) -> Any:
-        return call(name, self._address, *given)
+    def _call(self, name: str, *arguments: Any) -> Any:
+        return call(name, self._address, *arguments)
 
     def _read(self, read: Any) -> Any:
         return read(self._address)
 
-    def _at(self, points: Points, *given: Any) -> Any:
-        return points(self._address, *given)
+    def _at(self, points: Points, *arguments: Any) -> Any:
+        return points(self._address, *arguments)
 
     @property
     def coefficients(self) -> NDArray[Any]:

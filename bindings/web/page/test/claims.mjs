@@ -57,7 +57,7 @@ export async function random_cases_answer_as_the_tool({ session, file, tool }) {
             digits = i % 2 ? 14 : 10;
         const told = solvedBy(tool, texts, digits, "--yield-factor");
         await reopen(page, file, `#E1=1&digits=${digits}`);
-        for (const name of ["theta_deg", "radius", "yield_stress"].filter((one) => one in texts))
+        for (const name of ["theta_deg", "radius", "yield_stress"].filter((other) => other in texts))
             await page.evaluate(
                 (id, way) => {
                     const select = document.getElementById(id).parentElement.querySelector("select");
@@ -174,13 +174,13 @@ export async function each_bad_input_is_named({ session, file }) {
     const page = await openPage(session, file);
     for (const [name, [text, words]] of Object.entries(bad)) {
         const texts = { ...usual, ...(name === "E2" || name === "nu2" ? { E2: "70000", nu2: "0.3" } : {}) };
-        for (const [one, other] of [
+        for (const [first, other] of [
             ["theta", "theta_deg"],
             ["a", "radius"],
             ["k", "yield_stress"],
         ])
             if (name === other) {
-                delete texts[one];
+                delete texts[first];
                 texts[other] = "5";
             }
         await reopen(page, file, asAddress(texts));
@@ -543,7 +543,7 @@ export async function a_criterion_comes_to_what_the_tool_says({ session, file, t
 const remark = async (page) => (await settled(page), page.$eval("#loads-note", (part) => part.textContent));
 
 /** A tension that lags behind Q has no closed form: it is computed, and its error is said. */
-export async function a_course_without_a_closed_form_is_computed({ session, file, tool }) {
+export async function a_history_without_a_closed_form_is_computed({ session, file, tool }) {
     const loads = "P\tQ\tsigma\n190\t20\t0\n190\t14\t100\n190\t-20\t0\n190\t-14\t-100";
     const page = await openPage(session, file, asAddress(usual, { tab: "cycle", digits: "6", loads, cycles: "2" }));
     const { P, Q, ...rest } = usual;

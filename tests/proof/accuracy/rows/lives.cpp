@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lives: how far the curve at the life is from the value, over its slope. Critical distances. */
+#include <float.h>
+
 #include "rows/rows.hpp"
 #include "rwedge.h"
 
@@ -85,7 +87,7 @@ const row LIFE_ROWS[] = {
      judge_smith_watson_topper},
     {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1, draw_fatemi_socie,
      judge_fatemi_socie},
-    {"critical_distance", "1e-60 to 1e60", "relative", 4 * EPSILON, "4 eps", 1, draw_distance,
+    {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1, draw_distance,
      judge_distance},
     {},
 };
